@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// Each adds its process's commands to `kerf`. A command's callback does the work, prints, and throws BadInput.
+namespace kerf::headless {
+
+void addBoringCommands(CLI::App& kerf);
+void addMillingCommands(CLI::App& kerf);
+void addTurningCommands(CLI::App& kerf);
+void addThermalCommands(CLI::App& kerf);
+void addTappingCommands(CLI::App& kerf);
+
+}  // namespace kerf::headless

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/headless/commands.h"
+#include "app/headless/table.h"
+
+namespace {
+constexpr int kDone = 0;
+constexpr int kWrongUsage = 2;
+constexpr int kBadInput = 3;
+constexpr int kProgramFault = 1;
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App kerf("Kerf without a screen: replay, simulate and train with the engine of the console.\n"
+                  "CSV or JSON on stdout, diagnostics on stderr. Exit 0 done, 2 wrong usage, 3 bad input.",
+                  "kerf");
+    kerf.require_subcommand(1);
+    try {
+        kerf.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return kerf.exit(error);  // --help and --version
+        }
+        kerf.exit(error);
+        return kWrongUsage;
+    } catch (const kerf::headless::BadInput& error) {
+        std::fprintf(stderr, "kerf: %s\n", error.what());
+        return kBadInput;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "kerf: program fault: %s\n", error.what());
+        return kProgramFault;
+    }
+    return kDone;
+}

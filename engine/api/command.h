@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "engine/api/boring_types.h"
+#include "engine/core/process.h"
+#include "engine/core/sentence.h"
+
+/// Commands from a page to the engine: numbered, plain values, whole parameter sets. The status echoes number and result.
+namespace kerf {
+
+struct SetLoopMode {
+    ProcessId process{ProcessId::Boring};
+    LoopMode mode{LoopMode::Off};
+};
+/// Leave "held" or "faulted" after a person has looked; loops come back in the mode they had.
+struct ReleaseHold {};
+/// Factor between machine time and wall time; simulated machines only. 0 = as fast as it can.
+struct SetSimulationSpeed {
+    double factor{1.0};
+};
+/// Start the next part's program (simulator, or a control that allows it).
+struct StartPart {
+    ProcessId process{ProcessId::Boring};
+};
+/// Boring: the schedule for the next part. A part being cut keeps the one it began with.
+struct LoadBoringSchedule {
+    BoringSchedule schedule{};
+};
+
+struct Command {
+    std::uint32_t number{0};  ///< set by the sender's EngineApi
+    std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule> action{};
+};
+static_assert(std::is_trivially_copyable_v<Command>);
+
+/// Echo of a command: done, or refused with the reason.
+struct CommandResult {
+    std::uint32_t number{0};
+    bool done{true};
+    Sentence reason{};
+
+    [[nodiscard]] static CommandResult ok() noexcept { return {}; }
+    [[nodiscard]] static CommandResult refused(const Sentence& why) noexcept { return {0, false, why}; }
+};
+
+}  // namespace kerf
