@@ -14,9 +14,10 @@ constexpr int kProgramFault = 1;
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App kerf("Kerf without a screen: replay, simulate and train with the engine of the console.\n"
-                  "CSV or JSON on stdout, diagnostics on stderr. Exit 0 done, 2 wrong usage, 3 bad input.",
-                  "kerf");
+    CLI::App kerf(
+        "Kerf without a screen: replay, simulate and train with the engine of the console.\n"
+        "CSV or JSON on stdout, diagnostics on stderr. Exit 0 done, 2 wrong usage, 3 bad input.",
+        "kerf");
     kerf.require_subcommand(1);
     try {
         kerf.parse(argc, argv);

@@ -13,7 +13,7 @@ namespace kerf::headless {
 
 /// CSV on stdout, collected first: nothing half-written if an error comes in between. Numbers with 17 digits.
 class CsvOutput {
-   public:
+ public:
     explicit CsvOutput(std::string_view header) : m_text(header) { m_text += '\n'; }
     /// One row; doubles print with 17 significant digits, integers plainly, empty strings as empty fields.
     template <class... Cells>
@@ -24,7 +24,7 @@ class CsvOutput {
     }
     void flush();
 
-   private:
+ private:
     template <class Cell>
     void cell(const Cell& value, bool first) {
         if (!first) {

@@ -66,7 +66,8 @@ Table Table::read(const std::string& path) {
         if (table.m_names.empty()) {
             for (const auto cell : cells) {
                 if (cell.empty() || std::ranges::find(table.m_names, cell) != table.m_names.end()) {
-                    throw BadInput(fmt::format("{}, line {}: column name '{}' is empty or stands twice.", path, lineNumber, cell));
+                    throw BadInput(
+                        fmt::format("{}, line {}: column name '{}' is empty or stands twice.", path, lineNumber, cell));
                 }
                 table.m_names.emplace_back(cell);
             }
@@ -74,15 +75,16 @@ Table Table::read(const std::string& path) {
             continue;
         }
         if (cells.size() != table.m_names.size()) {
-            throw BadInput(fmt::format("{}, line {}: {} fields; expected {} as in the header.", path, lineNumber, cells.size(),
-                                       table.m_names.size()));
+            throw BadInput(fmt::format("{}, line {}: {} fields; expected {} as in the header.", path, lineNumber,
+                                       cells.size(), table.m_names.size()));
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
             double value = 0.0;
             const auto [stop, error] = std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
             if (error != std::errc{} || stop != cells[i].data() + cells[i].size() || !std::isfinite(value)) {
-                throw BadInput(fmt::format("{}, line {}, column {}: '{}' is not a number; expected a finite decimal number.", path,
-                                           lineNumber, table.m_names[i], cells[i]));
+                throw BadInput(
+                    fmt::format("{}, line {}, column {}: '{}' is not a number; expected a finite decimal number.", path,
+                                lineNumber, table.m_names[i], cells[i]));
             }
             table.m_columns[i].push_back(value);
         }
@@ -94,12 +96,15 @@ Table Table::read(const std::string& path) {
     return table;
 }
 
-bool Table::has(std::string_view name) const { return std::ranges::find(m_names, name) != m_names.end(); }
+bool Table::has(std::string_view name) const {
+    return std::ranges::find(m_names, name) != m_names.end();
+}
 
 const std::vector<double>& Table::column(std::string_view name) const {
     const auto found = std::ranges::find(m_names, name);
     if (found == m_names.end()) {
-        throw BadInput(fmt::format("{}, line 1: column {} is missing; found {}.", m_path, name, fmt::join(m_names, ",")));
+        throw BadInput(
+            fmt::format("{}, line 1: column {} is missing; found {}.", m_path, name, fmt::join(m_names, ",")));
     }
     return m_columns[static_cast<std::size_t>(found - m_names.begin())];
 }
@@ -112,7 +117,8 @@ void Table::requireRange(std::string_view name, double low, double high) const {
     const auto& values = column(name);
     for (std::size_t row = 0; row < values.size(); ++row) {
         if (values[row] < low || values[row] > high) {
-            throw BadInput(fmt::format("{}{} is out of range; expected {} to {}.", where(row, name), values[row], low, high));
+            throw BadInput(
+                fmt::format("{}{} is out of range; expected {} to {}.", where(row, name), values[row], low, high));
         }
     }
 }

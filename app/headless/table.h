@@ -11,7 +11,7 @@ namespace kerf::headless {
 
 /// Bad input: one sentence with file, line, column and what was expected. main() prints it and exits with 3.
 class BadInput : public std::runtime_error {
-   public:
+ public:
     using std::runtime_error::runtime_error;
 };
 
@@ -19,8 +19,9 @@ class BadInput : public std::runtime_error {
 ///
 /// Comma-separated, '.' decimal point, optional UTF-8 byte order mark, empty lines skipped, '#' comment lines skipped.
 class Table {
-   public:
-    /// @throws BadInput when the file cannot be read, a row has the wrong number of fields, or a field is no finite number.
+ public:
+    /// @throws BadInput when the file cannot be read, a row has the wrong number of fields, or a field is no finite
+    /// number.
     [[nodiscard]] static Table read(const std::string& path);
 
     [[nodiscard]] std::size_t rows() const noexcept { return m_lines.size(); }
@@ -33,7 +34,7 @@ class Table {
     /// @throws BadInput unless low <= value <= high in every row.
     void requireRange(std::string_view name, double low, double high) const;
 
-   private:
+ private:
     std::string m_path;
     std::vector<std::string> m_names;
     std::vector<std::vector<double>> m_columns;

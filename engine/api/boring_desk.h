@@ -22,11 +22,11 @@ using MeasurementId = std::int64_t;
 /// One diameter typed or gauged by the operator.
 struct BoreEntry {
     PartId part{0};
-    std::uint8_t depth{0};        ///< index into BoringDeskView::depths
+    std::uint8_t depth{0};  ///< index into BoringDeskView::depths
     double diameter_mm{0.0};
-    std::string author{};         ///< operator signed on
+    std::string author{};  ///< operator signed on
     bool fromGauge{false};
-    bool confirmed{false};        ///< the operator answered "yes, it is so" to the plausibility question
+    bool confirmed{false};  ///< the operator answered "yes, it is so" to the plausibility question
 };
 
 /// Verdict of the entry gate, before anything is stored.
@@ -51,59 +51,59 @@ struct BoreMeasurementView {
     std::uint8_t depth{0};
     double diameter_mm{0.0};
     bool voided{false};
-    bool corrected{false};        ///< has replaced an older value
+    bool corrected{false};  ///< has replaced an older value
 };
 
 struct BorePartView {
     PartId id{0};
-    std::uint32_t number{0};      ///< 1-based within the lot
+    std::uint32_t number{0};  ///< 1-based within the lot
     bool cut{false};
-    bool complete{false};         ///< every depth measured
+    bool complete{false};  ///< every depth measured
     BoringSchedule schedule{};
     FeedTrace feed{};
     std::vector<BoreMeasurementView> measurements{};
     std::vector<std::optional<DiameterPrediction>> predicted{};  ///< per depth, as made before the cut
-    bool perturbed{false};        ///< the estimator noticed a process change with this part
+    bool perturbed{false};  ///< the estimator noticed a process change with this part
     Sentence perturbedReason{};
 };
 
 /// Estimate after one part: value and half width of the 95 % interval.
 struct EstimateView {
     std::uint32_t part{0};
-    std::array<double, 3> value{};   ///< ln C, α, β
+    std::array<double, 3> value{};  ///< ln C, α, β
     std::array<double, 3> half95{};
 };
 
 struct DepthView {
-    std::string name{};           ///< "top", "bottom", "middle" or a number; translated by the screen
+    std::string name{};  ///< "top", "bottom", "middle" or a number; translated by the screen
     double overhang_mm{0.0};
 };
 
 /// Everything the boring page shows that is not live. Rebuilt after each change; cheap to copy (25 parts).
 struct BoringDeskView {
-    std::uint64_t revision{0};    ///< rises with each change
+    std::uint64_t revision{0};  ///< rises with each change
     std::string partType{};
     std::string lot{};
     std::uint32_t lotSize{0};
     double targetDiameter_mm{0.0};
-    double lowerTolerance_mm{0.0};   ///< diameter, absolute
+    double lowerTolerance_mm{0.0};  ///< diameter, absolute
     double upperTolerance_mm{0.0};
     std::vector<DepthView> depths{};
-    std::vector<BorePartView> parts{};       ///< the last parts of the lot, oldest first
-    std::vector<EstimateView> estimates{};   ///< over the parts of the lot
+    std::vector<BorePartView> parts{};      ///< the last parts of the lot, oldest first
+    std::vector<EstimateView> estimates{};  ///< over the parts of the lot
     BoringSchedule nextSchedule{};
     std::vector<std::optional<DiameterPrediction>> nextPrediction{};  ///< per depth
-    Sentence nextReason{};           ///< why the schedule changed
-    bool nextLimited{false};         ///< α clipped or feed at a limit
-    bool scheduleAccepted{true};     ///< advise mode: the operator has yet to accept nextSchedule
-    std::optional<PartId> awaiting{};///< the oldest part that still wants a diameter
+    Sentence nextReason{};                                            ///< why the schedule changed
+    bool nextLimited{false};                                          ///< α clipped or feed at a limit
+    bool scheduleAccepted{true};       ///< advise mode: the operator has yet to accept nextSchedule
+    std::optional<PartId> awaiting{};  ///< the oldest part that still wants a diameter
     std::uint8_t awaitingDepth{0};
-    std::string estimator{};         ///< "kalman" or "perturbation"
-    Sentence storeProblem{};         ///< empty when the database works
+    std::string estimator{};  ///< "kalman" or "perturbation"
+    Sentence storeProblem{};  ///< empty when the database works
 };
 
 class BoringDesk {
-   public:
+ public:
     BoringDesk() = default;
     BoringDesk(const BoringDesk&) = delete;
     BoringDesk& operator=(const BoringDesk&) = delete;
@@ -127,7 +127,7 @@ class BoringDesk {
     [[nodiscard]] virtual std::optional<double> gaugeReading_mm(PartId part, std::uint8_t depth) = 0;
     /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.
     class Subscription {
-       public:
+     public:
         Subscription() = default;
         Subscription(const Subscription&) = delete;
         Subscription& operator=(const Subscription&) = delete;

@@ -12,18 +12,18 @@
 
 namespace kerf {
 
-inline constexpr std::size_t kMaxBoreDepths = 8;         ///< depths at which a bore is measured
-inline constexpr std::size_t kFeedTracePoints = 64;      ///< points of the really cut feed kept per part
+inline constexpr std::size_t kMaxBoreDepths = 8;     ///< depths at which a bore is measured
+inline constexpr std::size_t kFeedTracePoints = 64;  ///< points of the really cut feed kept per part
 
 /// Feed along the bore for one part: S(L) = (d0/C)^(1/α) / L^(β/α), clamped (process/boring, eq. 3).
 ///
 /// Units: feed mm/rev, overhang mm. Law constants are dimensionless but lnC, ln of mm per (mm/rev)^α mm^β.
 struct BoringSchedule {
-    std::uint32_t revision{0};        ///< rises with every new schedule of a lot; 0: none
+    std::uint32_t revision{0};  ///< rises with every new schedule of a lot; 0: none
     double lnC{0.0};
-    double alpha{1.0};                ///< already clipped by the law, > 0
+    double alpha{1.0};  ///< already clipped by the law, > 0
     double beta{0.0};
-    double targetDeflection_mm{0.0};  ///< d0, > 0
+    double targetDeflection_mm{0.0};    ///< d0, > 0
     double constantFeed_mmPerRev{0.0};  ///< > 0: the first part, cut at this feed throughout
     double minFeed_mmPerRev{0.01};
     double maxFeed_mmPerRev{1.0};
@@ -58,13 +58,13 @@ struct FeedTrace {
 struct BoringStatus {
     bool cutting{false};
     Reading overhang_mm{};
-    Reading feed_mmPerRev{};           ///< really cut
-    double wantedFeed_mmPerRev{0.0};   ///< S(L) at this overhang, valid while cutting
-    std::uint32_t activeSchedule{0};   ///< revision the part in the machine is cut with
-    std::uint32_t nextSchedule{0};     ///< revision loaded for the next part
-    std::uint32_t partsCut{0};         ///< parts finished since the engine started
-    double progress{0.0};              ///< 0…1 along the bore
-    double remaining_s{0.0};           ///< estimated time to the end of the bore, machine time
+    Reading feed_mmPerRev{};          ///< really cut
+    double wantedFeed_mmPerRev{0.0};  ///< S(L) at this overhang, valid while cutting
+    std::uint32_t activeSchedule{0};  ///< revision the part in the machine is cut with
+    std::uint32_t nextSchedule{0};    ///< revision loaded for the next part
+    std::uint32_t partsCut{0};        ///< parts finished since the engine started
+    double progress{0.0};             ///< 0…1 along the bore
+    double remaining_s{0.0};          ///< estimated time to the end of the bore, machine time
 };
 
 }  // namespace kerf

@@ -9,7 +9,8 @@
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
 
-/// Commands from a page to the engine: numbered, plain values, whole parameter sets. The status echoes number and result.
+/// Commands from a page to the engine: numbered, plain values, whole parameter sets. The status echoes number and
+/// result.
 namespace kerf {
 
 struct SetLoopMode {
@@ -17,7 +18,9 @@ struct SetLoopMode {
     LoopMode mode{LoopMode::Off};
 };
 /// Leave "held" or "faulted" after a person has looked; loops come back in the mode they had.
-struct ReleaseHold {};
+struct ReleaseHold {
+    std::uint32_t holdsSeen{0};  ///< set by EngineApi::send: a hold pressed later than the release wins
+};
 /// Factor between machine time and wall time; simulated machines only. 0 = as fast as it can.
 struct SetSimulationSpeed {
     double factor{1.0};
@@ -36,6 +39,17 @@ struct Command {
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule> action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);
+
+/// The loop a process command belongs to.
+[[nodiscard]] inline ProcessId processOf(const Command& command) noexcept {
+    if (const auto* mode = std::get_if<SetLoopMode>(&command.action)) {
+        return mode->process;
+    }
+    if (const auto* start = std::get_if<StartPart>(&command.action)) {
+        return start->process;
+    }
+    return ProcessId::Boring;  // LoadBoringSchedule; later processes add theirs here
+}
 
 /// Echo of a command: done, or refused with the reason.
 struct CommandResult {

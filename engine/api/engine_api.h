@@ -12,13 +12,14 @@ namespace kerf {
 
 /// All of the engine that a screen may touch. One caller thread (the GUI's); no call blocks or allocates in the engine.
 class EngineApi {
-   public:
+ public:
     EngineApi() = default;
     EngineApi(const EngineApi&) = delete;
     EngineApi& operator=(const EngineApi&) = delete;
     virtual ~EngineApi() = default;
 
-    /// Number of the command, to be found again in Status::lastCommand; empty when the ring is full (tell the operator).
+    /// Number of the command, to be found again in Status::lastCommand; empty when the ring is full (tell the
+    /// operator).
     [[nodiscard]] virtual std::optional<std::uint32_t> send(const Command& command) noexcept = 0;
     /// All loops off, last offset held. An atomic flag read first in every cycle: cannot be refused, any thread.
     virtual void holdAll() noexcept = 0;

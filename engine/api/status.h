@@ -16,7 +16,7 @@ namespace kerf {
 
 /// One loop, as the screen shows it.
 struct LoopStatus {
-    bool fitted{false};   ///< false: this build or this machine has no such loop; reason says why
+    bool fitted{false};  ///< false: this build or this machine has no such loop; reason says why
     LoopMode mode{LoopMode::Off};
     LoopState state{LoopState::Off};
     Sentence reason{};
@@ -40,11 +40,12 @@ struct Status {
     LinkState link{LinkState::Down};
     bool machineOn{false};
     bool emergencyStop{false};
-    bool held{false};                 ///< hold-all is in force
-    bool partsBlocked{false};         ///< the part-record ring was full: no new part until it is drained
+    bool feedHold{false};
+    bool held{false};          ///< hold-all is in force
+    bool partsBlocked{false};  ///< the part-record ring was full: no new part until it is drained
     double operatorOverride{1.0};
-    double simulationSpeed{1.0};      ///< wanted; 0 = as fast as it can
-    double feedScale{1.0};            ///< after limits
+    double simulationSpeed{1.0};  ///< wanted; 0 = as fast as it can
+    double feedScale{1.0};        ///< after limits
     bool feedScaleLimited{false};
     Reading actualFeed_mmPerS{};
     Reading spindleSpeed_rpm{};
@@ -54,6 +55,7 @@ struct Status {
     ProcessId programProcess{ProcessId::Boring};
     std::uint32_t partSequence{0};
     CommandResult lastCommand{};
+    std::array<CommandResult, 8> recentCommands{};  ///< newest first; lastCommand is the first of them
     std::array<LoopStatus, kProcessCount> loops{};
     BoringStatus boring{};
     CycleStats stats{};
@@ -77,12 +79,12 @@ static_assert(std::is_trivially_copyable_v<Sample>);
 struct PartRecord {
     ProcessId process{ProcessId::Boring};
     std::uint32_t partSequence{0};
-    bool complete{true};              ///< false: aborted
-    std::int64_t begin_ns{0};         ///< machine time
+    bool complete{true};       ///< false: aborted
+    std::int64_t begin_ns{0};  ///< machine time
     std::int64_t end_ns{0};
     BoringSchedule schedule{};
     FeedTrace feed{};
-    double forceMean_N{0.0};          ///< of processes that measure force
+    double forceMean_N{0.0};  ///< of processes that measure force
     double forcePeak_N{0.0};
 };
 static_assert(std::is_trivially_copyable_v<PartRecord>);

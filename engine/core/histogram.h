@@ -10,7 +10,7 @@ namespace kerf {
 
 /// Times of a cycle in bins a quarter octave wide from 64 ns on: percentiles to 19 %, fixed memory, no allocation.
 class TimeHistogram {
-   public:
+ public:
     static constexpr std::size_t kBins = 4 * 26 + 1;
 
     void add(std::int64_t time_ns) noexcept {
@@ -39,7 +39,7 @@ class TimeHistogram {
         return base + base * static_cast<std::int64_t>(index % 4) / 4;
     }
 
-   private:
+ private:
     [[nodiscard]] static constexpr std::size_t binOf(std::int64_t time_ns) noexcept {
         if (time_ns <= 64) {
             return 0;

@@ -15,11 +15,12 @@ template <class T>
 class LatestValue {
     static_assert(std::is_trivially_copyable_v<T>, "the cycle copies T; it must not allocate");
 
-   public:
+ public:
     /// Writer only, in the cycle: fill the returned slot, then publish().
     [[nodiscard]] T& writeSlot() noexcept { return m_slots[m_write]; }
     void publish() noexcept {
-        const std::uint8_t previous = m_middle.exchange(static_cast<std::uint8_t>(m_write | kFresh), std::memory_order_acq_rel);
+        const std::uint8_t previous =
+            m_middle.exchange(static_cast<std::uint8_t>(m_write | kFresh), std::memory_order_acq_rel);
         m_write = previous & kIndex;
     }
     void publish(const T& value) noexcept {
@@ -38,7 +39,7 @@ class LatestValue {
     /// Reader only: the value last taken by refresh(); value-initialised before the first.
     [[nodiscard]] const T& value() const noexcept { return m_slots[m_read]; }
 
-   private:
+ private:
     static constexpr std::uint8_t kIndex = 3;
     static constexpr std::uint8_t kFresh = 4;
     std::array<T, 3> m_slots{};

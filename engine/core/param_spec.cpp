@@ -9,8 +9,8 @@ std::optional<Sentence> whyOutOfRange(const ParamSpec& spec, double value) {
     if (std::isfinite(value) && value >= spec.min && value <= spec.max) {
         return std::nullopt;
     }
-    return Sentence(KERF_TEXT("%1 must be from %2 to %3."), SentenceArg(spec.label), SentenceArg(spec.min, spec.decimals),
-                    SentenceArg(spec.max, spec.decimals));
+    return Sentence(KERF_TEXT("%1 must be from %2 to %3."), SentenceArg(spec.label),
+                    SentenceArg(spec.min, spec.decimals), SentenceArg(spec.max, spec.decimals));
 }
 
 }  // namespace kerf

@@ -12,12 +12,12 @@ namespace kerf {
 ///
 /// Pages build their fields from it, commands and files are checked against it, the headless program prints it.
 struct ParamSpec {
-    const char* key{""};     ///< "boring.target_diameter_mm": stored under this name
-    const char* label{""};   ///< KERF_TEXT
-    const char* unit{""};    ///< stored unit: "mm", "N", "s", "degC", "um", "" for a ratio
+    const char* key{""};    ///< "boring.target_diameter_mm": stored under this name
+    const char* label{""};  ///< KERF_TEXT
+    const char* unit{""};   ///< stored unit: "mm", "N", "s", "degC", "um", "" for a ratio
     double min{0.0};
     double max{0.0};
-    double fallback{0.0};    ///< default value
+    double fallback{0.0};  ///< default value
     int decimals{3};
     const char* source{""};  ///< KERF_TEXT: where the default comes from
 };

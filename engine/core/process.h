@@ -12,8 +12,8 @@ namespace kerf {
 /// The five loops, in the order the navigation shows them.
 enum class ProcessId : std::uint8_t { Boring, Milling, Turning, Thermal, Tapping };
 inline constexpr std::size_t kProcessCount = 5;
-inline constexpr std::array<ProcessId, kProcessCount> kAllProcesses{ProcessId::Boring, ProcessId::Milling, ProcessId::Turning,
-                                                                    ProcessId::Thermal, ProcessId::Tapping};
+inline constexpr std::array<ProcessId, kProcessCount> kAllProcesses{
+    ProcessId::Boring, ProcessId::Milling, ProcessId::Turning, ProcessId::Thermal, ProcessId::Tapping};
 
 /// Key used in files, the database and logs. Never translated, never changed.
 [[nodiscard]] constexpr const char* processKey(ProcessId id) noexcept {

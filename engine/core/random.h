@@ -11,7 +11,7 @@ namespace kerf {
 ///
 /// The seed is always passed in; there is no global random state. gauss() is Box-Muller.
 class Random {
-   public:
+ public:
     explicit constexpr Random(std::uint64_t seed) noexcept : m_state(seed) {}
 
     [[nodiscard]] constexpr std::uint64_t nextU64() noexcept {
@@ -22,9 +22,7 @@ class Random {
         return z ^ (z >> 31U);
     }
     /// Uniform in [0, 1), 53 bits.
-    [[nodiscard]] constexpr double uniform() noexcept {
-        return static_cast<double>(nextU64() >> 11U) * 0x1.0p-53;
-    }
+    [[nodiscard]] constexpr double uniform() noexcept { return static_cast<double>(nextU64() >> 11U) * 0x1.0p-53; }
     /// Uniform in [low, high).
     [[nodiscard]] constexpr double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
     /// Standard normal. Draws come in pairs: the cosine of one now, its sine at the next call.
@@ -45,7 +43,7 @@ class Random {
         return Random(mixed.nextU64());
     }
 
-   private:
+ private:
     std::uint64_t m_state;
     double m_spare{0.0};
     bool m_hasSpare{false};

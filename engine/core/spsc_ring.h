@@ -18,7 +18,7 @@ template <class T>
 class SpscRing {
     static_assert(std::is_trivially_copyable_v<T>, "the cycle copies T; it must not allocate");
 
-   public:
+ public:
     explicit SpscRing(std::size_t capacity) : m_queue(capacity) {}
 
     /// Producer. False, and counted, when full.
@@ -35,7 +35,7 @@ class SpscRing {
     [[nodiscard]] std::uint64_t refused() const noexcept { return m_refused.load(std::memory_order_relaxed); }
     [[nodiscard]] std::size_t approximateSize() const noexcept { return m_queue.size_approx(); }
 
-   private:
+ private:
     moodycamel::ReaderWriterQueue<T> m_queue;
     std::atomic<std::uint64_t> m_refused{0};
 };

@@ -24,7 +24,11 @@ using Diameter_mm = Quantity<struct DiameterTag>;
 using Radius_mm = Quantity<struct RadiusTag>;
 using Deflection_mm = Quantity<struct DeflectionTag>;
 
-[[nodiscard]] constexpr Radius_mm radiusOf(Diameter_mm d) { return Radius_mm(d.value / 2.0); }
-[[nodiscard]] constexpr Diameter_mm diameterOf(Radius_mm r) { return Diameter_mm(r.value * 2.0); }
+[[nodiscard]] constexpr Radius_mm radiusOf(Diameter_mm d) {
+    return Radius_mm(d.value / 2.0);
+}
+[[nodiscard]] constexpr Diameter_mm diameterOf(Radius_mm r) {
+    return Diameter_mm(r.value * 2.0);
+}
 
 }  // namespace kerf

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "engine/api/command.h"
 #include "engine/core/alarm.h"
@@ -12,6 +14,7 @@
 namespace kerf {
 
 struct Status;
+struct Sample;
 struct EventSink;
 
 /// What one loop would like in this cycle. Empty fields leave the machine as it is. engine/limits decides.
@@ -20,7 +23,9 @@ struct LoopOutputs {
     bool feedHold{false};
     std::array<std::optional<double>, kAxisCount> workOffset_um{};
     std::optional<double> toolTrim_um{};
-    PortRequest request{};  ///< number is filled by the cycle
+    /// Numbered by the loop: process index in the top byte, then a counter, so that replies find their way back. A
+    /// start or abort of the loop's own program passes in every mode; anything else only while the loop controls.
+    PortRequest request{};
 };
 
 /// The state of a loop with the sentence that says why.
@@ -33,22 +38,27 @@ struct LoopVerdict {
 ///
 /// All methods run in the cycle: no allocation, lock, throw, log or I/O. Time comes with the inputs.
 class ProcessLoop {
-   public:
+ public:
     ProcessLoop() = default;
     ProcessLoop(const ProcessLoop&) = delete;
     ProcessLoop& operator=(const ProcessLoop&) = delete;
     virtual ~ProcessLoop() = default;
 
     [[nodiscard]] virtual ProcessId id() const noexcept = 0;
+    /// The alarms this loop can raise; the array lives as long as the program.
+    [[nodiscard]] virtual std::span<const AlarmSpec> alarms() const noexcept = 0;
     /// A command for this process, already numbered. Refusal carries the operator's sentence.
     [[nodiscard]] virtual CommandResult handle(const Command& command) noexcept = 0;
     /// The mode asked by the operator. Off and Advise must be bumpless at once.
     virtual void setMode(LoopMode mode) noexcept = 0;
-    /// One cycle. `outputs` arrives empty; in Advise the cycle discards what the loop puts there.
+    /// One cycle, in every mode. `outputs` arrives empty; unless the mode is Control, the cycle discards what the loop
+    /// puts there (so advising runs exactly the code of controlling).
     [[nodiscard]] virtual LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities,
                                            LoopOutputs& outputs, EventSink& events) noexcept = 0;
     /// Copy the loop's own figures into its part of the status.
     virtual void report(Status& status) const noexcept = 0;
+    /// Put the loop's own figures into a chart sample; called about 100 times a second.
+    virtual void sample(Sample& sample) const noexcept = 0;
 };
 
 }  // namespace kerf

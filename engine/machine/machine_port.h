@@ -29,18 +29,18 @@ struct Capability {
 /// What this machine can do, known after connect() and constant until disconnect().
 struct Capabilities {
     std::array<char, 32> machineName{};
-    std::int64_t cycle_ns{1'000'000};   ///< period of the cycle on machine time
-    double maxFeedScale{1.0};           ///< largest factor on the programmed feed the control accepts; 1 = slow-down only
-    Capability feedScale{};             ///< live scaling of the programmed feed
+    std::int64_t cycle_ns{1'000'000};  ///< period of the cycle on machine time
+    double maxFeedScale{1.0};  ///< largest factor on the programmed feed the control accepts; 1 = slow-down only
+    Capability feedScale{};    ///< live scaling of the programmed feed
     Capability forceSensor{};
     Capability temperatures{};
     std::uint16_t temperatureCount{0};
-    Capability workOffset{};            ///< work-origin shift that reads back
+    Capability workOffset{};  ///< work-origin shift that reads back
     Capability gapSensors{};
-    Capability servoGains{};            ///< gains of Z servo and spindle can be set
-    Capability toolTrim{};              ///< fast trim of the tool's depth
-    Capability gauge{};                 ///< a bore gauge whose readings the port passes on
-    Capability cycleStart{};            ///< Kerf may start a part program (else the operator does, at the control)
+    Capability servoGains{};  ///< gains of Z servo and spindle can be set
+    Capability toolTrim{};    ///< fast trim of the tool's depth
+    Capability gauge{};       ///< a bore gauge whose readings the port passes on
+    Capability cycleStart{};  ///< Kerf may start a part program (else the operator does, at the control)
     std::array<Capability, kProcessCount> process{};  ///< which loops this machine can host
     bool simulated{false};
 };
@@ -86,18 +86,18 @@ struct MachineInputs {
     LinkState link{LinkState::Down};
     bool emergencyStop{false};
     bool machineOn{false};
-    bool feedHold{false};                 ///< operator's or ours
-    double operatorOverride{1.0};         ///< the feed knob, 1 = 100 %
+    bool feedHold{false};          ///< operator's or ours
+    double operatorOverride{1.0};  ///< the feed knob, 1 = 100 %
     ProgramState program{ProgramState::Idle};
     ProcessId programProcess{ProcessId::Boring};  ///< which loop the running program belongs to
     std::uint32_t partSequence{0};
     Reading programmedFeed_mmPerS{};
     Reading actualFeed_mmPerS{};
     Reading spindleSpeed_rpm{};
-    Reading spindleAngle_rev{};           ///< accumulated
+    Reading spindleAngle_rev{};  ///< accumulated
     std::array<Reading, kAxisCount> position_mm{};
-    Reading overhang_mm{};                ///< boring: spindle overhang L
-    Reading appliedFeedScale{};           ///< what the control really applies
+    Reading overhang_mm{};                            ///< boring: spindle overhang L
+    Reading appliedFeedScale{};                       ///< what the control really applies
     std::array<Reading, kAxisCount> workOffset_um{};  ///< shift the control reports as applied
     std::array<Reading, kAxisCount> gap_um{};
     Reading toolTrim_um{};
@@ -116,9 +116,9 @@ struct StartProgram {
     double spindleSpeed_rpm{0.0};
     double from_mm{0.0};  ///< boring: overhang range; milling: path; tapping: top
     double to_mm{0.0};
-    double pitch_mm{0.0};                 ///< tapping
-    double revolutions{0.0};              ///< tapping: depth in revolutions
-    bool air{false};                      ///< tapping: air tap
+    double pitch_mm{0.0};     ///< tapping
+    double revolutions{0.0};  ///< tapping: depth in revolutions
+    bool air{false};          ///< tapping: air tap
 };
 struct AbortProgram {};
 struct SetServoGains {
@@ -134,7 +134,7 @@ struct PortRequest {
 
 /// One cycle's wishes. Only engine/limits makes it; the loops fill LoopOutputs.
 struct MachineOutputs {
-    double feedScale{1.0};     ///< factor on the programmed feed, 0…maxFeedScale
+    double feedScale{1.0};  ///< factor on the programmed feed, 0…maxFeedScale
     bool feedHold{false};
     std::array<double, kAxisCount> workOffset_um{};
     double toolTrim_um{0.0};
@@ -146,7 +146,7 @@ static_assert(std::is_trivially_copyable_v<MachineOutputs>);
 
 /// A machine. read() and write() run in the cycle: no allocation, lock, throw, log or blocking call.
 class MachinePort {
-   public:
+ public:
     MachinePort() = default;
     MachinePort(const MachinePort&) = delete;
     MachinePort& operator=(const MachinePort&) = delete;

@@ -30,15 +30,15 @@ inline bool closeTo(double actual, double expected, double tolerance = 1e-9) {
 }  // namespace kerf::test
 
 /// QVERIFY with both numbers in the message.
-#define KERF_CLOSE(actual, expected, tolerance)                                                               \
-    do {                                                                                                      \
-        const double kerfActual = (actual);                                                                   \
-        const double kerfExpected = (expected);                                                               \
-        if (!kerf::test::closeTo(kerfActual, kerfExpected, tolerance)) {                                      \
-            QFAIL(qPrintable(QStringLiteral("%1 is %2, expected %3 (difference %4)")                          \
-                                 .arg(QStringLiteral(#actual))                                                \
-                                 .arg(kerfActual, 0, 'g', 17)                                                 \
-                                 .arg(kerfExpected, 0, 'g', 17)                                               \
-                                 .arg(kerfActual - kerfExpected)));                                           \
-        }                                                                                                     \
+#define KERF_CLOSE(actual, expected, tolerance)                                      \
+    do {                                                                             \
+        const double kerfActual = (actual);                                          \
+        const double kerfExpected = (expected);                                      \
+        if (!kerf::test::closeTo(kerfActual, kerfExpected, tolerance)) {             \
+            QFAIL(qPrintable(QStringLiteral("%1 is %2, expected %3 (difference %4)") \
+                                 .arg(QStringLiteral(#actual))                       \
+                                 .arg(kerfActual, 0, 'g', 17)                        \
+                                 .arg(kerfExpected, 0, 'g', 17)                      \
+                                 .arg(kerfActual - kerfExpected)));                  \
+        }                                                                            \
     } while (false)

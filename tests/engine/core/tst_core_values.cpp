@@ -8,7 +8,7 @@
 
 class TestCoreValues : public QObject {
     Q_OBJECT
-   private slots:
+ private slots:
     void sentenceFillsItsArgumentsInAnyOrder() {
         const kerf::Sentence sentence("%2 is above %1 N", {40.0, 1}, kerf::SentenceArg("Force"));
         QCOMPARE(sentence.english(), std::string("Force is above 40.0 N"));

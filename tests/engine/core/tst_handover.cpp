@@ -30,7 +30,7 @@ constexpr std::uint64_t kRounds = 200000;
 /// The two hand-over parts between threads; run under the thread sanitizer too.
 class TestHandover : public QObject {
     Q_OBJECT
-   private slots:
+ private slots:
     void latestValueIsNeverTornAndNeverOlder() {
         kerf::LatestValue<Block> latest;
         std::jthread writer([&] {

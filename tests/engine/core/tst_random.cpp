@@ -6,7 +6,7 @@
 
 class TestRandom : public QObject {
     Q_OBJECT
-   private slots:
+ private slots:
     void sameDigitsAsTheReference() {
         const auto reference = kerf::test::loadGolden("golden_diamond.json")["rng"];
         kerf::Random integers(42);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/api/status.h"
+#include "engine/core/alarm.h"
+#include "engine/core/spsc_ring.h"
+
+namespace kerf {
+
+/// Where a loop puts what leaves the cycle: alarms and finished parts. Called in the cycle only.
+struct EventSink {
+    static constexpr std::size_t kMaxActiveAlarms = 64;
+
+    EventSink(SpscRing<AlarmEvent>& alarmRing, SpscRing<PartRecord>& partRing) noexcept
+        : alarms(alarmRing), parts(partRing) {}
+
+    /// Raise an alarm; repeated calls while it is active change nothing.
+    void raise(AlarmCode code, const Sentence& detail = Sentence{}) noexcept;
+    /// The condition has gone; nothing happens if it was not active.
+    void clear(AlarmCode code) noexcept;
+    [[nodiscard]] bool active(AlarmCode code) const noexcept;
+    /// raise() or clear().
+    void set(AlarmCode code, bool condition, const Sentence& detail = Sentence{}) noexcept {
+        condition ? raise(code, detail) : clear(code);
+    }
+    /// Hand a part record to the database. When the ring is full the record is kept here, `partsBlocked` latches and
+    /// no new part may begin until flush() has got rid of it: a part is never lost.
+    void finishPart(const PartRecord& record) noexcept;
+    void flush() noexcept;
+    [[nodiscard]] bool partsBlocked() const noexcept { return m_pendingCount > 0; }
+
+    std::int64_t now_ns{0};  ///< set by the cycle
+
+ private:
+    SpscRing<AlarmEvent>& alarms;
+    SpscRing<PartRecord>& parts;
+    std::array<AlarmCode, kMaxActiveAlarms> m_active{};
+    std::size_t m_activeCount{0};
+    std::array<PartRecord, 4> m_pending{};
+    std::size_t m_pendingCount{0};
+};
+
+}  // namespace kerf

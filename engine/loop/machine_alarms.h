@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "engine/core/alarm.h"
+
+/// Alarms of engine and machine, codes 1-99.
+namespace kerf::machine_alarm {
+
+inline constexpr AlarmCode kLinkDown = 1;
+inline constexpr AlarmCode kEmergencyStop = 2;
+inline constexpr AlarmCode kPartStoreFull = 3;
+inline constexpr AlarmCode kOverruns = 4;
+
+inline constexpr std::array kSpecs{
+    AlarmSpec{
+        kLinkDown, 1, KERF_TEXT("No connection to the machine"),
+        KERF_TEXT("The control no longer answers: cable, network or the control itself."),
+        KERF_TEXT("All loops are held. The control goes on at or below its programmed feed with its last offset."),
+        KERF_TEXT("Check the control and the cable. Kerf connects again by itself; then release the hold.")},
+    AlarmSpec{kEmergencyStop, 1, KERF_TEXT("Emergency stop"),
+              KERF_TEXT("The emergency stop of the machine is pressed."),
+              KERF_TEXT("The control has stopped the machine. All loops are held."),
+              KERF_TEXT("Make the machine safe, reset the emergency stop at the control, then release the hold.")},
+    AlarmSpec{kPartStoreFull, 2, KERF_TEXT("Finished parts are not being stored"),
+              KERF_TEXT("The database does not take records: disk full, or the file is locked."),
+              KERF_TEXT("The finished part is kept in memory. No new part can be started."),
+              KERF_TEXT("Free disk space or end the program that locks the file. Storing goes on by itself.")},
+    AlarmSpec{kOverruns, 3, KERF_TEXT("The engine misses its deadlines"),
+              KERF_TEXT("This computer is too busy, or real-time scheduling is not allowed."),
+              KERF_TEXT("Loops react later than designed. Feed and offsets stay inside their limits."),
+              KERF_TEXT("End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.")},
+};
+
+}  // namespace kerf::machine_alarm

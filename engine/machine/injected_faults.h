@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace kerf {
+
+/// How one signal of the simulated machine is made to fail.
+enum class SignalFault : std::uint8_t { None, Unplugged, Stale, NotANumber, Saturated, Stuck };
+
+/// Faults that tests (and the simulator's fault panel) inject; the loops meet them as they would on a real machine.
+struct InjectedFaults {
+    bool linkDown{false};
+    bool emergencyStop{false};
+    bool machineOff{false};
+    bool operatorFeedHold{false};
+    bool spindleStopped{false};
+    double operatorOverride{1.0};
+    SignalFault overhang{SignalFault::None};
+    SignalFault spindleSpeed{SignalFault::None};
+    SignalFault actualFeed{SignalFault::None};
+    SignalFault force{SignalFault::None};
+    SignalFault temperatures{SignalFault::None};
+};
+
+}  // namespace kerf

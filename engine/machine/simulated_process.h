@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "engine/machine/injected_faults.h"
+#include "engine/machine/machine_port.h"
+
+namespace kerf {
+
+/// What the simulated machine knows beside the plants: the same for all of them in one step.
+struct SimulationStep {
+    double dt_s{0.0};
+    std::int64_t now_ns{0};
+    double feedFactor{1.0};     ///< feed scale × operator's knob, 0 in a feed hold
+    double spindleFactor{1.0};  ///< 0 when the spindle is stopped
+    const MachineOutputs* outputs{nullptr};
+    const InjectedFaults* faults{nullptr};
+};
+
+/// One process's plant inside the simulated machine: physics in the room, movement and signals here. All but the
+/// constructor runs in the cycle.
+class SimulatedProcess {
+ public:
+    SimulatedProcess() = default;
+    SimulatedProcess(const SimulatedProcess&) = delete;
+    SimulatedProcess& operator=(const SimulatedProcess&) = delete;
+    virtual ~SimulatedProcess() = default;
+
+    [[nodiscard]] virtual ProcessId id() const noexcept = 0;
+    /// Add what this plant brings (sensors, outputs it obeys) to the machine's capabilities. Not in the cycle.
+    virtual void fit(Capabilities& capabilities) const = 0;
+    /// Refusal carries the reason.
+    [[nodiscard]] virtual Result<void> begin(const StartProgram& program, std::uint32_t partSequence) noexcept = 0;
+    virtual void abort() noexcept = 0;
+    /// Advance by step.dt_s and fill this process's signals; called every step, cutting or not.
+    /// Returns true while its program runs.
+    virtual bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept = 0;
+};
+
+/// A reading of a simulated signal, with the injected fault applied. `stuck` keeps the value the fault began with.
+[[nodiscard]] Reading simulatedReading(double value, std::int64_t now_ns, SignalFault fault, Reading previous) noexcept;
+
+}  // namespace kerf
