@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/engine_client.h"
+
+#include <algorithm>
+
+namespace kerf::ui {
+
+EngineClient::EngineClient(EngineApi& engine, QObject* parent) : QObject(parent), m_engine(engine) {
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(1000 / kTickRate_Hz);
+    connect(&m_timer, &QTimer::timeout, this, &EngineClient::tick);
+}
+
+void EngineClient::start() {
+    m_timer.start();
+}
+
+void EngineClient::stop() {
+    m_timer.stop();
+}
+
+void EngineClient::tick() {
+    m_status = m_engine.status();
+    settleCommands();
+    AlarmEvent event;
+    for (int i = 0; i < kAlarmsPerTick && m_engine.nextAlarm(event); ++i) {
+        emit alarmArrived(event);
+    }
+    const std::size_t count = m_engine.drainSamples(m_samples);
+    if (count > 0) {
+        emit samplesArrived(std::span<const Sample>(m_samples.data(), count));
+    }
+    emit statusChanged(m_status);
+}
+
+bool EngineClient::send(const Command& command) {
+    const std::optional<std::uint32_t> number = m_engine.send(command);
+    if (!number) {
+        emit refused(
+            Sentence(KERF_TEXT("The command was not sent: the engine has not taken the earlier ones yet. Try again.")));
+        return false;
+    }
+    m_pending.push_back(*number);
+    return true;
+}
+
+// The status echoes the newest command only. An older one that has been passed by is no longer pending.
+void EngineClient::settleCommands() {
+    const CommandResult& last = m_status.lastCommand;
+    if (m_pending.empty() || last.number < m_pending.front()) {
+        return;
+    }
+    const bool ours = std::find(m_pending.cbegin(), m_pending.cend(), last.number) != m_pending.cend();
+    std::erase_if(m_pending, [&last](std::uint32_t number) { return number <= last.number; });
+    if (!ours) {
+        return;
+    }
+    if (last.done) {
+        emit accepted(last.number);
+    } else {
+        emit refused(last.reason);
+    }
+}
+
+}  // namespace kerf::ui

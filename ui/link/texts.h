@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "engine/core/alarm.h"
+#include "engine/core/process.h"
+#include "engine/core/sentence.h"
+#include "ui/units/unit_system.h"
+
+namespace kerf::ui {
+
+/// Translation of an engine text (marked with KERF_TEXT); itself when there is none.
+[[nodiscard]] QString engineText(const char* english);
+
+/// A sentence in the operator's language. A number followed by a unit that the screen converts ("%1 mm", "%2 degC")
+/// is shown in the operator's unit.
+[[nodiscard]] QString sentenceText(const Sentence& sentence, const UnitSystem& units = UnitSystem());
+
+struct AlarmText {
+    QString title{};
+    QString cause{};
+    QString consequence{};
+    QString action{};
+};
+/// Texts of one alarm; an unknown code says so.
+[[nodiscard]] AlarmText alarmText(const AlarmSpec* spec, AlarmCode code);
+
+[[nodiscard]] QString processName(ProcessId id);
+[[nodiscard]] QString stateName(LoopState state);
+[[nodiscard]] QString modeName(LoopMode mode);
+
+}  // namespace kerf::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QObject>
+#include <QPen>
+#include <QTranslator>
+
+#include "ui/theme/metrics.h"
+#include "ui/theme/palette.h"
+#include "ui/units/unit_system.h"
+
+namespace kerf::ui {
+
+enum class Language { English, Korean };
+
+/// What an operator chooses about the face. A plain value: the application stores it, Look applies it.
+struct Preferences {
+    Language language{Language::English};
+    LengthUnit length{LengthUnit::Millimetre};
+    TemperatureUnit temperature{TemperatureUnit::Celsius};
+    Brightness brightness{Brightness::Light};
+    double scale{1.0};  ///< Metrics::kMinScale … kMaxScale
+
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// How everything looks: colours, sizes, fonts, units, language. One object, handed to every widget by reference.
+///
+/// A widget draws with look.color(), look.px(), look.font(), look.units() and connects changed() to its own
+/// refresh; texts are set again in changeEvent(LanguageChange).
+class Look : public QObject {
+    Q_OBJECT
+ public:
+    /// @param dpi logical dots per inch; 0: the primary screen's
+    explicit Look(double dpi = 0.0, QObject* parent = nullptr);
+    ~Look() override;
+
+    [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
+    /// Switch whatever differs, live: style sheet, fonts, translator, units. Emits changed() once.
+    void apply(const Preferences& preferences);
+
+    [[nodiscard]] const Palette& palette() const { return m_palette; }
+    [[nodiscard]] const Metrics& metrics() const { return m_metrics; }
+    [[nodiscard]] const UnitSystem& units() const { return m_units; }
+
+    [[nodiscard]] QColor color(Token token) const { return m_palette.color(token); }
+    [[nodiscard]] int px(double size_mm) const { return m_metrics.px(size_mm); }
+    [[nodiscard]] int space(Space step) const { return m_metrics.space(step); }
+    /// Noto Sans with Korean behind it; its figures are all of one width.
+    [[nodiscard]] QFont font(TextSize size, QFont::Weight weight = QFont::Normal) const;
+    [[nodiscard]] QPen pen(Token token, Stroke stroke = Stroke::Normal, Qt::PenStyle style = Qt::SolidLine) const;
+
+ signals:
+    void changed();
+
+ private:
+    void refresh();
+    void setLanguage(Language language);
+
+    double m_dpi;
+    Preferences m_preferences;
+    Palette m_palette;
+    Metrics m_metrics;
+    UnitSystem m_units;
+    QTranslator m_texts;
+    QTranslator m_qtTexts;
+};
+
+/// The style sheet of the standard widgets, made from tokens.
+[[nodiscard]] QString styleSheet(const Look& look);
+
+}  // namespace kerf::ui
