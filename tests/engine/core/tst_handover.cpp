@@ -24,7 +24,11 @@ struct Block {
         return true;
     }
 };
+#ifdef KERF_SANITIZED
+constexpr std::uint64_t kRounds = 5000;
+#else
 constexpr std::uint64_t kRounds = 200000;
+#endif
 }  // namespace
 
 /// The two hand-over parts between threads; run under the thread sanitizer too.
@@ -46,6 +50,8 @@ class TestHandover : public QObject {
                 whole = whole && latest.value().whole();
                 ordered = ordered && latest.value().words[0] > last;
                 last = latest.value().words[0];
+            } else {
+                std::this_thread::yield();
             }
         }
         QVERIFY(whole);
@@ -66,6 +72,8 @@ class TestHandover : public QObject {
             for (std::uint64_t i = 1; i <= kRounds;) {
                 if (ring.tryPush(Block::of(i))) {
                     ++i;
+                } else {
+                    std::this_thread::yield();
                 }
             }
         });
@@ -75,6 +83,8 @@ class TestHandover : public QObject {
             if (ring.tryPop(block)) {
                 good = good && block.whole() && block.words[0] == expected;
                 ++expected;
+            } else {
+                std::this_thread::yield();
             }
         }
         QVERIFY(good);
@@ -85,7 +95,7 @@ class TestHandover : public QObject {
         while (ring.tryPush(taken)) {
             ++taken;
         }
-        QVERIFY(taken >= 8 && taken < 32);
+        QCOMPARE(taken, 8);
         QVERIFY(!ring.tryPush(99));
         QCOMPARE(ring.refused(), 2U);
         int value = -1;
