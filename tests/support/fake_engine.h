@@ -38,6 +38,8 @@ class FakeEngine : public EngineApi {
         if (answer) {
             fake.lastCommand = refuseWith.empty() ? CommandResult::ok() : CommandResult::refused(refuseWith);
             fake.lastCommand.number = m_number;
+            std::rotate(fake.recentCommands.rbegin(), fake.recentCommands.rbegin() + 1, fake.recentCommands.rend());
+            fake.recentCommands[0] = fake.lastCommand;
         }
         return m_number;
     }

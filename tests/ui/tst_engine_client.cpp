@@ -66,6 +66,19 @@ class TestEngineClient : public QObject {
         QCOMPARE(told.size(), std::size_t{1});
         QCOMPARE(told.front(), QStringLiteral("The spindle is at 1.0000\u00a0in."));
     }
+    void everyRefusalBetweenTwoTicksIsTold() {
+        test::FakeEngine engine;
+        EngineClient client(engine);
+        int refusals = 0;
+        connect(&client, &EngineClient::refused, this, [&refusals] { ++refusals; });
+        engine.refuseWith = Sentence("no");
+        QVERIFY(client.sendAction(StartPart{}));
+        QVERIFY(client.sendAction(StartPart{}));
+        engine.refuseWith = Sentence();
+        QVERIFY(client.sendAction(ReleaseHold{}));
+        client.tick();
+        QCOMPARE(refusals, 2);
+    }
     void anAcceptedCommandIsNotARefusal() {
         test::FakeEngine engine;
         EngineClient client(engine);

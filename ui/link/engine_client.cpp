@@ -44,22 +44,22 @@ bool EngineClient::send(const Command& command) {
     return true;
 }
 
-// The status echoes the newest command only. An older one that has been passed by is no longer pending.
+// The status echoes the newest few results. A command older than all of them is no longer pending: its fate is unknown.
 void EngineClient::settleCommands() {
-    const CommandResult& last = m_status.lastCommand;
-    if (m_pending.empty() || last.number < m_pending.front()) {
-        return;
+    const std::uint32_t newest = m_status.lastCommand.number;
+    for (auto result = m_status.recentCommands.rbegin(); result != m_status.recentCommands.rend(); ++result) {
+        const auto found = std::find(m_pending.begin(), m_pending.end(), result->number);
+        if (found == m_pending.end()) {
+            continue;
+        }
+        m_pending.erase(found);
+        if (result->done) {
+            emit accepted(result->number);
+        } else {
+            emit refused(result->reason);
+        }
     }
-    const bool ours = std::find(m_pending.cbegin(), m_pending.cend(), last.number) != m_pending.cend();
-    std::erase_if(m_pending, [&last](std::uint32_t number) { return number <= last.number; });
-    if (!ours) {
-        return;
-    }
-    if (last.done) {
-        emit accepted(last.number);
-    } else {
-        emit refused(last.reason);
-    }
+    std::erase_if(m_pending, [newest](std::uint32_t number) { return number <= newest; });
 }
 
 }  // namespace kerf::ui

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/chart.h"
+
+#include <QAreaSeries>
+#include <QFontMetrics>
+#include <QGraphicsLayout>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf::ui {
+namespace {
+
+/// Smallest range that holds everything it has been shown.
+struct Extent {
+    double low{std::numeric_limits<double>::infinity()};
+    double high{-std::numeric_limits<double>::infinity()};
+    void take(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] bool empty() const { return !(low <= high); }
+};
+
+}  // namespace
+
+Chart::Chart(Look& look, QWidget* parent)
+    : QChartView(parent), m_look(look), m_chart(new QChart), m_x(new QValueAxis), m_y(new QValueAxis) {
+    setChart(m_chart);
+    setFrameShape(QFrame::NoFrame);
+    setRenderHint(QPainter::Antialiasing);
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+    setFocusPolicy(Qt::NoFocus);
+    setBackgroundBrush(Qt::NoBrush);
+    viewport()->setAutoFillBackground(false);
+    m_chart->legend()->hide();
+    m_chart->setBackgroundVisible(false);
+    m_chart->setMargins(QMargins(0, 0, 0, 0));
+    m_chart->layout()->setContentsMargins(0, 0, 0, 0);
+    m_chart->setAnimationOptions(QChart::NoAnimation);
+    m_chart->addAxis(m_x, Qt::AlignBottom);
+    m_chart->addAxis(m_y, Qt::AlignLeft);
+    for (QValueAxis* axis : {m_x, m_y}) {
+        axis->setTickType(QValueAxis::TicksDynamic);
+    }
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&look, &Look::changed, this, [this] {
+        restyle();
+        retitle();
+        rebuild();
+        updateGeometry();
+    });
+    restyle();
+    applyRange(m_x, 0.0, 1.0, false);
+    applyRange(m_y, 0.0, 1.0, false);
+}
+
+void Chart::setXAxis(const QString& title, const char* unit, bool wholeNumbers) {
+    m_xTitle = title;
+    m_xUnit = unit;
+    m_wholeNumbers = wholeNumbers;
+    retitle();
+    rebuild();
+}
+
+void Chart::setYAxis(const QString& title, const char* unit) {
+    m_yTitle = title;
+    m_yUnit = unit;
+    retitle();
+    rebuild();
+}
+
+void Chart::setXRange(double from, double to) {
+    m_xRange = {from, to};
+    fit();
+}
+
+void Chart::setYRange(double from, double to) {
+    m_yRange = {from, to};
+    fit();
+}
+
+void Chart::setYIncludes(std::vector<double> values) {
+    m_yIncludes = std::move(values);
+    fit();
+}
+
+Chart::CurveId Chart::addCurve(const CurveStyle& style) {
+    auto* series = new QLineSeries;
+    m_chart->addSeries(series);
+    series->attachAxis(m_x);
+    series->attachAxis(m_y);
+    m_curves.push_back({style, {}, {}, series});
+    restyle();
+    return m_curves.size() - 1;
+}
+
+void Chart::setCurveLabel(CurveId curve, const QString& label) {
+    m_curves[curve].label = label;
+    viewport()->update();
+}
+
+void Chart::setPoints(CurveId curve, const std::vector<QPointF>& points) {
+    m_curves[curve].points = points;
+    rebuild();
+}
+
+Chart::BandId Chart::addBand(Token token) {
+    Band band{token, {}, new QLineSeries(m_chart), new QLineSeries(m_chart), nullptr};
+    band.area = new QAreaSeries(band.high, band.low);
+    m_chart->addSeries(band.area);
+    band.area->attachAxis(m_x);
+    band.area->attachAxis(m_y);
+    m_bands.push_back(band);
+    restyle();
+    return m_bands.size() - 1;
+}
+
+void Chart::setBand(BandId band, const std::vector<BandPoint>& points) {
+    m_bands[band].points = points;
+    rebuild();
+}
+
+void Chart::setLimits(std::vector<Limit> limits) {
+    m_limits = std::move(limits);
+    fit();
+}
+
+void Chart::setMarks(std::vector<Mark> marks) {
+    m_marks = std::move(marks);
+    viewport()->update();
+}
+
+void Chart::setEmptyText(const QString& sentence) {
+    m_emptyText = sentence;
+    viewport()->update();
+}
+
+QList<QPointF> Chart::drawn(CurveId curve) const {
+    return m_curves[curve].series->points();
+}
+
+QSize Chart::sizeHint() const {
+    return {m_look.metrics().sideWidth(), m_look.metrics().chart()};
+}
+
+QSize Chart::minimumSizeHint() const {
+    return {m_look.metrics().chart(), m_look.metrics().chart() / 2};
+}
+
+void Chart::restyle() {
+    const QFont small = m_look.font(TextSize::Label);
+    for (QValueAxis* axis : {m_x, m_y}) {
+        axis->setLabelsFont(small);
+        axis->setTitleFont(small);
+        axis->setLabelsBrush(m_look.color(Token::Dim));
+        axis->setTitleBrush(m_look.color(Token::Dim));
+        axis->setLinePen(m_look.pen(Token::Line, Stroke::Thin));
+        axis->setGridLinePen(QPen(m_look.palette().grid(), m_look.metrics().stroke(Stroke::Thin)));
+    }
+    for (const Curve& curve : m_curves) {
+        const bool line = curve.style.kind != Kind::Points;
+        const Qt::PenStyle style = curve.style.kind == Kind::Dashed ? Qt::DashLine : Qt::SolidLine;
+        QPen pen = line ? m_look.pen(curve.style.token, curve.style.stroke, style) : QPen(Qt::NoPen);
+        pen.setJoinStyle(Qt::RoundJoin);
+        curve.series->setPen(pen);
+    }
+    for (const Band& band : m_bands) {
+        band.area->setPen(QPen(Qt::NoPen));
+        band.area->setBrush(m_look.palette().band(band.token));
+    }
+}
+
+void Chart::retitle() {
+    const auto title = [this](const QString& name, const char* unit) {
+        const QString symbol = m_look.units().of(unit).symbol;
+        return symbol.isEmpty() ? name : tr("%1, %2", "axis title, unit").arg(name, symbol);
+    };
+    m_x->setTitleText(title(m_xTitle, m_xUnit));
+    m_y->setTitleText(title(m_yTitle, m_yUnit));
+    m_x->setTitleVisible(!m_xTitle.isEmpty());
+    m_y->setTitleVisible(!m_yTitle.isEmpty());
+}
+
+void Chart::rebuild() {
+    const DisplayUnit x = m_look.units().of(m_xUnit);
+    const DisplayUnit y = m_look.units().of(m_yUnit);
+    for (const Curve& curve : m_curves) {
+        QList<QPointF> shown;
+        shown.reserve(static_cast<qsizetype>(curve.points.size()));
+        for (const QPointF& p : curve.points) {
+            shown.append({x.toShown(p.x()), y.toShown(p.y())});
+        }
+        curve.series->replace(shown);
+    }
+    for (const Band& band : m_bands) {
+        QList<QPointF> low;
+        QList<QPointF> high;
+        for (const BandPoint& p : band.points) {
+            low.append({x.toShown(p.x), y.toShown(p.low)});
+            high.append({x.toShown(p.x), y.toShown(p.high)});
+        }
+        band.low->replace(low);
+        band.high->replace(high);
+    }
+    fit();
+}
+
+void Chart::applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers) {
+    AxisRange range = roundRange(from, to);
+    if (wholeNumbers && range.step < 1.0) {
+        range.step = 1.0;
+        range.decimals = 0;
+    }
+    if (!widen) {
+        range.from = from;
+        range.to = to;
+    }
+    // Qt Charts draws a tick at anchor + n·interval; a range of hundreds of intervals never comes out of roundRange.
+    axis->setTickAnchor(std::ceil(range.from / range.step - 1e-9) * range.step);
+    axis->setTickInterval(range.step);
+    axis->setRange(range.from, range.to);
+    axis->setLabelFormat(QStringLiteral("%.%1f").arg(range.decimals));
+}
+
+void Chart::fit() {
+    const DisplayUnit x = m_look.units().of(m_xUnit);
+    const DisplayUnit y = m_look.units().of(m_yUnit);
+    Extent across;
+    Extent up;
+    for (const Curve& curve : m_curves) {
+        for (const QPointF& p : curve.points) {
+            across.take(x.toShown(p.x()));
+            up.take(y.toShown(p.y()));
+        }
+    }
+    for (const Band& band : m_bands) {
+        for (const BandPoint& p : band.points) {
+            across.take(x.toShown(p.x));
+            up.take(y.toShown(p.low));
+            up.take(y.toShown(p.high));
+        }
+    }
+    for (const Limit& limit : m_limits) {
+        up.take(y.toShown(limit.value));
+    }
+    for (const double value : m_yIncludes) {
+        up.take(y.toShown(value));
+    }
+    if (m_xRange) {
+        applyRange(m_x, x.toShown(m_xRange->first), x.toShown(m_xRange->second), false, m_wholeNumbers);
+    } else if (!across.empty()) {
+        // Half a part of air on both sides when the axis counts parts.
+        const double air = m_wholeNumbers ? 0.5 : 0.0;
+        applyRange(m_x, across.low - air, across.high + air, !m_wholeNumbers, m_wholeNumbers);
+    }
+    if (m_yRange) {
+        applyRange(m_y, y.toShown(m_yRange->first), y.toShown(m_yRange->second), false);
+    } else if (!up.empty()) {
+        applyRange(m_y, up.low, up.high, true);
+    }
+    viewport()->update();
+}
+
+void Chart::fitY(double from, double to, bool keepWide) {
+    if (m_yRange) {
+        return;
+    }
+    const DisplayUnit y = m_look.units().of(m_yUnit);
+    Extent up;
+    up.take(from);
+    up.take(to);
+    for (const Limit& limit : m_limits) {
+        up.take(y.toShown(limit.value));
+    }
+    for (const double value : m_yIncludes) {
+        up.take(y.toShown(value));
+    }
+    const bool inside = up.low >= m_y->min() && up.high <= m_y->max();
+    if (keepWide && inside && (m_y->max() - m_y->min()) < 3.0 * (up.high - up.low)) {
+        return;
+    }
+    applyRange(m_y, up.low, up.high, true);
+}
+
+QPointF Chart::place(const QPointF& shown) const {
+    const QRectF plot = m_chart->plotArea();
+    return {plot.left() + (shown.x() - m_x->min()) / (m_x->max() - m_x->min()) * plot.width(),
+            plot.bottom() - (shown.y() - m_y->min()) / (m_y->max() - m_y->min()) * plot.height()};
+}
+
+void Chart::drawForeground(QPainter* painter, const QRectF&) {
+    const QRectF plot = m_chart->plotArea();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const bool empty =
+        std::all_of(m_curves.begin(), m_curves.end(), [](const Curve& c) { return c.series->count() == 0; });
+    painter->setFont(m_look.font(TextSize::Label));
+    if (empty && !m_emptyText.isEmpty()) {
+        painter->setFont(m_look.font(TextSize::Body));
+        painter->setPen(m_look.color(Token::Dim));
+        const double inset = m_look.space(Space::Large);
+        painter->drawText(plot.adjusted(inset, 0, -inset, 0), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
+        painter->restore();
+        return;
+    }
+    std::vector<QRectF> taken;
+    paintMarks(*painter, plot);
+    paintLimits(*painter, plot, taken);
+    paintCurves(*painter, plot, taken);
+    painter->restore();
+}
+
+void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
+    const DisplayUnit unit = m_look.units().of(m_yUnit);
+    const QFontMetrics metrics(m_look.font(TextSize::Label));
+    for (const Limit& limit : m_limits) {
+        const double y = place({m_x->min(), unit.toShown(limit.value)}).y();
+        if (y < plot.top() - 1.0 || y > plot.bottom() + 1.0) {
+            continue;
+        }
+        painter.setPen(m_look.pen(limit.token, Stroke::Thin, limit.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        if (limit.label.isEmpty()) {
+            continue;
+        }
+        const double height = metrics.height();
+        const double top = y - height < plot.top() ? y : y - height;  // above the line unless it is the topmost
+        const QRectF box(plot.left() + m_look.space(Space::Small), top, metrics.horizontalAdvance(limit.label), height);
+        painter.setPen(m_look.color(limit.token));
+        painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, limit.label);
+        taken.push_back(box);
+    }
+}
+
+void Chart::paintMarks(QPainter& painter, const QRectF& plot) const {
+    const DisplayUnit unit = m_look.units().of(m_xUnit);
+    const QFontMetrics metrics(m_look.font(TextSize::Label));
+    for (const Mark& mark : m_marks) {
+        const double x = place({unit.toShown(mark.x), m_y->min()}).x();
+        if (x < plot.left() - 1.0 || x > plot.right() + 1.0) {
+            continue;
+        }
+        painter.setPen(m_look.pen(mark.token, Stroke::Thin, Qt::DotLine));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        const double width = metrics.horizontalAdvance(mark.label);
+        const double gap = m_look.space(Space::Small);
+        const double left = x + gap + width > plot.right() ? x - gap - width : x + gap;
+        painter.setPen(m_look.color(Token::Dim));
+        painter.drawText(QRectF(left, plot.top(), width, metrics.height()), Qt::AlignCenter, mark.label);
+    }
+}
+
+void Chart::paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
+    const QFontMetrics metrics(m_look.font(TextSize::Label));
+    const double r = m_look.metrics().stroke(Stroke::Bold) * 1.5;
+    for (const Curve& curve : m_curves) {
+        const QList<QPointF> points = curve.series->points();
+        const QColor color = m_look.color(curve.style.token);
+        if (curve.style.kind == Kind::Points || curve.style.kind == Kind::LineAndPoints) {
+            painter.setPen(QPen(color, m_look.metrics().stroke(Stroke::Normal)));
+            painter.setBrush(curve.style.marker == Marker::Ring ? QBrush(m_look.color(Token::Panel)) : QBrush(color));
+            for (const QPointF& point : points) {
+                const QPointF at = place(point);
+                if (!plot.adjusted(-1, -1, 1, 1).contains(at)) {
+                    continue;
+                }
+                switch (curve.style.marker) {
+                    case Marker::Disc:
+                    case Marker::Ring:
+                        painter.drawEllipse(at, r, r);
+                        break;
+                    case Marker::Diamond:
+                        painter.drawPolygon(QPolygonF{at + QPointF(0, -1.4 * r), at + QPointF(1.4 * r, 0),
+                                                      at + QPointF(0, 1.4 * r), at + QPointF(-1.4 * r, 0)});
+                        break;
+                    case Marker::Triangle:
+                        painter.drawPolygon(
+                            QPolygonF{at + QPointF(0, -1.3 * r), at + QPointF(1.2 * r, r), at + QPointF(-1.2 * r, r)});
+                        break;
+                }
+            }
+        }
+        if (curve.label.isEmpty() || points.isEmpty()) {
+            continue;
+        }
+        // The name at the newest point, moved away from names already there.
+        const QPointF end = place(points.last());
+        const double width = metrics.horizontalAdvance(curve.label);
+        const double height = metrics.height();
+        double left = std::min(end.x() + r + m_look.space(Space::Small), plot.right() - width);
+        double top = std::clamp(end.y() - height - r, plot.top(), plot.bottom() - height);
+        QRectF box(left, top, width, height);
+        for (int attempt = 0; attempt < 12; ++attempt) {
+            const bool free =
+                std::none_of(taken.begin(), taken.end(), [&box](const QRectF& other) { return other.intersects(box); });
+            if (free) {
+                break;
+            }
+            const double shift = height * (attempt / 2 + 1);
+            box.moveTop(std::clamp(attempt % 2 == 0 ? top + shift : top - shift, plot.top(), plot.bottom() - height));
+        }
+        taken.push_back(box);
+        painter.setPen(color);
+        painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, curve.label);
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <functional>
+#include <vector>
+
+#include "ui/widgets/face_widget.h"
+
+namespace kerf::ui {
+
+class SheetHost;
+
+/// A question or form laid over the page area. It is modal for the pages only: the bottom line with HOLD ALL, the
+/// header and the engine stay reachable. Made by SheetHost; deletes itself when closed.
+class Sheet : public FaceWidget {
+    Q_OBJECT
+ public:
+    void setTitle(const QString& title);
+    void setText(const QString& text);
+    /// Put fields here.
+    [[nodiscard]] QVBoxLayout* body() const { return m_body; }
+    /// Buttons from left to right; the first is the safe one and answers Escape. Use ActionButton or QPushButton.
+    void addButton(QPushButton* button, std::function<void()> onClicked, bool closes = true);
+    QPushButton* addButton(const QString& text, std::function<void()> onClicked, bool closes = true);
+    void close();
+
+ signals:
+    void closed();
+
+ protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void refresh() override;
+
+ private:
+    friend class SheetHost;
+    Sheet(Look& look, QWidget* host);
+
+    QFrame* m_frame;
+    QLabel* m_title;
+    QLabel* m_text;
+    QVBoxLayout* m_body;
+    QHBoxLayout* m_buttons;
+    std::vector<QPushButton*> m_list;
+};
+
+/// The page area that sheets cover. One sheet at a time; opening another closes the first.
+class SheetHost : public QWidget {
+    Q_OBJECT
+ public:
+    explicit SheetHost(Look& look, QWidget* parent = nullptr);
+
+    /// An empty sheet, shown at once.
+    Sheet* open(const QString& title, const QString& text = {});
+    /// A question with two answers: the safe one left.
+    void ask(const QString& title, const QString& text, const QString& safe, const QString& proceed,
+             std::function<void()> onProceed);
+    /// A sentence with "Close".
+    void tell(const QString& title, const QString& text);
+    [[nodiscard]] Sheet* current() const { return m_current; }
+
+ protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+ private:
+    Look& m_look;
+    Sheet* m_current{nullptr};
+};
+
+}  // namespace kerf::ui

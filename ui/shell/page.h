@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/core/process.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/link/alarm_list.h"
+#include "ui/link/engine_client.h"
+#include "ui/shell/operator_session.h"
+#include "ui/shell/services.h"
+#include "ui/widgets/face_widget.h"
+
+namespace kerf::ui {
+
+/// What a page works with. All references live as long as the page.
+struct PageContext {
+    Look& look;
+    Services& services;
+    EngineClient& client;      ///< statusChanged, samplesArrived, send(): refusals are told by the shell
+    OperatorSession& session;  ///< who signs entries
+    AlarmList& alarms;
+    SheetHost& sheets;                                    ///< questions over the page area
+    std::function<void(const char* key)> showPage;        ///< go to another page
+    std::function<void(const QString& sentence)> notify;  ///< a sentence on the bottom line
+    /// Run an action that needs a name: asks who is there first when nobody is signed on.
+    std::function<void(std::function<void()> action)> withOperator;
+};
+
+/// A page of the console. Derive, build widgets in the constructor, set every text, size and colour in refresh(), call
+/// refresh() at the constructor's end, connect to context().client for live values. A page is only alive when visible:
+/// skip drawing work while !isVisible().
+class Page : public FaceWidget {
+    Q_OBJECT
+ public:
+    explicit Page(const PageContext& context, QWidget* parent = nullptr)
+        : FaceWidget(context.look, parent), m_context(context) {
+        setObjectName(QStringLiteral("page"));
+    }
+
+ protected:
+    [[nodiscard]] const PageContext& context() const { return m_context; }
+
+ private:
+    PageContext m_context;
+};
+
+/// The number that matters of one loop, for its card on Overview.
+struct KeyFigure {
+    QString label{};       ///< translated
+    const char* unit{""};  ///< stored unit
+    int decimals{1};
+    std::optional<double> value{};
+    std::optional<double> half95{};
+    bool limited{false};
+};
+
+/// One row of the navigation. A room plugs in its page with one PageEntry in standardPages() (ui/shell/page_list.cpp).
+struct PageEntry {
+    const char* key{""};                 ///< "boring": object name, settings, screenshots
+    std::function<QString()> title{};    ///< translated, asked again when the language changes
+    std::optional<ProcessId> process{};  ///< the navigation then shows the loop's lamp and state
+    std::function<Page*(const PageContext&)> make{};
+    std::function<KeyFigure(const Services&, const Status&)> keyFigure{};  ///< process pages: Overview's card
+};
+
+using PageList = std::vector<PageEntry>;
+/// The pages of this build, in the order of the navigation.
+[[nodiscard]] PageList standardPages();
+
+}  // namespace kerf::ui

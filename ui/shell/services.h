@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <functional>
+
+#include "engine/api/boring_desk.h"
+#include "engine/api/engine_api.h"
+
+namespace kerf {
+class AlarmReader;
+class AuditReader;
+class LotReader;
+class PartReader;
+class SettingsReader;
+}  // namespace kerf
+
+namespace kerf::ui {
+
+struct Preferences;
+
+/// Everything the console's face may use, handed to it by the application. Only `engine` must be there; a page says
+/// what is missing when a pointer it needs is null. All of them outlive the main window and are used on the GUI thread.
+struct Services {
+    EngineApi& engine;
+    BoringDesk* boringDesk{nullptr};
+    PartReader* parts{nullptr};
+    LotReader* lots{nullptr};
+    AlarmReader* alarms{nullptr};
+    AuditReader* audit{nullptr};
+    SettingsReader* settings{nullptr};
+    QStringList operators{};  ///< names offered at sign-on
+
+    /// Called when the operator has changed language, unit, theme or scale; the application stores it.
+    std::function<void(const Preferences&)> savePreferences{};
+    /// Called when an operator not yet in the list has signed on; the application stores the list.
+    std::function<void(const QStringList&)> saveOperators{};
+    /// Called when alarms have been acknowledged by code; the application writes it to the history.
+    std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+#include <functional>
+
+#include "ui/theme/look.h"
+
+namespace kerf::ui {
+
+/// A button that says why it is off. The predicate gives an empty text when the action is possible, else one
+/// (translated) sentence; the button is then disabled and shows that sentence under its name.
+class ActionButton : public QPushButton {
+    Q_OBJECT
+ public:
+    using WhyNot = std::function<QString()>;
+
+    explicit ActionButton(Look& look, QWidget* parent = nullptr);
+
+    void setPredicate(WhyNot whyNot);
+    /// Ask the predicate again; cheap, may be called on every status.
+    void reconsider();
+    [[nodiscard]] QString reason() const { return m_reason; }
+    /// The action the page expects next: a heavier frame.
+    void setPrimary(bool primary);
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+
+ private:
+    [[nodiscard]] int textHeight(int width) const;
+
+    Look& m_look;
+    WhyNot m_whyNot;
+    QString m_reason;
+};
+
+}  // namespace kerf::ui

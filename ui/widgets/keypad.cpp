@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/keypad.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+
+namespace kerf::ui {
+
+Keypad::Keypad(Look& look, QWidget* parent) : FaceWidget(look, parent), m_grid(new QGridLayout(this)) {
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    for (int digit = 1; digit <= 9; ++digit) {
+        const QString face = QString::number(digit);
+        const QByteArray name = "key" + face.toLatin1();
+        connect(addKey(face, name.constData(), 2 - (digit - 1) / 3, (digit - 1) % 3), &QPushButton::clicked, this,
+                [this, face, digit] { type(face, Qt::Key_0 + digit); });
+    }
+    connect(addKey(QStringLiteral("0"), "key0", 3, 0), &QPushButton::clicked, this,
+            [this] { type(QStringLiteral("0"), Qt::Key_0); });
+    connect(addKey(QStringLiteral("."), "keyPoint", 3, 1), &QPushButton::clicked, this,
+            [this] { type(QStringLiteral("."), Qt::Key_Period); });
+    connect(addKey(QStringLiteral("±"), "keySign", 3, 2), &QPushButton::clicked, this, [this] {
+        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        if (edit != nullptr) {
+            const QString text = edit->text();
+            edit->selectAll();
+            edit->insert(text.startsWith(u'-') ? text.mid(1) : u'-' + text);
+            emit edit->textEdited(edit->text());
+        }
+    });
+    connect(addKey(QStringLiteral("⌫"), "keyBack", 0, 3), &QPushButton::clicked, this,
+            [this] { type({}, Qt::Key_Backspace); });
+    m_clear = addKey(QStringLiteral("C"), "keyClear", 1, 3);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        if (edit != nullptr) {
+            edit->clear();
+            emit edit->textEdited({});
+        }
+    });
+    m_enter = addKey({}, "keyEnter", 2, 3);
+    m_grid->addWidget(m_enter, 2, 3, 2, 1);
+    m_enter->setProperty("primary", true);
+    connect(m_enter, &QPushButton::clicked, this, [this] { type({}, Qt::Key_Return); });
+    refresh();
+}
+
+QPushButton* Keypad::addKey(const QString& face, const char* name, int row, int column, int columns) {
+    auto* key = new QPushButton(face, this);
+    key->setObjectName(QLatin1String(name));
+    key->setFocusPolicy(Qt::NoFocus);
+    key->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_grid->addWidget(key, row, column, 1, columns);
+    m_keys.push_back(key);
+    return key;
+}
+
+void Keypad::setEnterText(const QString& text) {
+    m_enterText = text;
+    refresh();
+}
+
+void Keypad::type(const QString& text, int key) {
+    QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    if (edit == nullptr) {
+        return;
+    }
+    QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QKeyEvent release(QEvent::KeyRelease, key, Qt::NoModifier, text);
+    QApplication::sendEvent(edit, &press);
+    QApplication::sendEvent(edit, &release);
+}
+
+void Keypad::refresh() {
+    m_grid->setSpacing(look().metrics().touchGap());
+    const QString style = QStringLiteral("padding: 0; font-size: %1px").arg(look().metrics().text(TextSize::Card));
+    for (QPushButton* key : m_keys) {
+        key->setMinimumSize(look().metrics().touch(), look().metrics().touch());
+        key->setStyleSheet(style);
+    }
+    m_enter->setText(m_enterText.isEmpty() ? QStringLiteral("⏎") : m_enterText);
+    m_enter->setAccessibleName(tr("Enter"));
+    m_clear->setAccessibleName(tr("Clear"));
+    FaceWidget::refresh();
+}
+
+}  // namespace kerf::ui

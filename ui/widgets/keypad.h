@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <vector>
+
+#include "ui/widgets/face_widget.h"
+
+namespace kerf::ui {
+
+/// Number keys for gloved fingers: at least 15 mm, 3 mm apart. Types into its target, or into whatever QLineEdit has
+/// the focus; never takes the focus itself. Enter does what Return does in the editor.
+class Keypad : public FaceWidget {
+    Q_OBJECT
+ public:
+    explicit Keypad(Look& look, QWidget* parent = nullptr);
+
+    void setTarget(QLineEdit* edit) { m_target = edit; }
+    /// Text of the enter key ("Enter" when empty).
+    void setEnterText(const QString& text);
+
+ protected:
+    void refresh() override;
+
+ private:
+    QPushButton* addKey(const QString& face, const char* name, int row, int column, int columns = 1);
+    void type(const QString& text, int key);
+
+    QGridLayout* m_grid;
+    QPointer<QLineEdit> m_target;
+    QPushButton* m_enter{nullptr};
+    QPushButton* m_clear{nullptr};
+    QString m_enterText;
+    std::vector<QPushButton*> m_keys;
+};
+
+}  // namespace kerf::ui
