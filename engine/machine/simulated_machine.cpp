@@ -40,7 +40,7 @@ Reading simulatedReading(double value, std::int64_t now_ns, SignalFault fault, R
 }
 
 SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique_ptr<SimulatedProcess>> processes)
-    : m_processes(std::move(processes)) {
+    : m_processes(std::move(processes)), m_partSequence(params.partsSoFar) {
     copyName(m_capabilities.machineName, "Kerf simulator");
     m_capabilities.cycle_ns = params.cycle_ns;
     m_capabilities.maxFeedScale = params.maxFeedScale;

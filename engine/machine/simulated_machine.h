@@ -22,6 +22,7 @@ class SimulatedMachine final : public MachinePort {
     struct Params {
         std::int64_t cycle_ns{1'000'000};
         double maxFeedScale{1.0};
+        std::uint32_t partsSoFar{0};  ///< the counter of a machine that has worked before
     };
     SimulatedMachine(const Params& params, std::vector<std::unique_ptr<SimulatedProcess>> processes);
 

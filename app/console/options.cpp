@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/options.h"
+
+#include <CLI/CLI.hpp>
+#include <regex>
+
+namespace kerf::console {
+
+std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
+    Options options;
+    std::string size;
+    CLI::App app("Kerf: operator console for CNC machine tools, with the built-in simulator or a real control.",
+                 "kerf-console");
+    app.set_version_flag("--version", KERF_VERSION);
+    app.add_option("--data", options.dataDir, "Folder of the database and the log (default: the user's data folder)");
+    app.add_option("--machine", options.machine, "Machine to work with")
+        ->check(CLI::IsMember({"simulator"}))
+        ->capture_default_str();
+    app.add_option("--speed", options.simulationSpeed,
+                   "Simulator: machine time per wall time, 1 to 1000; 0 = as fast as it can")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    app.add_option("--seed", options.seed, "Simulator: seed of its noise")->capture_default_str();
+    app.add_option("--prepared-parts", options.preparedParts,
+                   "Simulator: parts bored and measured beforehand when the lot is new, 0 to 100")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str();
+    app.add_flag("--auto-operator", options.autoOperator, "Simulator: every bore is gauged and entered by itself");
+    app.add_option("--language", options.language, "Language of the screen")->check(CLI::IsMember({"en", "ko"}));
+    app.add_option("--theme", options.theme, "Light or dark screen")->check(CLI::IsMember({"light", "dark"}));
+    app.add_option("--unit", options.unit, "Length unit of the screen")->check(CLI::IsMember({"mm", "inch"}));
+    app.add_option("--size", size, "Window size, WIDTHxHEIGHT in pixels")->check([](const std::string& text) {
+        return std::regex_match(text, std::regex("[1-9][0-9]{2,4}x[1-9][0-9]{2,4}"))
+                   ? std::string()
+                   : "must be WIDTHxHEIGHT in pixels, such as 1280x800";
+    });
+    app.add_flag("--full-screen", options.fullScreen, "Take the whole screen");
+    app.add_option("--screenshots", options.screenshotDir, "Render every page to PNG into this folder and end");
+    app.add_flag("--print-acceptances", options.printAcceptances,
+                 "Print one line on stdout for every accepted measurement, once it is safely on disk");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        app.exit(error);
+        exitCode = error.get_exit_code() == 0 ? 0 : 2;
+        return std::nullopt;
+    }
+    if (!size.empty()) {
+        const auto cross = size.find('x');
+        options.size = QSize(std::stoi(size.substr(0, cross)), std::stoi(size.substr(cross + 1)));
+    }
+    return options;
+}
+
+}  // namespace kerf::console

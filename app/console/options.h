@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSize>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace kerf::console {
+
+/// What the command line asks of kerf-console.
+struct Options {
+    std::string dataDir{};  ///< empty: the user's data folder
+    std::string machine{"simulator"};
+    double simulationSpeed{20.0};    ///< simulator only
+    std::uint64_t seed{1};           ///< of the simulator's noise
+    std::uint32_t preparedParts{6};  ///< simulator, empty database: parts bored and measured before the operator comes
+    bool autoOperator{false};        ///< simulator: bores are measured and entered by themselves
+    std::string language{};          ///< "en", "ko"; empty: as last time
+    std::string theme{};             ///< "light", "dark"; empty: as last time
+    std::string unit{};              ///< "mm", "inch"; empty: as last time
+    std::optional<QSize> size{};
+    bool fullScreen{false};
+    std::string screenshotDir{};   ///< not empty: render every page to PNG there and end
+    bool printAcceptances{false};  ///< print one line per accepted measurement once it is on disk
+};
+
+/// Exit code in `exitCode` when the program should end at once (--help, wrong usage).
+[[nodiscard]] std::optional<Options> parseOptions(int argc, char** argv, int& exitCode);
+
+}  // namespace kerf::console

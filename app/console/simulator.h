@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "engine/machine/simulated_boring.h"
+#include "engine/machine/simulated_machine.h"
+
+namespace kerf::console {
+
+/// The built-in machine as the console runs it, with the gauge an operator would hold in the bores.
+class Simulator {
+ public:
+    struct Params {
+        std::uint32_t partsSoFar{0};
+        std::uint64_t seed{1};
+        double gaugeSigma_mm{0.005};     ///< standard deviation of one gauged deflection
+        std::uint32_t changeAtPart{14};  ///< a new insert: the process is another one from here on; 0: never
+    };
+    /// What a diameter means for the part type being made (boring, eq. 11).
+    struct Bore {
+        double targetDiameter_mm{50.0};
+        double targetDeflection_mm{0.1165};
+        double phi_deg{60.0};
+    };
+    explicit Simulator(const Params& params);
+
+    [[nodiscard]] SimulatedMachine& machine() noexcept { return *m_machine; }
+    /// What the gauge shows for a finished part; the same bore always reads the same. Empty: not finished, or long
+    /// gone.
+    [[nodiscard]] std::optional<double> gaugeReading_mm(std::uint32_t partSequence, double overhang_mm,
+                                                        const Bore& bore);
+
+ private:
+    Params m_params;
+    SimulatedBoring* m_boring{nullptr};
+    std::unique_ptr<SimulatedMachine> m_machine;
+    std::map<std::uint32_t, BoredHole> m_holes;
+};
+
+}  // namespace kerf::console
