@@ -1,3 +1,11 @@
+# One precompiled header for the screens' libraries. Tests have none: Qt6::Test defines each one's folder on its command
+# line, and the compiler takes a precompiled header only with the same definitions.
+set(CMAKE_PCH_WARN_INVALID OFF)
+file(WRITE ${CMAKE_BINARY_DIR}/pch/kerf_pch_ui.cpp "// only here so that the precompiled header has a target\n")
+add_library(kerf_pch_ui OBJECT ${CMAKE_BINARY_DIR}/pch/kerf_pch_ui.cpp)
+target_link_libraries(kerf_pch_ui PRIVATE kerf_options Qt6::Widgets Qt6::Charts)
+target_precompile_headers(kerf_pch_ui PRIVATE <QtWidgets> <QtCharts> <functional> <memory> <vector>)
+
 # kerf_library(name SOURCES … LINK … [QT]): one static library per folder, sources listed.
 function(kerf_library name)
   cmake_parse_arguments(ARG "QT" "" "SOURCES;LINK" ${ARGN})
@@ -5,6 +13,10 @@ function(kerf_library name)
   target_link_libraries(${name} PUBLIC kerf_options ${ARG_LINK})
   if(ARG_QT)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  endif()
+  if(name MATCHES "^kerf_ui")
+    target_link_libraries(${name} PUBLIC Qt6::Widgets Qt6::Charts)
+    target_precompile_headers(${name} REUSE_FROM kerf_pch_ui)
   endif()
 endfunction()
 
