@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "db/api/rows.h"
+#include "engine/core/result.h"
+
+namespace kerf {
+
+/// Machines, part types, recipes and lots. Own read-only connection; use it on the thread that made it.
+class LotReader {
+ public:
+    LotReader() = default;
+    LotReader(const LotReader&) = delete;
+    LotReader& operator=(const LotReader&) = delete;
+    virtual ~LotReader() = default;
+
+    [[nodiscard]] virtual Result<std::vector<MachineRow>> machines() = 0;
+    [[nodiscard]] virtual Result<std::vector<PartTypeRow>> partTypes(std::optional<ProcessId> process) = 0;
+    /// All revisions of a recipe, newest first.
+    [[nodiscard]] virtual Result<std::vector<RecipeRevision>> recipes(PartTypeId partType) = 0;
+    /// Newest first, at most `limit`.
+    [[nodiscard]] virtual Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) = 0;
+    /// The lot that finished parts of the process go to.
+    [[nodiscard]] virtual Result<std::optional<LotId>> activeLot(ProcessId process) = 0;
+    /// Everything about one lot; empty optional: no such lot.
+    [[nodiscard]] virtual Result<std::optional<LotHistory>> history(LotId lot) = 0;
+};
+
+}  // namespace kerf

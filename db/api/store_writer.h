@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "db/api/rows.h"
+#include "engine/api/status.h"
+#include "engine/core/result.h"
+
+/// Everything that can be written. One command is one transaction, with its audit entry inside.
+namespace kerf {
+
+/// Find the machine of that name, or create it. Receipt: id.
+struct EnsureMachine {
+    std::string name{};
+    std::string kind{};
+};
+/// Find the part type, or create it with these parameters as revision 1. Receipt: id, second = newest recipe revision.
+struct EnsurePartType {
+    ProcessId process{ProcessId::Boring};
+    std::string name{};
+    std::string parametersJson{};
+    std::string author{};
+};
+/// Add a revision to a part type's recipe. Receipt: id of the revision, second = its number.
+struct SaveRecipe {
+    PartTypeId partType{0};
+    std::string parametersJson{};
+    std::string author{};
+    std::string reason{};
+    std::optional<std::uint32_t> restoredFrom{};
+};
+/// Roll back: revision `revision` of the part type becomes the newest again, as a new revision. Receipt as SaveRecipe.
+struct RestoreRecipe {
+    PartTypeId partType{0};
+    std::uint32_t revision{0};
+    std::string author{};
+    std::string reason{};
+};
+/// Find the lot of that name, or open it. Receipt: id.
+struct EnsureLot {
+    MachineId machine{0};
+    PartTypeId partType{0};
+    RecipeRevisionId recipe{0};
+    std::string name{};
+    std::uint32_t size{0};
+    std::string estimator{};
+    std::string author{};
+};
+struct CloseLot {
+    LotId lot{0};
+    std::string author{};
+    std::string reason{};
+};
+/// From now on finished parts of that process belong to this lot; kept over a restart.
+struct SetActiveLot {
+    ProcessId process{ProcessId::Boring};
+    std::optional<LotId> lot{};
+    std::string author{};
+};
+/// Store a part by hand (import, tests). The engine's own parts come through the part-record ring. Receipt: id, second
+/// = number in the lot.
+struct AddPart {
+    std::optional<LotId> lot{};
+    PartRecord record{};
+    std::string serial{};
+};
+struct SetPartSerial {
+    PartId part{0};
+    std::string serial{};
+    std::string author{};
+    std::string reason{};
+};
+/// A measurement, correction or void with the estimator states that follow from it, and the schedule that follows from
+/// those: stored together or not at all. Receipt: id of the measurement.
+struct AcceptMeasurement {
+    MeasurementRow measurement{};
+    std::vector<EstimatorStateRow> states{};
+    std::optional<ScheduleRow> nextSchedule{};
+};
+/// Keep a proposed schedule (found again by lot, revision and values when the part comes). Receipt: id.
+struct StoreSchedule {
+    ScheduleRow schedule{};
+};
+struct AcceptSchedule {
+    LotId lot{0};
+    std::uint32_t revision{0};
+    std::string author{};
+};
+/// Receipt: id.
+struct RaiseAlarm {
+    AlarmCode code{0};
+    std::uint8_t priority{3};
+    Sentence detail{};
+};
+/// The condition has gone: closes every standing occurrence of the code.
+struct ClearAlarm {
+    AlarmCode code{0};
+};
+/// At start: what stood when the console ended stands no longer unless the engine raises it again.
+struct CloseAlarmsOfLastRun {};
+struct AcknowledgeAlarm {
+    AlarmId alarm{0};
+    std::string author{};
+};
+struct ChangeSetting {
+    std::string key{};
+    std::string value{};
+    std::string author{};
+    std::string reason{};
+};
+/// For what is not a row of a table: sign-on, mode switched, hold released.
+struct AddAudit {
+    std::string author{};
+    std::string action{};
+    std::string object{};
+    std::int64_t objectId{0};
+    std::string oldValue{};
+    std::string newValue{};
+    std::string reason{};
+};
+
+using StoreCommand =
+    std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot, SetActiveLot, AddPart,
+                 SetPartSerial, AcceptMeasurement, StoreSchedule, AcceptSchedule, RaiseAlarm, ClearAlarm,
+                 CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit>;
+
+/// What a command has made; each command says what it puts here.
+struct Receipt {
+    std::int64_t id{0};
+    std::int64_t second{0};
+};
+
+/// A part of the engine, safely on disk.
+struct StoredPart {
+    PartId id{0};
+    std::optional<LotId> lot{};
+    std::uint32_t number{0};
+    PartRecord record{};
+};
+
+/// Ends when destroyed.
+class StoreSubscription {
+ public:
+    StoreSubscription() = default;
+    StoreSubscription(const StoreSubscription&) = delete;
+    StoreSubscription& operator=(const StoreSubscription&) = delete;
+    virtual ~StoreSubscription() = default;
+};
+
+/// The way into the database. One caller thread; no call blocks; callbacks run later on the caller's thread.
+///
+/// When it fails: a command's transaction is rolled back and `done` gets the sentence; nothing is half-stored and the
+/// caller still has the values (a measurement counts as accepted only when `done` says so). Finished parts of the
+/// engine are not answered but kept and tried again, oldest first, until they are stored; meanwhile problem() says why.
+/// Commands run in the order they were submitted, each before any part that the engine finishes later.
+class StoreWriter {
+ public:
+    StoreWriter() = default;
+    StoreWriter(const StoreWriter&) = delete;
+    StoreWriter& operator=(const StoreWriter&) = delete;
+    virtual ~StoreWriter() = default;
+
+    using Done = std::function<void(const Result<Receipt>&)>;
+    /// `done` may be empty. It must stay callable until it has run; it does not run any more once the writer is
+    /// destroyed.
+    virtual void submit(StoreCommand command, Done done) = 0;
+
+    /// Why finished parts cannot be stored at the moment; empty when they can.
+    [[nodiscard]] virtual const Sentence& problem() const = 0;
+    [[nodiscard]] virtual std::unique_ptr<StoreSubscription> onProblemChanged(std::function<void()> changed) = 0;
+    [[nodiscard]] virtual std::unique_ptr<StoreSubscription> onPartStored(
+        std::function<void(const StoredPart&)> stored) = 0;
+};
+
+}  // namespace kerf

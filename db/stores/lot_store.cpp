@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "db/row_io.h"
+#include "db/stores/audit_log.h"
+#include "db/stores/store.h"
+
+/// Machines, part types with their recipes, lots.
+namespace kerf::db {
+namespace {
+
+struct SavedRecipe {
+    RecipeRevisionId id;
+    std::uint32_t revision;
+};
+
+SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe) {
+    Statement newest(
+        database,
+        "SELECT revision, parameters FROM recipe_revisions WHERE part_type_id = ? ORDER BY revision DESC LIMIT 1");
+    const bool first = !newest.bind(recipe.partType).run().next();
+    const std::uint32_t revision = first ? 1 : newest.count(0) + 1;
+    const std::string before = first ? std::string() : newest.text(1);
+    Statement insert(database,
+                     "INSERT INTO recipe_revisions (part_type_id, revision, parameters, restored_from, author, reason, "
+                     "created_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(recipe.partType)
+        .bind(revision)
+        .bind(recipe.parametersJson)
+        .bind(recipe.restoredFrom)
+        .bind(recipe.author)
+        .bind(recipe.reason)
+        .bind(utcNow_ms())
+        .run();
+    appendAudit(database, {.author = recipe.author,
+                           .action = recipe.restoredFrom ? "recipe rolled back" : "recipe saved",
+                           .object = "part_type",
+                           .objectId = recipe.partType,
+                           .oldValue = before,
+                           .newValue = recipe.parametersJson,
+                           .reason = recipe.reason});
+    return {insert.lastId(), revision};
+}
+
+}  // namespace
+
+Receipt Store::run(const EnsureMachine& command) {
+    Statement find(m_database, "SELECT id FROM machines WHERE name = ?");
+    if (find.bind(command.name).run().next()) {
+        return {find.integer(0)};
+    }
+    Statement insert(m_database, "INSERT INTO machines (name, kind, created_utc_ms) VALUES (?, ?, ?)");
+    return {insert.bind(command.name).bind(command.kind).bind(utcNow_ms()).run().lastId()};
+}
+
+Receipt Store::run(const EnsurePartType& command) {
+    Statement find(m_database,
+                   "SELECT t.id, max(r.id) FROM part_types t JOIN recipe_revisions r ON r.part_type_id = t.id "
+                   "WHERE t.process = ? AND t.name = ? GROUP BY t.id");
+    if (find.bind(processKey(command.process)).bind(command.name).run().next()) {
+        return {find.integer(0), find.integer(1)};
+    }
+    Statement insert(m_database, "INSERT INTO part_types (process, name, created_utc_ms) VALUES (?, ?, ?)");
+    const PartTypeId id = insert.bind(processKey(command.process)).bind(command.name).bind(utcNow_ms()).run().lastId();
+    return {id, addRevision(m_database, {id, command.parametersJson, command.author, "part type created", {}}).id};
+}
+
+Receipt Store::run(const SaveRecipe& command) {
+    const SavedRecipe saved = addRevision(m_database, command);
+    return {saved.id, saved.revision};
+}
+
+Receipt Store::run(const RestoreRecipe& command) {
+    Statement find(m_database, "SELECT parameters FROM recipe_revisions WHERE part_type_id = ? AND revision = ?");
+    if (!find.bind(command.partType).bind(command.revision).run().next()) {
+        throw SqlFailure(Sentence(KERF_TEXT("The recipe has no revision %1."), SentenceArg(command.revision, 0)), 0,
+                         "no such recipe revision");
+    }
+    const SavedRecipe saved =
+        addRevision(m_database, {command.partType, find.text(0), command.author, command.reason, command.revision});
+    return {saved.id, saved.revision};
+}
+
+Receipt Store::run(const EnsureLot& command) {
+    Statement find(m_database, "SELECT id FROM lots WHERE machine_id = ? AND part_type_id = ? AND name = ?");
+    if (find.bind(command.machine).bind(command.partType).bind(command.name).run().next()) {
+        return {find.integer(0)};
+    }
+    Statement insert(m_database,
+                     "INSERT INTO lots (machine_id, part_type_id, recipe_revision_id, name, size, estimator, "
+                     "opened_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(command.machine)
+        .bind(command.partType)
+        .bind(command.recipe)
+        .bind(command.name)
+        .bind(command.size)
+        .bind(command.estimator)
+        .bind(utcNow_ms())
+        .run();
+    const LotId id = insert.lastId();
+    appendAudit(m_database,
+                {.author = command.author,
+                 .action = "lot opened",
+                 .object = "lot",
+                 .objectId = id,
+                 .newValue = fmt::format("{}, {} parts, {}", command.name, command.size, command.estimator)});
+    return {id};
+}
+
+Receipt Store::run(const CloseLot& command) {
+    Statement close(m_database, "UPDATE lots SET closed_utc_ms = ? WHERE id = ? AND closed_utc_ms IS NULL");
+    if (close.bind(utcNow_ms()).bind(command.lot).run().changed() == 0) {
+        throw SqlFailure(Sentence(KERF_TEXT("This lot is closed already, or there is none of that number.")), 0,
+                         "lot not open");
+    }
+    appendAudit(m_database, {.author = command.author,
+                             .action = "lot closed",
+                             .object = "lot",
+                             .objectId = command.lot,
+                             .reason = command.reason});
+    return {command.lot};
+}
+
+Receipt Store::run(const SetActiveLot& command) {
+    return run(ChangeSetting{activeLotKey(command.process), command.lot ? std::to_string(*command.lot) : std::string(),
+                             command.author, "lot selected"});
+}
+
+}  // namespace kerf::db

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "db/row_io.h"
+#include "db/stores/audit_log.h"
+#include "db/stores/schedule_rows.h"
+#include "db/stores/store.h"
+
+/// Finished parts: number in the lot, the schedule they were cut with, the really cut feed.
+namespace kerf::db {
+namespace {
+
+/// A value that is no number cannot be stored; the part itself must not be lost for it.
+bool storable(const BoringSchedule& s) {
+    return std::isfinite(s.lnC) && std::isfinite(s.alpha) && std::isfinite(s.beta) &&
+           std::isfinite(s.targetDeflection_mm) && std::isfinite(s.constantFeed_mmPerRev) &&
+           std::isfinite(s.minFeed_mmPerRev) && std::isfinite(s.maxFeed_mmPerRev) && std::isfinite(s.overhangFrom_mm) &&
+           std::isfinite(s.overhangTo_mm) && std::isfinite(s.spindleSpeed_rpm);
+}
+
+Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot, const PartRecord& record,
+                   const std::string& serial) {
+    std::optional<ScheduleId> schedule;
+    if (record.process == ProcessId::Boring && storable(record.schedule)) {
+        ScheduleRow row;
+        row.lot = lot;
+        row.schedule = record.schedule;
+        schedule = findOrAddSchedule(database, row);
+    }
+    Statement number(database, "SELECT coalesce(max(number), 0) + 1 FROM parts WHERE lot_id IS ?");
+    const std::uint32_t next = number.bind(lot).run().next() ? number.count(0) : 1;
+    Statement insert(database,
+                     "INSERT INTO parts (process, lot_id, number, serial, complete, machine_begin_ns, machine_end_ns, "
+                     "ended_utc_ms, schedule_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(processKey(record.process))
+        .bind(lot)
+        .bind(next)
+        .bind(serial.empty() ? std::optional<std::string>() : std::optional(serial))
+        .bind(record.complete)
+        .bind(record.begin_ns)
+        .bind(std::max(record.begin_ns, record.end_ns))
+        .bind(utcNow_ms())
+        .bind(schedule)
+        .run();
+    const PartId id = insert.lastId();
+    if (record.feed.count > 0) {
+        Statement(database, "INSERT INTO feed_traces (part_id, points) VALUES (?, ?)")
+            .bind(id)
+            .bind(packTrace(record.feed))
+            .run();
+    }
+    return {id, next};
+}
+
+std::optional<LotId> activeLotOf(const QSqlDatabase& database, ProcessId process) {
+    Statement setting(database,
+                      "SELECT l.id FROM settings s JOIN lots l ON l.id = CAST(s.value AS INTEGER) WHERE s.key = ?");
+    return setting.bind(activeLotKey(process)).run().next() ? std::optional(setting.integer(0)) : std::nullopt;
+}
+
+}  // namespace
+
+ScheduleId findOrAddSchedule(const QSqlDatabase& database, const ScheduleRow& row) {
+    const BoringSchedule& s = row.schedule;
+    Statement find(
+        database,
+        "SELECT id FROM schedules WHERE lot_id IS ? AND revision = ? AND ln_c = ? AND alpha = ? AND beta = ? "
+        "AND target_deflection_mm = ? AND constant_feed_mm_per_rev = ? AND min_feed_mm_per_rev = ? AND "
+        "max_feed_mm_per_rev = ? AND overhang_from_mm = ? AND overhang_to_mm = ? AND spindle_speed_rpm = ? "
+        "ORDER BY id DESC LIMIT 1");
+    const auto bindValues = [&](Statement& statement) -> Statement& {
+        return statement.bind(row.lot)
+            .bind(s.revision)
+            .bind(s.lnC)
+            .bind(s.alpha)
+            .bind(s.beta)
+            .bind(s.targetDeflection_mm)
+            .bind(s.constantFeed_mmPerRev)
+            .bind(s.minFeed_mmPerRev)
+            .bind(s.maxFeed_mmPerRev)
+            .bind(s.overhangFrom_mm)
+            .bind(s.overhangTo_mm)
+            .bind(s.spindleSpeed_rpm);
+    };
+    const std::int64_t accepted_ms = row.acceptedBy.empty() ? 0 : row.acceptedUtc_ms.value_or(utcNow_ms());
+    if (bindValues(find).run().next()) {
+        const ScheduleId id = find.integer(0);
+        // The part may have come before the desk's own row: fill in what only the desk knows, take nothing away.
+        if (!row.predictionJson.empty() || !row.reason.empty() || !row.acceptedBy.empty()) {
+            Statement(database,
+                      "UPDATE schedules SET prediction = coalesce(nullif(?, ''), prediction), reason = "
+                      "coalesce(nullif(?, ''), reason), accepted_by = CASE WHEN accepted_by = '' THEN ? ELSE "
+                      "accepted_by END, accepted_utc_ms = coalesce(accepted_utc_ms, nullif(?, 0)) WHERE id = ?")
+                .bind(row.predictionJson)
+                .bind(row.reason)
+                .bind(row.acceptedBy)
+                .bind(accepted_ms)
+                .bind(id)
+                .run();
+        }
+        return id;
+    }
+    Statement insert(
+        database,
+        "INSERT INTO schedules (lot_id, revision, ln_c, alpha, beta, target_deflection_mm, "
+        "constant_feed_mm_per_rev, min_feed_mm_per_rev, max_feed_mm_per_rev, overhang_from_mm, "
+        "overhang_to_mm, spindle_speed_rpm, prediction, reason, created_utc_ms, accepted_by, accepted_utc_ms) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, 0))");
+    return bindValues(insert)
+        .bind(row.predictionJson)
+        .bind(row.reason)
+        .bind(utcNow_ms())
+        .bind(row.acceptedBy)
+        .bind(accepted_ms)
+        .run()
+        .lastId();
+}
+
+Result<std::vector<StoredPart>> Store::addParts(std::span<const PartRecord> records) {
+    return guarded([&] {
+        std::vector<StoredPart> stored;
+        Transaction transaction(m_database);
+        for (const PartRecord& record : records) {
+            const std::optional<LotId> lot = activeLotOf(m_database, record.process);
+            const Receipt receipt = insertPart(m_database, lot, record, {});
+            stored.push_back({receipt.id, lot, static_cast<std::uint32_t>(receipt.second), record});
+        }
+        transaction.commit();
+        return stored;
+    });
+}
+
+Receipt Store::run(const AddPart& command) {
+    return insertPart(m_database, command.lot, command.record, command.serial);
+}
+
+Receipt Store::run(const SetPartSerial& command) {
+    Statement find(m_database, "SELECT serial FROM parts WHERE id = ?");
+    if (!find.bind(command.part).run().next()) {
+        throw SqlFailure(Sentence(KERF_TEXT("There is no such part.")), 0, "no such part");
+    }
+    const std::string before = find.text(0);
+    Statement(m_database, "UPDATE parts SET serial = ? WHERE id = ?")
+        .bind(command.serial.empty() ? std::optional<std::string>() : std::optional(command.serial))
+        .bind(command.part)
+        .run();
+    appendAudit(m_database, {.author = command.author,
+                             .action = "serial number set",
+                             .object = "part",
+                             .objectId = command.part,
+                             .oldValue = before,
+                             .newValue = command.serial,
+                             .reason = command.reason});
+    return {command.part};
+}
+
+Receipt Store::run(const StoreSchedule& command) {
+    return {findOrAddSchedule(m_database, command.schedule)};
+}
+
+Receipt Store::run(const AcceptSchedule& command) {
+    Statement find(m_database, "SELECT max(id) FROM schedules WHERE lot_id = ? AND revision = ?");
+    if (!find.bind(command.lot).bind(command.revision).run().next() || find.isNull(0)) {
+        throw SqlFailure(
+            Sentence(KERF_TEXT("Schedule %1 of this lot is not stored."), SentenceArg(command.revision, 0)), 0,
+            "no such schedule");
+    }
+    const ScheduleId id = find.integer(0);
+    Statement(m_database, "UPDATE schedules SET accepted_by = ?, accepted_utc_ms = ? WHERE id = ? AND accepted_by = ''")
+        .bind(command.author)
+        .bind(utcNow_ms())
+        .bind(id)
+        .run();
+    appendAudit(m_database, {.author = command.author,
+                             .action = "schedule accepted",
+                             .object = "schedule",
+                             .objectId = id,
+                             .newValue = "revision " + std::to_string(command.revision)});
+    return {id};
+}
+
+}  // namespace kerf::db
