@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         "CSV or JSON on stdout, diagnostics on stderr. Exit 0 done, 2 wrong usage, 3 bad input.",
         "kerf");
     kerf.require_subcommand(1);
+    kerf::headless::addBoringCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
