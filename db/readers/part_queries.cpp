@@ -11,7 +11,7 @@ namespace kerf::db {
 namespace {
 
 /// Up to this many parts that match a text are sorted; with more of them the newest are quickly met on the way.
-constexpr std::int64_t kSparse = 5000;
+constexpr std::int64_t kSparse = 100'000;
 
 QString columnsOfPart() {
     return QStringLiteral("SELECT %1 FROM parts p %2").arg(QLatin1String(kPartColumns), QLatin1String(kPartJoins));

@@ -65,14 +65,14 @@ QString findingIn(const std::string& path, const std::vector<std::string>& ackno
 
 }  // namespace
 
-/// kill -9 at a random moment. 10 times here; KERF_KILLS=200 for the long campaign (scripts/test --long).
+/// kill -9 at a random moment. 10 times here; KERF_KILL_RUNS=200 for the long campaign (scripts/test --long).
 class TestKill : public QObject {
     Q_OBJECT
  private slots:
     void noAcceptedMeasurementIsLost() {
         test::ScratchDatabase scratch;
         bool given = false;
-        const int kills = qEnvironmentVariableIntValue("KERF_KILLS", &given);
+        const int kills = qEnvironmentVariableIntValue("KERF_KILL_RUNS", &given);
         std::vector<std::string> all;
         test::KillCampaign::Options options;
         options.program = qEnvironmentVariable("KERF_BIN") + QStringLiteral("/db_kill_victim");
