@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
         "kerf");
     kerf.require_subcommand(1);
     kerf::headless::addBoringCommands(kerf);
+    kerf::headless::addMillingCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/headless/commands.h"
+#include "app/headless/milling_input.h"
+#include "app/headless/output.h"
+#include "app/headless/table.h"
+#include "engine/milling/cut_simulation.h"
+#include "engine/milling/revolution_averager.h"
+
+namespace kerf::headless {
+namespace {
+
+using milling::CutCase;
+using milling::CutResult;
+using milling::LawKind;
+
+const std::map<std::string, LawKind> kLaws{
+    {"constant", LawKind::Constant}, {"pi", LawKind::Pi}, {"model", LawKind::Model}, {"preview", LawKind::Preview}};
+
+/// CLI::Range lets "nan" pass, because it asks whether the value is outside.
+CLI::Validator inRange(double low, double high) {
+    return {[low, high](std::string& text) {
+                double value = 0.0;
+                const bool number = CLI::detail::lexical_cast(text, value);
+                return number && value >= low && value <= high
+                           ? std::string()
+                           : fmt::format("{} is not a number from {} to {}", text, low, high);
+            },
+            fmt::format("FLOAT in [{} - {}]", low, high)};
+}
+
+/// What the command line of simulate and replay says; the pulse arrives with the plant.
+struct LawOptions {
+    LawKind law{LawKind::Model};
+    double feed_mmPerS{1.53};
+    double kp_pulsePerSPerN{0.75};
+    double ki_pulsePerSPerN{0.15};
+    double reference_N{40.0 * kNewtonPerKilogramForce};
+    std::optional<double> modelKx_NPerMm{};
+    std::optional<double> feedFloor_mmPerS{};
+    std::optional<double> pulse_mm{};
+    std::string plantFile{};
+
+    void addTo(CLI::App& command) {
+        command.add_option("--law", law, "constant, pi (the paper's), model (default) or preview")
+            ->transform(CLI::CheckedTransformer(kLaws, CLI::ignore_case));
+        command.add_option("--feed-mm-s", feed_mmPerS, "programmed feed; the constant law's")
+            ->check(inRange(0.001, 1000.0));
+        command.add_option("--kp", kp_pulsePerSPerN, "PI: k_p in pulse/s per N")->check(inRange(1e-6, 1e6));
+        command.add_option("--ki", ki_pulsePerSPerN, "PI: k_i in pulse/s per N")->check(inRange(0.0, 1e6));
+        command.add_option("--pulse-mm", pulse_mm, "one pulse of the axis in mm (default .0254)")
+            ->check(inRange(1e-6, 1.0));
+        command.add_option("--reference-n", reference_N, "averaged normal force to hold, in N")
+            ->check(inRange(1.0, 1e5));
+        command
+            .add_option("--plant-kx-model", modelKx_NPerMm,
+                        "one k_x for the model laws in N/mm, instead of learning it while cutting")
+            ->check(inRange(10.0, 1e6));
+        command.add_option("--feed-floor-mm-s", feedFloor_mmPerS, "lowest feed (B0f: .68)")
+            ->check(inRange(0.0, 1000.0));
+        command.add_option("--plant", plantFile, "plant constants in JSON (default: B0; see milling plant)");
+    }
+    void applyTo(CutCase& cut) const {
+        cut.law = law;
+        cut.pulse_mm = pulse_mm.value_or(cut.pulse_mm);
+        auto& controller = cut.controller;
+        controller.programmedFeed_mmPerS = feed_mmPerS;
+        controller.reference_N = reference_N;
+        controller.pi = {kp_pulsePerSPerN * cut.pulse_mm, ki_pulsePerSPerN * cut.pulse_mm, 60.0 / cut.spindle_rpm};
+        controller.range.min_mmPerS = feedFloor_mmPerS.value_or(controller.range.min_mmPerS);
+        if (controller.range.min_mmPerS >= controller.range.max_mmPerS) {
+            throw BadInput(fmt::format("--feed-floor-mm-s: {} is not below the highest feed; expected less than {}.",
+                                       controller.range.min_mmPerS, controller.range.max_mmPerS));
+        }
+        if (modelKx_NPerMm) {
+            controller.stiffness.softest_NPerMm = *modelKx_NPerMm;
+            controller.stiffness.ratio = 1.0;
+        }
+    }
+};
+
+CutCase caseOf(const LawOptions& options) {
+    CutCase cut;
+    if (!options.plantFile.empty()) {
+        readMillingPlant(options.plantFile, cut);
+    }
+    options.applyTo(cut);
+    return cut;
+}
+
+nlohmann::ordered_json summaryOf(const CutResult& result) {
+    const auto& summary = result.summary;
+    nlohmann::ordered_json json;
+    const auto orNull = [&](double value) {
+        return summary.waviness ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+    };
+    const milling::Waviness waviness = summary.waviness.value_or(milling::Waviness());
+    json["waviness_um"] = orNull(waviness.spot_um);
+    json["waviness_raw_um"] = orNull(waviness.raw_um);
+    json["mean_offset_um"] = orNull(waviness.meanOffset_um);
+    json["time_s"] = summary.time_s;
+    json["force_max_n"] = summary.peakForce_N;
+    json["feed_unrest"] = summary.feedUnrest_mmPerS;
+    json["finished"] = summary.finished;
+    return json;
+}
+
+void printCsv(const CutResult& result) {
+    CsvOutput csv("rev,x_mm,depth_mm,feed_cmd_mm_s,feed_cut_mm_per_rev,force_y_n,force_meas_n");
+    for (const milling::CutRow& row : result.rows) {
+        csv.row(row.revolution, row.x_mm, row.depth_mm, row.feedCommand_mmPerS, row.cutFeed_mmPerRev, row.force_N,
+                row.forceMeasured_N);
+    }
+    csv.flush();
+}
+
+struct SimulateOptions {
+    LawOptions law{};
+    std::vector<double> blank_mm{1, 2, 3, 2, 1};
+    double segment_mm{20.0};
+    std::string blankFile{};
+    bool quantize{false};
+    double noise_N{0.0};
+    int lag_revs{0};
+    double fromAir_mm{0.0};
+    double previewShift_mm{0.0};
+    double previewError_percent{0.0};
+    std::uint64_t seed{1};
+    bool csv{false};
+    bool summary{false};
+};
+
+void simulate(const SimulateOptions& options) {
+    CutCase cut = caseOf(options.law);
+    cut.blank = options.blankFile.empty()
+                    ? checked("--blank", milling::BlankProfile::ofSegments(options.blank_mm, options.segment_mm))
+                    : readBlank(options.blankFile);
+    cut.wholePulses = options.quantize;
+    cut.forceNoise_N = options.noise_N;
+    cut.lag = options.lag_revs == 1;
+    cut.fromAir_mm = options.fromAir_mm;
+    cut.controller.entryGuard = options.fromAir_mm > 0.0;
+    cut.seed = options.seed;
+    if (cut.law == LawKind::Preview) {
+        cut.believedBlank = (cut.fromAir_mm > 0.0 ? cut.blank.inAir(true, false) : cut.blank)
+                                .distorted(options.previewShift_mm, 1.0 + options.previewError_percent / 100.0);
+    }
+    const CutResult result = milling::simulateCut(cut);
+    if (options.csv) {
+        printCsv(result);
+    } else {
+        printJson(summaryOf(result));
+    }
+}
+
+void addSimulate(CLI::App& parent) {
+    auto options = std::make_shared<SimulateOptions>();
+    CLI::App* command = parent.add_subcommand("simulate", "One cut along a stepped blank, revolution by revolution");
+    options->law.addTo(*command);
+    command->add_option("--blank", options->blank_mm, "heights of the blank's steps in mm")->delimiter(',');
+    command->add_option("--segment-mm", options->segment_mm, "length of one step in mm");
+    command->add_option("--blank-file", options->blankFile, "blank from a CSV (x_mm,height_mm; the last row ends it)");
+    command->add_flag("--quantize", options->quantize, "the axis moves whole pulses, the rest is carried");
+    command->add_option("--noise-n", options->noise_N, "standard deviation of the averaged force in N")
+        ->check(inRange(0.0, 1e4));
+    command->add_option("--lag-revs", options->lag_revs, "measurement reaches the law this many revolutions late")
+        ->check(CLI::IsMember({0, 1}));
+    command->add_option("--revs-from-air", options->fromAir_mm, "start this many mm before the blank, in air")
+        ->check(inRange(0.0, 1000.0));
+    command->add_option("--preview-shift-mm", options->previewShift_mm, "preview: the profile is wrong by this shift")
+        ->check(inRange(-100.0, 100.0));
+    command
+        ->add_option("--preview-error-percent", options->previewError_percent, "preview: its heights are wrong by this")
+        ->check(inRange(-90.0, 500.0));
+    command->add_option("--seed", options->seed, "seed of the noise")->check(inRange(0.0, 1.8e19));
+    CLI::Option* csv = command->add_flag("--csv", options->csv, "a row per revolution");
+    command->add_flag("--summary", options->summary, "waviness, time, peak force (default)")->excludes(csv);
+    command->callback([options] { simulate(*options); });
+}
+
+/// The recorded signal through averager, estimator and law; what the law would have done, without acting.
+void replay(const std::string& path, const LawOptions& law) {
+    const Table table = Table::read(path);
+    const auto& time_s = table.column("t_s");
+    const auto& angle_rev = table.column("angle_rev");
+    const auto& force_N = table.column("force_y_n");
+    const auto& feed_mmPerS = table.column("feed_mm_s");
+    table.requireRange("t_s", 0.0, 1e6);
+    table.requireRange("force_y_n", -1e6, 1e6);
+    table.requireRange("feed_mm_s", 0.0, 1000.0);
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        if (time_s[i] <= time_s[i - 1]) {
+            throw BadInput(fmt::format("{}{} does not follow {}; expected rising times.", table.where(i, "t_s"),
+                                       time_s[i], time_s[i - 1]));
+        }
+    }
+    const CutCase cut = caseOf(law);
+    milling::FeedController controller(cut.controller, cut.law);
+    controller.beginCut();
+    milling::RevolutionAverager averager;
+    CsvOutput csv(
+        "rev,t_s,revolution_s,force_mean_n,force_peak_n,feed_mm_s,advised_feed_mm_s,stiffness_ln,stiffness_half95,in_"
+        "air");
+    double travel_mm = 0.0;
+    double markTravel_mm = 0.0;
+    for (std::size_t i = 0; i < time_s.size(); ++i) {
+        travel_mm += i > 0 ? feed_mmPerS[i] * (time_s[i] - time_s[i - 1]) : 0.0;
+        const auto revolution = averager.add(
+            {static_cast<std::int64_t>(std::llround(time_s[i] * 1e9)), angle_rev[i], force_N[i], Quality::Good});
+        if (!revolution || revolution->end_ns <= revolution->begin_ns) {
+            continue;
+        }
+        const double feed_mmPerRev = travel_mm - markTravel_mm;
+        markTravel_mm = travel_mm;
+        const bool trusted = revolution->quality == Quality::Good;
+        const auto force = trusted ? std::optional(std::max(0.0, revolution->mean_N)) : std::nullopt;
+        const auto decision = controller.update({force, feed_mmPerRev, travel_mm, revolution->duration_s()});
+        const auto& stiffness = controller.stiffness();
+        csv.row(revolution->revolution, static_cast<double>(revolution->end_ns) * 1e-9, revolution->duration_s(),
+                revolution->mean_N, revolution->peak_N, feed_mmPerRev / revolution->duration_s(), decision.feed_mmPerS,
+                stiffness.valid ? fmt::format("{:.17g}", stiffness.lnCb) : std::string(),
+                stiffness.valid ? fmt::format("{:.17g}", stiffness.half95) : std::string(), decision.inAir);
+    }
+    csv.flush();
+}
+
+void addReplay(CLI::App& parent) {
+    auto law = std::make_shared<LawOptions>();
+    auto path = std::make_shared<std::string>();
+    CLI::App* command = parent.add_subcommand("replay", "Estimator and law in advise mode over a recorded signal");
+    command->add_option("force_csv", *path, "CSV with t_s,angle_rev,force_y_n,feed_mm_s")->required();
+    law->addTo(*command);
+    command->callback([path, law] { replay(*path, *law); });
+}
+
+/// The table of docs/milling.md: every law on B0 with whole pulses and .5 kgf of noise, mean and worst over ten seeds.
+void printComparison(int seeds) {
+    struct Row {
+        const char* name;
+        LawKind law;
+        double feed_mmPerS, kp, ki, shift_mm, factor;
+    };
+    const Row rows[] = {
+        {"constant 1.53 mm/s", LawKind::Constant, 1.53, 0.75, 0.15, 0.0, 1.0},
+        {"constant .85 mm/s", LawKind::Constant, 0.85, 0.75, 0.15, 0.0, 1.0},
+        {"pi .75/.15 (paper)", LawKind::Pi, 1.53, 0.75, 0.15, 0.0, 1.0},
+        {"pi 1.5/.3", LawKind::Pi, 1.53, 1.5, 0.3, 0.0, 1.0},
+        {"model (default)", LawKind::Model, 1.53, 0.75, 0.15, 0.0, 1.0},
+        {"preview exact", LawKind::Preview, 1.53, 0.75, 0.15, 0.0, 1.0},
+        {"preview .3 mm and 5 % off", LawKind::Preview, 1.53, 0.75, 0.15, 0.3, 1.05},
+    };
+    CsvOutput csv("law,waviness_mean_um,waviness_worst_um,time_mean_s,peak_mean_kgf,peak_worst_kgf");
+    for (const Row& row : rows) {
+        double waviness_um = 0.0, worst_um = 0.0, time_s = 0.0, peak_N = 0.0, worstPeak_N = 0.0;
+        for (int seed = 0; seed < seeds; ++seed) {
+            CutCase cut;
+            const double heights_mm[] = {1, 2, 3, 2, 1};
+            cut.blank = *milling::BlankProfile::ofSegments(heights_mm, 20.0);
+            cut.believedBlank = cut.blank.distorted(row.shift_mm, row.factor);
+            cut.law = row.law;
+            cut.controller.programmedFeed_mmPerS = row.feed_mmPerS;
+            cut.controller.pi = {row.kp * cut.pulse_mm, row.ki * cut.pulse_mm, 0.1};
+            cut.controller.entryGuard = false;
+            cut.wholePulses = true;
+            cut.forceNoise_N = 0.5 * kNewtonPerKilogramForce;
+            cut.seed = static_cast<std::uint64_t>(seed);
+            const auto summary = milling::simulateCut(cut).summary;
+            waviness_um += summary.waviness->spot_um / seeds;
+            worst_um = std::max(worst_um, summary.waviness->spot_um);
+            time_s += summary.time_s / seeds;
+            peak_N += summary.peakForce_N / seeds;
+            worstPeak_N = std::max(worstPeak_N, summary.peakForce_N);
+        }
+        csv.row(row.name, waviness_um, worst_um, time_s, peak_N / kNewtonPerKilogramForce,
+                worstPeak_N / kNewtonPerKilogramForce);
+    }
+    csv.flush();
+}
+
+}  // namespace
+
+void addMillingCommands(CLI::App& kerf) {
+    CLI::App* milling = kerf.add_subcommand("milling", "Feed that holds the cutting force, so the surface is flat");
+    milling->require_subcommand(1);
+    addSimulate(*milling);
+    addReplay(*milling);
+    auto seeds = std::make_shared<int>(10);
+    CLI::App* table =
+        milling->add_subcommand("table", "The laws compared on B0, whole pulses and .5 kgf of noise, at 40 kgf");
+    table->add_option("--seeds", *seeds, "seeds per law")->check(inRange(1, 1000));
+    table->callback([seeds] { printComparison(*seeds); });
+    milling->add_subcommand("plant", "Print the constants of B0 as a PLANT.json")->callback([] {
+        printMillingPlant(CutCase());
+    });
+}
+
+}  // namespace kerf::headless

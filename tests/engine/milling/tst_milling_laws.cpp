@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/random.h"
+#include "engine/milling/cut_simulation.h"
+
+using namespace kerf;
+using namespace kerf::milling;
+
+namespace {
+
+constexpr double kKgf = kNewtonPerKilogramForce;
+
+BlankProfile stairs() {
+    const double heights_mm[] = {1, 2, 3, 2, 1};
+    return *BlankProfile::ofSegments(heights_mm, 20.0);
+}
+
+BlankProfile randomBlank(std::uint64_t seed) {
+    Random random(seed);
+    double heights_mm[8];
+    for (double& height_mm : heights_mm) {
+        height_mm = random.uniform(1.0, 3.0);
+    }
+    return *BlankProfile::ofSegments(heights_mm, 12.0);
+}
+
+CutCase bare(LawKind law) {
+    CutCase cut;
+    cut.blank = stairs();
+    cut.law = law;
+    cut.controller.entryGuard = false;
+    return cut;
+}
+
+CutCase noisy(LawKind law, std::uint64_t seed) {
+    CutCase cut = bare(law);
+    cut.controller.entryGuard = true;
+    cut.wholePulses = true;
+    cut.forceNoise_N = 0.5 * kKgf;
+    cut.seed = seed;
+    return cut;
+}
+
+CutCase pi(double kp, double ki, double reference_kgf) {
+    CutCase cut = bare(LawKind::Pi);
+    cut.controller.pi = {kp * 0.0254, ki * 0.0254, 0.1};
+    cut.controller.reference_N = reference_kgf * kKgf;
+    return cut;
+}
+
+double waviness_um(const CutResult& result) {
+    return result.summary.waviness ? result.summary.waviness->spot_um : 1e9;
+}
+
+struct Worst {
+    double waviness_um{0.0};
+    double mean_um{0.0};
+    double peak_kgf{0.0};
+    double time_s{0.0};
+};
+
+/// Worst and mean over `count` seeds of a case made from a seed.
+template <class MakeCase>
+Worst campaign(int count, const MakeCase& make) {
+    Worst worst;
+    for (int i = 0; i < count; ++i) {
+        const CutResult result = simulateCut(make(static_cast<std::uint64_t>(i)));
+        worst.waviness_um = std::max(worst.waviness_um, waviness_um(result));
+        worst.mean_um += waviness_um(result) / count;
+        worst.peak_kgf = std::max(worst.peak_kgf, result.summary.peakForce_N / kKgf);
+        worst.time_s = std::max(worst.time_s, result.summary.finished ? result.summary.time_s : 1e9);
+    }
+    return worst;
+}
+
+}  // namespace
+
+class TestMillingLaws : public QObject {
+    Q_OBJECT
+
+ private slots:
+    // The paper's figures on the calibrated plant.
+    void constantFeedIsAsWavyAsThePaper() {
+        CutCase cut = bare(LawKind::Constant);
+        QVERIFY(std::abs(waviness_um(simulateCut(cut)) - 285.0) < 1.0);
+        cut.controller.programmedFeed_mmPerS = 0.85;
+        QVERIFY(std::abs(waviness_um(simulateCut(cut)) - 173.0) < 1.0);
+    }
+    void paperLawFlattensTheWall() {
+        QVERIFY(std::abs(waviness_um(simulateCut(pi(0.75, 0.15, 40.0))) - 52.0) < 2.0);
+        CutCase withFloor = pi(0.75, 0.15, 25.0);
+        withFloor.controller.range.min_mmPerS = 0.68;
+        QVERIFY(std::abs(waviness_um(simulateCut(withFloor)) - 59.0) < 2.0);
+    }
+    void slowGainsLeaveTheWallWavy() { QVERIFY(waviness_um(simulateCut(pi(0.13, 0.026, 40.0))) >= 150.0); }
+    void highGainsMakeTheFeedRestless() {
+        const CutResult calm = simulateCut(pi(0.75, 0.15, 40.0));
+        const CutResult restless = simulateCut(pi(3.0, 0.6, 40.0));
+        QVERIFY(restless.summary.feedUnrest_mmPerS >= 20.0 * calm.summary.feedUnrest_mmPerS);
+        QVERIFY(waviness_um(restless) <= 60.0);
+    }
+
+    // The default law, with whole pulses and 0.5 kgf of noise at 40 kgf.
+    void defaultLawHoldsTheWall() {
+        const Worst worst = campaign(40, [](std::uint64_t seed) { return noisy(LawKind::Model, 7000 + seed); });
+        QVERIFY2(worst.waviness_um <= 14.5, qPrintable(QString::number(worst.waviness_um)));
+        QVERIFY2(worst.mean_um <= 10.5, qPrintable(QString::number(worst.mean_um)));
+        QVERIFY2(worst.time_s <= 65.0, qPrintable(QString::number(worst.time_s)));
+        QVERIFY2(worst.peak_kgf <= 45.0, qPrintable(QString::number(worst.peak_kgf)));
+    }
+    void defaultLawBearsOneRevolutionOfLag() {
+        const Worst worst = campaign(40, [](std::uint64_t seed) {
+            CutCase cut = noisy(LawKind::Model, 100 + seed);
+            cut.lag = true;
+            return cut;
+        });
+        QVERIFY2(worst.waviness_um <= 30.0, qPrintable(QString::number(worst.waviness_um)));
+    }
+    void defaultLawHoldsRandomBlanks() {
+        const Worst worst = campaign(60, [](std::uint64_t seed) {
+            CutCase cut = noisy(LawKind::Model, 300 + seed);
+            cut.blank = randomBlank(40 + seed);
+            return cut;
+        });
+        QVERIFY2(worst.mean_um <= 10.0, qPrintable(QString::number(worst.mean_um)));
+        QVERIFY2(worst.waviness_um <= 20.0, qPrintable(QString::number(worst.waviness_um)));
+    }
+    void defaultLawHoldsOnSoftAndStiffTools_data() {
+        QTest::addColumn<double>("kx_kgfPerMm");
+        for (const double kx_kgfPerMm : {20.0, 25.0, 35.0, 60.0, 90.0, 120.0, 150.0}) {
+            QTest::addRow("kx %g kgf/mm", kx_kgfPerMm) << kx_kgfPerMm;
+        }
+    }
+    void defaultLawHoldsOnSoftAndStiffTools() {
+        QFETCH(double, kx_kgfPerMm);
+        const Worst worst = campaign(15, [&](std::uint64_t seed) {
+            CutCase cut = noisy(LawKind::Model, 900 + seed);
+            cut.plant.kx_NPerMm = kx_kgfPerMm * kKgf;
+            cut.blank = seed % 2 == 0 ? stairs() : randomBlank(seed);
+            return cut;
+        });
+        QVERIFY2(worst.waviness_um <= 30.0, qPrintable(QString::number(worst.waviness_um)));
+    }
+    void entryFromAirDoesNotOvershoot() {
+        const Worst worst = campaign(40, [](std::uint64_t seed) {
+            CutCase cut = noisy(LawKind::Model, 500 + seed);
+            cut.fromAir_mm = 1.0 + 0.17 * static_cast<double>(seed);
+            return cut;
+        });
+        QVERIFY2(worst.peak_kgf <= 45.0, qPrintable(QString::number(worst.peak_kgf)));
+        QVERIFY2(worst.waviness_um <= 15.0, qPrintable(QString::number(worst.waviness_um)));
+    }
+    void paperLawEntersWithoutWindUp() {
+        CutCase cut = pi(0.75, 0.15, 40.0);
+        cut.controller.entryGuard = true;
+        cut.fromAir_mm = 8.0;
+        const double guarded_N = simulateCut(cut).summary.peakForce_N;
+        cut.controller.entryGuard = false;  // what the guard is for
+        const double bare_N = simulateCut(cut).summary.peakForce_N;
+        QVERIFY2(guarded_N <= 48.0 * kKgf, qPrintable(QString::number(guarded_N / kKgf)));
+        QVERIFY2(bare_N > guarded_N, qPrintable(QString::number(bare_N / kKgf)));
+    }
+    void previewWithErrorsHoldsTheWall() {
+        const Worst worst = campaign(40, [](std::uint64_t seed) {
+            CutCase cut = noisy(LawKind::Preview, 1500 + seed);
+            cut.believedBlank = cut.blank.distorted(seed % 2 == 0 ? 0.3 : -0.3, seed % 4 < 2 ? 1.05 : 0.95);
+            return cut;
+        });
+        QVERIFY2(worst.waviness_um <= 18.0, qPrintable(QString::number(worst.waviness_um)));
+    }
+    void exactPreviewBeatsNoPreviewWithoutNoise() {
+        CutCase cut = bare(LawKind::Preview);
+        cut.believedBlank = cut.blank;
+        QVERIFY(waviness_um(simulateCut(cut)) < waviness_um(simulateCut(bare(LawKind::Model))));
+    }
+
+    // The estimate.
+    void stiffnessIntervalCoversTheTruth() {
+        int inside = 0;
+        int seen = 0;
+        for (std::uint64_t seed = 0; seed < 5; ++seed) {
+            CutCase cut = noisy(LawKind::Constant, seed);
+            FeedController observer(cut.controller, LawKind::Constant);
+            for (const CutRow& row : simulateCut(cut).rows) {
+                (void)observer.update({row.forceMeasured_N, 0.153, row.x_mm, 0.1});
+                const double truth = std::log(cut.plant.cuttingCoefficient * row.depth_mm);
+                const bool steady =
+                    std::fmod(row.x_mm, 20.0) > 3.0 && std::fmod(row.x_mm, 20.0) < 14.0 && row.x_mm > 4.0;
+                seen += steady;
+                inside += steady && std::abs(observer.stiffness().lnCb - truth) <= observer.stiffness().half95;
+            }
+        }
+        QVERIFY(seen > 1000);
+        QVERIFY2(inside >= seen * 93 / 100, qPrintable(QString("%1 of %2").arg(inside).arg(seen)));
+    }
+    void toolStiffnessIsLearnt_data() { defaultLawHoldsOnSoftAndStiffTools_data(); }
+    void toolStiffnessIsLearnt() {
+        QFETCH(double, kx_kgfPerMm);
+        CutCase cut = noisy(LawKind::Model, 3);
+        cut.plant.kx_NPerMm = kx_kgfPerMm * kKgf;
+        const CutResult result = simulateCut(cut);
+        FeedController observer(cut.controller, LawKind::Model);
+        double rest = 0.0;
+        for (const CutRow& row : result.rows) {
+            const double pulses = row.feedCommand_mmPerS * 0.1 / cut.pulse_mm + rest;
+            rest = pulses - std::floor(pulses);
+            (void)observer.update({row.forceMeasured_N, std::floor(pulses) * cut.pulse_mm, row.x_mm, 0.1});
+        }
+        const double ratio = observer.stiffness().kx_NPerMm / cut.plant.kx_NPerMm;
+        QVERIFY2(ratio > 0.6 && ratio < 1.7, qPrintable(QString::number(ratio)));
+    }
+
+    // Manners of the controller.
+    void changeOfLawIsBumpless() {
+        const PlantParams plant;
+        for (const LawKind from : {LawKind::Constant, LawKind::Pi, LawKind::Model}) {
+            for (const LawKind to : {LawKind::Constant, LawKind::Pi, LawKind::Model, LawKind::Preview}) {
+                FeedController::Params params;
+                params.programmedFeed_mmPerS = 1.0;
+                FeedController controller(params, from);
+                RevolutionState tool;
+                double feed_mmPerS = 0.0;
+                for (int i = 0; i < 80; ++i) {
+                    if (i == 60) {
+                        controller.select(to);
+                    }
+                    const double before_mmPerS = feed_mmPerS;
+                    feed_mmPerS = controller.update({tool.forceY_N, before_mmPerS * 0.1, 0.0, 0.1}).feed_mmPerS;
+                    if (i == 60) {
+                        QVERIFY2(
+                            std::abs(feed_mmPerS - before_mmPerS) < 0.02,
+                            qPrintable(QString("law %1 to %2").arg(static_cast<int>(from)).arg(static_cast<int>(to))));
+                    }
+                    tool = stepRevolution(plant, 1.5, tool.deflectionX_mm, feed_mmPerS * 0.1);
+                }
+            }
+        }
+    }
+    void withoutTrustedForceTheFeedNeverRises() {
+        for (const LawKind law : {LawKind::Constant, LawKind::Pi, LawKind::Model, LawKind::Preview}) {
+            for (const double depth_mm : {0.4, 1.0, 3.0}) {
+                FeedController::Params params;
+                FeedController controller(params, law);
+                controller.setBlank(stairs());
+                RevolutionState tool;
+                double feed_mmPerS = 0.0;
+                for (int i = 0; i < 60; ++i) {
+                    const bool blind = i >= 40;
+                    const double before_mmPerS = feed_mmPerS;
+                    const std::optional<double> force_N = blind ? std::nullopt : std::optional(tool.forceY_N);
+                    const FeedDecision decision = controller.update({force_N, before_mmPerS * 0.1, 0.0, 0.1});
+                    feed_mmPerS = decision.feed_mmPerS;
+                    QCOMPARE(decision.blind, blind);
+                    if (blind) {
+                        QVERIFY(feed_mmPerS <= before_mmPerS);
+                        QVERIFY(feed_mmPerS <= params.programmedFeed_mmPerS);
+                    }
+                    tool = stepRevolution(PlantParams(), depth_mm, tool.deflectionX_mm, feed_mmPerS * 0.1);
+                }
+            }
+        }
+    }
+    void backsOffFasterThanItRecovers() {
+        const auto firstMove_mmPerS = [](double from_mm, double to_mm) {
+            FeedController controller(FeedController::Params(), LawKind::Model);
+            RevolutionState tool;
+            double feed_mmPerS = 0.0;
+            double settled_mmPerS = 0.0;
+            for (int i = 0; i < 103; ++i) {
+                feed_mmPerS = controller.update({tool.forceY_N, feed_mmPerS * 0.1, 0.0, 0.1}).feed_mmPerS;
+                settled_mmPerS = i == 99 ? feed_mmPerS : settled_mmPerS;
+                tool = stepRevolution(PlantParams(), i < 99 ? from_mm : to_mm, tool.deflectionX_mm, feed_mmPerS * 0.1);
+            }
+            return std::abs(std::log(feed_mmPerS / settled_mmPerS));
+        };
+        QVERIFY(firstMove_mmPerS(1.5, 1.5 * 1.2) > firstMove_mmPerS(1.5, 1.5 / 1.2));
+    }
+    void piGainsFollowTheRevolution() {
+        // Per revolution the same plant: the same cut at 3000 rpm and at 600 rpm, only five times faster.
+        CutCase slow = pi(0.75, 0.15, 40.0);
+        CutCase fast = slow;
+        fast.spindle_rpm = 3000.0;
+        slow.controller.range.max_mmPerS = 4.0;
+        fast.controller.range.max_mmPerS = 20.0;
+        const CutResult a = simulateCut(slow);
+        const CutResult b = simulateCut(fast);
+        QCOMPARE(a.rows.size(), b.rows.size());
+        QVERIFY(std::abs(waviness_um(a) - waviness_um(b)) < 1e-6);
+    }
+    void deeperThanTheRangeIsReportedAsLimited() {
+        FeedController::Params params;
+        params.range.min_mmPerS = 0.68;
+        FeedController controller(params, LawKind::Model);
+        RevolutionState tool;
+        FeedDecision decision;
+        for (int i = 0; i < 80; ++i) {
+            decision = controller.update({tool.forceY_N, decision.feed_mmPerS * 0.1, 0.0, 0.1});
+            tool = stepRevolution(PlantParams(), 8.0, tool.deflectionX_mm, decision.feed_mmPerS * 0.1);
+        }
+        QVERIFY(decision.limited);
+        QCOMPARE(decision.feed_mmPerS, 0.68);
+    }
+    void badBlanksAreRefusedInWords() {
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const double height_mm : {-0.1, 51.0, nan}) {
+            const double heights_mm[] = {1.0, height_mm};
+            const auto blank = BlankProfile::ofSegments(heights_mm, 20.0);
+            QVERIFY(!blank && !blank.error().english().empty());
+        }
+        const double heights_mm[] = {1.0, 2.0};
+        for (const double segment_mm : {0.0, -1.0, nan}) {
+            QVERIFY(!BlankProfile::ofSegments(heights_mm, segment_mm));
+        }
+        QVERIFY(!BlankProfile::ofSegments({}, 20.0));
+        const double backwards_mm[] = {5.0, 4.0};
+        QVERIFY(!BlankProfile::ofSteps(backwards_mm, heights_mm, 20.0));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMillingLaws)
+#include "tst_milling_laws.moc"
