@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/core/spsc_ring.h"
+#include "engine/machine/machine_port.h"
+
+namespace kerf::linuxcnc {
+
+/// Commands to LinuxCNC over linuxcncrsh (its line protocol on TCP), on a thread of their own: never in the cycle.
+///
+/// The cycle hands a request over by ring and finds the reply in another; the thread speaks, waits for each
+/// acknowledgement, and connects again by itself when the control comes back.
+class RshLink {
+ public:
+    struct Params {
+        std::string host{"127.0.0.1"};
+        std::uint16_t port{5007};
+        bool prepareMachine{false};  ///< release emergency stop, switch on and home: for simulated controls only
+    };
+    explicit RshLink(Params params);
+    RshLink(const RshLink&) = delete;
+    RshLink& operator=(const RshLink&) = delete;
+    ~RshLink();
+
+    /// Cycle: false when the ring is full.
+    [[nodiscard]] bool tryAsk(const PortRequest& request) noexcept { return m_requests.tryPush(request); }
+    /// Cycle: false when there is nothing new.
+    [[nodiscard]] bool tryReply(RequestReply& reply) noexcept { return m_replies.tryPop(reply); }
+    [[nodiscard]] bool connected() const noexcept { return m_connected.load(std::memory_order_acquire); }
+
+ private:
+    void run();
+    [[nodiscard]] bool connectOnce();
+    void disconnect() noexcept;
+    [[nodiscard]] bool say(const std::string& line, std::string& answer);
+    [[nodiscard]] bool acknowledged(const std::string& line);
+    [[nodiscard]] RequestReply carryOut(const PortRequest& request);
+    [[nodiscard]] bool prepareMachine();
+
+    Params m_params;
+    SpscRing<PortRequest> m_requests{16};
+    SpscRing<RequestReply> m_replies{16};
+    std::atomic<bool> m_connected{false};
+    std::atomic<bool> m_stop{false};
+    int m_socket{-1};
+    std::thread m_thread;
+};
+
+}  // namespace kerf::linuxcnc
