@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     kerf.require_subcommand(1);
     kerf::headless::addBoringCommands(kerf);
     kerf::headless::addMillingCommands(kerf);
+    kerf::headless::addTurningCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
