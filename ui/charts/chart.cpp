@@ -71,6 +71,11 @@ void Chart::setYAxis(const QString& title, const char* unit) {
     rebuild();
 }
 
+void Chart::setLowTitles(bool low) {
+    m_lowTitles = low;
+    retitle();
+}
+
 void Chart::setXRange(double from, double to) {
     m_xRange = {from, to};
     fit();
@@ -141,6 +146,11 @@ QList<QPointF> Chart::drawn(CurveId curve) const {
     return m_curves[curve].series->points();
 }
 
+void Chart::resizeEvent(QResizeEvent* event) {
+    QChartView::resizeEvent(event);
+    fit();  // as many ticks as the height has room for
+}
+
 QSize Chart::sizeHint() const {
     return {m_look.metrics().sideWidth(), m_look.metrics().chart()};
 }
@@ -179,8 +189,8 @@ void Chart::retitle() {
     };
     m_x->setTitleText(title(m_xTitle, m_xUnit));
     m_y->setTitleText(title(m_yTitle, m_yUnit));
-    m_x->setTitleVisible(!m_xTitle.isEmpty());
-    m_y->setTitleVisible(!m_yTitle.isEmpty());
+    m_x->setTitleVisible(!m_xTitle.isEmpty() && !m_lowTitles);
+    m_y->setTitleVisible(!m_yTitle.isEmpty() && !m_lowTitles);
 }
 
 void Chart::rebuild() {
@@ -209,9 +219,17 @@ void Chart::rebuild() {
 
 void Chart::applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers) {
     AxisRange range = roundRange(from, to);
-    if (wholeNumbers && range.step < 1.0) {
-        range.step = 1.0;
+    if (wholeNumbers) {
+        range.step = std::max(1.0, std::ceil(range.step));
         range.decimals = 0;
+    }
+    if (axis == m_y) {
+        // Qt Charts cuts a label that has less than its height between two ticks.
+        const double perTick = QFontMetricsF(m_look.font(TextSize::Label)).height() + m_look.space(Space::Large);
+        const double most = std::max(2.0, m_chart->plotArea().height() / perTick);
+        while ((range.to - range.from) / range.step > most) {
+            range.step *= 2.0;
+        }
     }
     if (!widen) {
         range.from = from;
@@ -294,6 +312,9 @@ void Chart::drawForeground(QPainter* painter, const QRectF&) {
     const QRectF plot = m_chart->plotArea();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
+    if (m_lowTitles) {
+        paintLowTitle(*painter, plot);
+    }
     const bool empty =
         std::all_of(m_curves.begin(), m_curves.end(), [](const Curve& c) { return c.series->count() == 0; });
     painter->setFont(m_look.font(TextSize::Label));
@@ -312,6 +333,13 @@ void Chart::drawForeground(QPainter* painter, const QRectF&) {
     painter->restore();
 }
 
+void Chart::paintLowTitle(QPainter& painter, const QRectF& plot) const {
+    painter.setFont(m_look.font(TextSize::Label));
+    painter.setPen(m_look.color(Token::Dim));
+    painter.drawText(QRectF(0.0, plot.bottom(), plot.right(), viewport()->height() - plot.bottom()),
+                     Qt::AlignLeft | Qt::AlignVCenter, m_x->titleText());
+}
+
 void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
     const DisplayUnit unit = m_look.units().of(m_yUnit);
     const QFontMetrics metrics(m_look.font(TextSize::Label));
@@ -328,6 +356,7 @@ void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRect
         const double height = metrics.height();
         const double top = y - height < plot.top() ? y : y - height;  // above the line unless it is the topmost
         const QRectF box(plot.left() + m_look.space(Space::Small), top, metrics.horizontalAdvance(limit.label), height);
+        painter.fillRect(box, m_look.color(Token::Panel));  // readable where a curve passes behind it
         painter.setPen(m_look.color(limit.token));
         painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, limit.label);
         taken.push_back(box);

@@ -57,6 +57,9 @@ class Chart : public QChartView {
     /// ticks
     void setXAxis(const QString& title, const char* unit, bool wholeNumbers = false);
     void setYAxis(const QString& title, const char* unit);
+    /// For low charts: the x title stands left of the tick labels, the y title in the card's own title. Saves two
+    /// lines.
+    void setLowTitles(bool low);
     /// Fixed range in stored units; without it the axis follows the points.
     void setXRange(double from, double to);
     void setYRange(double from, double to);
@@ -86,6 +89,7 @@ class Chart : public QChartView {
         QLineSeries* series{nullptr};  ///< shown units
     };
     void drawForeground(QPainter* painter, const QRectF& rect) override;
+    void resizeEvent(QResizeEvent* event) override;
     /// Shown values and axes anew from the stored ones.
     virtual void rebuild();
     [[nodiscard]] Look& look() const { return m_look; }
@@ -106,6 +110,7 @@ class Chart : public QChartView {
     };
     void restyle();
     void retitle();
+    void paintLowTitle(QPainter& painter, const QRectF& plot) const;
     void fit();
     [[nodiscard]] QPointF place(const QPointF& shown) const;
     void paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
@@ -121,6 +126,7 @@ class Chart : public QChartView {
     const char* m_xUnit{""};
     const char* m_yUnit{""};
     bool m_wholeNumbers{false};
+    bool m_lowTitles{false};
     std::optional<std::pair<double, double>> m_xRange;
     std::optional<std::pair<double, double>> m_yRange;
     std::vector<double> m_yIncludes;

@@ -15,8 +15,8 @@ QLabel, QCheckBox, QRadioButton { background: transparent; }
 QLabel[role="label"] { font-size: @label@px; color: @dim@; }
 QLabel[role="dim"] { color: @dim@; }
 QLabel[role="title"] { font-weight: 600; }
-QLabel[role="card"] { font-size: @card@px; }
 QFrame[role="card"] { background: @panel@; border: @hairline@px solid @line@; border-radius: @corner@px; }
+QLabel[role="card"] { font-size: @card@px; background: transparent; border: none; }
 QFrame[role="sheet"] { background: @panel@; border: @hairline@px solid @dim@; border-radius: @corner@px; }
 QFrame[role="bar"] { background: @panel@; border: none; }
 QFrame[role="rule"] { background: @line@; border: none; }

@@ -6,7 +6,8 @@
 
 namespace kerf::ui {
 
-Keypad::Keypad(Look& look, QWidget* parent) : FaceWidget(look, parent), m_grid(new QGridLayout(this)) {
+Keypad::Keypad(Look& look, Shape shape, QWidget* parent) : FaceWidget(look, parent), m_grid(new QGridLayout(this)) {
+    const bool wide = shape == Shape::Wide;
     m_grid->setContentsMargins(0, 0, 0, 0);
     for (int digit = 1; digit <= 9; ++digit) {
         const QString face = QString::number(digit);
@@ -14,11 +15,32 @@ Keypad::Keypad(Look& look, QWidget* parent) : FaceWidget(look, parent), m_grid(n
         connect(addKey(face, name.constData(), 2 - (digit - 1) / 3, (digit - 1) % 3), &QPushButton::clicked, this,
                 [this, face, digit] { type(face, Qt::Key_0 + digit); });
     }
-    connect(addKey(QStringLiteral("0"), "key0", 3, 0), &QPushButton::clicked, this,
+    connect(addKey(QStringLiteral("0"), "key0", wide ? 2 : 3, wide ? 3 : 0), &QPushButton::clicked, this,
             [this] { type(QStringLiteral("0"), Qt::Key_0); });
-    connect(addKey(QStringLiteral("."), "keyPoint", 3, 1), &QPushButton::clicked, this,
+    connect(addKey(QStringLiteral("."), "keyPoint", wide ? 1 : 3, wide ? 3 : 1), &QPushButton::clicked, this,
             [this] { type(QStringLiteral("."), Qt::Key_Period); });
-    connect(addKey(QStringLiteral("±"), "keySign", 3, 2), &QPushButton::clicked, this, [this] {
+    if (!wide) {
+        addSign(3, 2);
+    }
+    connect(addKey(QStringLiteral("⌫"), "keyBack", 0, 3), &QPushButton::clicked, this,
+            [this] { type({}, Qt::Key_Backspace); });
+    m_clear = addKey(QStringLiteral("C"), "keyClear", wide ? 0 : 1, wide ? 4 : 3);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        if (edit != nullptr) {
+            edit->clear();
+            emit edit->textEdited({});
+        }
+    });
+    m_enter = addKey({}, "keyEnter", wide ? 1 : 2, wide ? 4 : 3);
+    m_grid->addWidget(m_enter, wide ? 1 : 2, wide ? 4 : 3, 2, 1);
+    m_enter->setProperty("primary", true);
+    connect(m_enter, &QPushButton::clicked, this, [this] { type({}, Qt::Key_Return); });
+    refresh();
+}
+
+void Keypad::addSign(int row, int column) {
+    connect(addKey(QStringLiteral("±"), "keySign", row, column), &QPushButton::clicked, this, [this] {
         QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
         if (edit != nullptr) {
             const QString text = edit->text();
@@ -27,21 +49,6 @@ Keypad::Keypad(Look& look, QWidget* parent) : FaceWidget(look, parent), m_grid(n
             emit edit->textEdited(edit->text());
         }
     });
-    connect(addKey(QStringLiteral("⌫"), "keyBack", 0, 3), &QPushButton::clicked, this,
-            [this] { type({}, Qt::Key_Backspace); });
-    m_clear = addKey(QStringLiteral("C"), "keyClear", 1, 3);
-    connect(m_clear, &QPushButton::clicked, this, [this] {
-        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
-        if (edit != nullptr) {
-            edit->clear();
-            emit edit->textEdited({});
-        }
-    });
-    m_enter = addKey({}, "keyEnter", 2, 3);
-    m_grid->addWidget(m_enter, 2, 3, 2, 1);
-    m_enter->setProperty("primary", true);
-    connect(m_enter, &QPushButton::clicked, this, [this] { type({}, Qt::Key_Return); });
-    refresh();
 }
 
 QPushButton* Keypad::addKey(const QString& face, const char* name, int row, int column, int columns) {

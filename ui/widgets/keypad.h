@@ -16,7 +16,11 @@ namespace kerf::ui {
 class Keypad : public FaceWidget {
     Q_OBJECT
  public:
-    explicit Keypad(Look& look, QWidget* parent = nullptr);
+    /// Tall: four rows with a sign key. Wide: three rows of five, for a low panel and values that are never negative.
+    enum class Shape { Tall, Wide };
+
+    explicit Keypad(Look& look, QWidget* parent = nullptr) : Keypad(look, Shape::Tall, parent) {}
+    Keypad(Look& look, Shape shape, QWidget* parent = nullptr);
 
     void setTarget(QLineEdit* edit) { m_target = edit; }
     /// Text of the enter key ("Enter" when empty).
@@ -27,6 +31,7 @@ class Keypad : public FaceWidget {
 
  private:
     QPushButton* addKey(const QString& face, const char* name, int row, int column, int columns = 1);
+    void addSign(int row, int column);
     void type(const QString& text, int key);
 
     QGridLayout* m_grid;
