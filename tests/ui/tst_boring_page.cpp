@@ -1,0 +1,535 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/support/fake_boring_desk.h"
+#include "tests/support/page_bench.h"
+#include "ui/pages/boring/boring_page.h"
+
+using namespace kerf;
+using namespace kerf::ui;
+using kerf::test::FakeBoringDesk;
+using kerf::test::PageBench;
+
+/// A lot on the fake desk, its page, and the touches of an operator.
+class TestBoringPage : public QObject {
+    Q_OBJECT
+ private slots:
+    void init() {
+        m_desk = std::make_unique<FakeBoringDesk>();
+        m_bench = std::make_unique<PageBench>();
+        m_bench->services.boringDesk = m_desk.get();
+        m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Advise;
+        m_bench->engine.loop(ProcessId::Boring).state = LoopState::Advising;
+    }
+    void cleanup() {
+        m_bench.reset();
+        m_desk.reset();
+    }
+
+    // Entry.
+    void aDiameterIsEnteredInThreeTouches() {
+        m_desk->cutPart();
+        show();
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
+        QCOMPARE(touches("key1", "key2", "keyEnter"), 3);
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_desk->entries[0].diameter_mm, 50.012);
+        QCOMPARE(m_desk->entries[0].author, std::string("Kim"));
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, bottom"));  // the next one is preselected
+        QCOMPARE(touches("key9", "key9", "keyEnter"), 3);
+        QCOMPARE(m_desk->entries[1].diameter_mm, 49.999);
+        QCOMPARE(m_desk->entries[1].depth, std::uint8_t{1});
+        QVERIFY(!field()->isEnabled());
+        QVERIFY(!text("boringEntryMessage").isEmpty());
+    }
+    void aWholeDiameterMayBeTypedOnTheKeyboard() {
+        m_desk->cutPart();
+        show();
+        QTest::keyClicks(field(), QStringLiteral("50,013"));
+        QTest::keyClick(field(), Qt::Key_Return);
+        QTRY_COMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_desk->entries[0].diameter_mm, 50.013);
+    }
+    void aTextPutInByOtherMeansCounts() {
+        m_desk->cutPart();
+        show();
+        field()->setText(QStringLiteral("50.014"));
+        QVERIFY(m_bench->press("keyEnter"));
+        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.014);
+    }
+    void theGaugeButtonFillsTheField() {
+        m_desk->cutPart();
+        m_desk->gaugeFitted = true;
+        show();
+        QCOMPARE(touches("boringGauge", "keyEnter"), 2);
+        QCOMPARE(m_desk->entries.at(0).diameter_mm, m_desk->trueDiameter_mm(101, 0) + 0.00037);
+        QVERIFY(m_desk->entries.at(0).fromGauge);
+    }
+    void aDecadeTypoIsAskedAboutAndMeasuredAgain() {
+        m_desk->runParts(3);
+        m_desk->cutPart();
+        show();
+        const std::size_t before = m_desk->entries.size();
+        type("5.0011");
+        QCOMPARE(m_desk->entries.size(), before);
+        QVERIFY(visible("boringMeasureAgain"));
+        QVERIFY(visible("boringConfirm"));
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("5.001")));
+        QVERIFY(m_bench->press("keyEnter"));  // Enter is no answer
+        QCOMPARE(m_desk->entries.size(), before);
+        QVERIFY(visible("boringConfirm"));
+        QVERIFY(m_bench->press("boringMeasureAgain"));
+        QVERIFY(!visible("boringConfirm"));
+        QCOMPARE(touches("key1", "key1", "keyEnter"), 3);
+        QCOMPARE(m_desk->entries.size(), before + 1);
+        QVERIFY(!m_desk->entries.back().confirmed);
+    }
+    void typingOnIsMeasuringAgain() {
+        m_desk->runParts(3);
+        m_desk->cutPart();
+        show();
+        type("5.0011");
+        QCOMPARE(touches("key1", "key1", "keyEnter"), 3);
+        QCOMPARE(m_desk->entries.back().diameter_mm, 50.011);
+        QVERIFY(!visible("boringConfirm"));
+    }
+    void anImplausibleValueMayBeConfirmed() {
+        m_desk->runParts(3);
+        m_desk->cutPart();
+        show();
+        type("49.700");
+        QVERIFY(m_bench->press("boringConfirm"));
+        QCOMPARE(m_desk->entries.back().diameter_mm, 49.7);
+        QVERIFY(m_desk->entries.back().confirmed);
+    }
+    void aRefusedEntryKeepsItsTextAndSaysWhatWhereAndRange() {
+        m_desk->cutPart();
+        show();
+        type("500.11");
+        QVERIFY(m_desk->entries.empty());
+        QCOMPARE(field()->text(), QStringLiteral("500.11"));
+        for (const char* piece : {"500.110", "part 1, top", "50.127"}) {
+            QVERIFY2(text("boringEntryMessage").contains(QLatin1String(piece)), qPrintable(text("boringEntryMessage")));
+        }
+        QVERIFY(field()->property("wrong").toBool());
+    }
+    void whatIsNoNumberIsRefusedAtTheField_data() {
+        QTest::addColumn<QString>("typed");
+        for (const char* typed : {"", "5", "abc", "5.0.1", "-", "nan", "inf"}) {
+            QTest::newRow(typed) << QString::fromLatin1(typed);
+        }
+    }
+    void whatIsNoNumberIsRefusedAtTheField() {
+        QFETCH(QString, typed);
+        m_desk->cutPart();
+        show();
+        type(typed.toLatin1().constData());
+        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_desk->checked.empty());
+        QCOMPARE(entry()->field()->input().typed(), typed);
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("part 1, top")));
+    }
+    void withoutANameNothingIsEntered() {
+        m_desk->cutPart();
+        show();
+        m_bench->session.signOff();
+        type("50.011");
+        QCOMPARE(m_bench->askedForName, 1);
+        QVERIFY(m_desk->entries.empty());
+        QCOMPARE(field()->text(), QStringLiteral("50.011"));
+    }
+    void anEntryStaysWithThePartItWasBegunFor() {
+        m_desk->runParts(2);
+        m_desk->cutPart();
+        show();
+        QVERIFY(m_bench->press("key1"));
+        m_desk->voidMeasurement(1, "Lee", "gauge", {});  // now part 1 waits and is older
+        QVERIFY(m_bench->press("key2"));
+        QVERIFY(m_bench->press("keyEnter"));
+        QCOMPARE(m_desk->entries.back().part, PartId{103});
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
+    }
+
+    // Store.
+    void aFailingStoreKeepsTheValueAndSaysSo() {
+        m_desk->cutPart();
+        show();
+        m_desk->setStoreProblem(Sentence("The disk is full."));
+        QVERIFY(text("boringNote").contains(QStringLiteral("The disk is full.")));
+        type("50.011");
+        QVERIFY(m_desk->entries.empty());
+        QCOMPARE(field()->text(), QStringLiteral("50.011"));
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("The disk is full.")));
+        m_desk->setStoreProblem({});
+        QVERIFY(m_bench->press("keyEnter"));
+        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.011);
+        QVERIFY(!visible("boringNote"));
+    }
+    void aSlowStoreNeitherBlocksThePageNorStoresTwice() {
+        m_desk->cutPart();
+        m_desk->keepAnswers = true;
+        show();
+        type("50.011");
+        QVERIFY(m_bench->press("keyEnter"));
+        QVERIFY(m_bench->press("keyEnter"));
+        int beats = 0;
+        QTimer beat;
+        connect(&beat, &QTimer::timeout, this, [&beats] { ++beats; });
+        beat.start(1);
+        QTRY_VERIFY(beats > 3);
+        QVERIFY(m_desk->entries.empty());
+        m_desk->answerAll();
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, bottom"));
+    }
+    void anAnswerMayComeAfterThePageHasGone() {
+        m_desk->cutPart();
+        m_desk->keepAnswers = true;
+        show();
+        type("50.011");
+        m_bench.reset();
+        m_desk->answerAll();
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+    }
+
+    // Undo and correct.
+    void undoTakesTheLastOneOutWithAReason() {
+        m_desk->cutPart();
+        show();
+        type("50.011");
+        QVERIFY(m_bench->press("boringUndo"));
+        QVERIFY(!m_bench->press("measurementApply"));  // no reason yet: off, and it says so
+        QVERIFY(!m_bench->find<ActionButton>("measurementApply")->reason().isEmpty());
+        QVERIFY(m_bench->press("measurementReason0"));
+        QVERIFY(m_bench->press("measurementApply"));
+        QCOMPARE(m_desk->calls.back().what, std::string("void"));
+        QCOMPARE(m_desk->calls.back().id, std::int64_t{1});
+        QCOMPARE(m_desk->calls.back().author, std::string("Kim"));
+        QVERIFY(!m_desk->calls.back().reason.empty());
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
+        QVERIFY(!m_bench->notices.empty());
+    }
+    void aValueIsCorrectedFromTheList() {
+        m_desk->runParts(3);
+        show();
+        QVERIFY(m_bench->press("boringCorrect"));
+        auto* list = m_bench->find<QTableWidget>("boringMeasurementList");
+        QVERIFY(list != nullptr);
+        QCOMPARE(list->rowCount(), 3);
+        emit list->cellClicked(2, 1);  // part 1, top
+        auto* value = m_bench->find<QLineEdit>("measurementField");
+        QVERIFY(value != nullptr);
+        value->setFocus();
+        for (const char* key : {"key2", "key1"}) {
+            auto* button = m_bench->find<QWidget>("measurementKeypad")->findChild<QPushButton*>(QLatin1String(key));
+            QTest::mouseClick(button, Qt::LeftButton);
+        }
+        m_bench->find<QLineEdit>("measurementReason")->setText(QStringLiteral("read the wrong line"));
+        QVERIFY(m_bench->press("measurementApply"));
+        QCOMPARE(m_desk->calls.back().what, std::string("correct"));
+        QCOMPARE(m_desk->calls.back().id, std::int64_t{1});
+        QCOMPARE(m_desk->calls.back().value_mm, 50.021);
+        QCOMPARE(m_desk->calls.back().reason, std::string("read the wrong line"));
+        QVERIFY(m_desk->view().parts[0].measurements[0].corrected);
+    }
+    void aCorrectionThatCannotBeStoredStaysOpenWithTheReason() {
+        m_desk->runParts(1);
+        show();
+        m_desk->failWith = Sentence("The disk is full.");
+        QVERIFY(m_bench->press("boringUndo"));
+        QVERIFY(m_bench->press("measurementReason1"));
+        QVERIFY(m_bench->press("measurementApply"));
+        QVERIFY(text("measurementMessage").contains(QStringLiteral("The disk is full.")));
+        QVERIFY(m_bench->sheets->current() != nullptr);
+    }
+    void anotherPartMayBeMeasuredFirst() {
+        m_desk->cutPart();
+        m_desk->cutPart();
+        show();
+        QVERIFY(m_bench->press("boringCorrect"));
+        emit m_bench->find<QTableWidget>("boringMeasurementList")->cellClicked(0, 2);  // newest part, bottom
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 2, bottom"));
+        type("50.011");
+        QCOMPARE(m_desk->entries.at(0).part, PartId{102});
+        QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
+    }
+
+    // Gauge, whatever has the focus.
+    void aGaugeEntersFromAnyFocus() {
+        m_desk->cutPart();
+        show();
+        QLineEdit elsewhere;
+        elsewhere.show();
+        burst(&elsewhere, "50.011");
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QVERIFY(m_desk->entries[0].fromGauge);
+        QVERIFY(elsewhere.text().isEmpty());
+        burst(&elsewhere, "50.012mm");
+        QCOMPARE(m_desk->entries.size(), std::size_t{2});
+        QCOMPARE(m_desk->entries[1].depth, std::uint8_t{1});
+    }
+    void aGaugeEntersWhileAnotherPageIsShown() {
+        m_desk->cutPart();
+        show();
+        m_bench->page->hide();
+        QLineEdit elsewhere;
+        elsewhere.show();
+        burst(&elsewhere, "50.011");
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QVERIFY(!m_bench->notices.empty());
+        burst(&elsewhere, "5.0011");  // a question: the page must come up
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_bench->shownPages.back(), std::string("boring"));
+    }
+    void aGaugeInTheOtherUnitIsAskedAbout() {
+        m_desk->cutPart();
+        show();
+        burst(field(), "1.9689");
+        QVERIFY(m_desk->entries.empty());
+        QVERIFY(visible("boringConfirm"));
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("inch")));
+        QVERIFY(m_bench->press("boringConfirm"));
+        QVERIFY(std::abs(m_desk->entries.at(0).diameter_mm - 1.9689 * 25.4) < 1e-9);
+    }
+    void aReadingSentTwiceIsTakenOnce() {
+        m_desk->cutPart();
+        show();
+        burst(field(), "50.011");
+        burst(field(), "50.011");
+        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("50.011")));
+    }
+    void aReadingThatNobodyWaitsForIsTold() {
+        show();
+        burst(m_bench->page, "50.011");
+        QVERIFY(m_desk->entries.empty());
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("50.011")));
+    }
+    void aGaugeReadingThatCouldNotBeStoredWaitsInTheField() {
+        m_desk->cutPart();
+        show();
+        m_desk->failWith = Sentence("The disk is full.");
+        burst(m_bench->page, "50.011");
+        QCOMPARE(field()->text(), QStringLiteral("50.011"));
+        m_desk->failWith = {};
+        QVERIFY(m_bench->press("keyEnter"));
+        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.011);
+    }
+
+    // Units and language.
+    void switchingUnitsInTheMiddleOfAnEntryKeepsTheData() {
+        m_desk->runParts(2);
+        m_desk->cutPart();
+        show();
+        QVERIFY(m_bench->press("key1"));
+        const double before = m_desk->view().parts[0].measurements[0].diameter_mm;
+        Preferences preferences;
+        preferences.length = LengthUnit::Inch;
+        preferences.brightness = Brightness::Dark;
+        m_bench->look.apply(preferences);
+        QCOMPARE(text("boringEntryUnit"), QStringLiteral("mm"));  // this entry was begun in mm
+        QVERIFY(text("boringNextFeed").contains(QStringLiteral("in/rev")));
+        QVERIFY(m_bench->press("key2"));
+        QVERIFY(m_bench->press("keyEnter"));
+        QCOMPARE(m_desk->entries.back().diameter_mm, 50.012);
+        QCOMPARE(text("boringEntryUnit"), QStringLiteral("in"));
+        type("1.9690");
+        QVERIFY(std::abs(m_desk->entries.back().diameter_mm - 1.9690 * 25.4) < 1e-9);
+        QCOMPARE(m_desk->view().parts[0].measurements[0].diameter_mm, before);
+    }
+    void switchingTheLanguageKeepsEntryAndQuestion() {
+        m_desk->runParts(2);
+        m_desk->cutPart();
+        show();
+        type("5.0011");
+        Preferences preferences;
+        preferences.language = Language::Korean;
+        m_bench->look.apply(preferences);
+        QVERIFY(visible("boringConfirm"));
+        QCOMPARE(field()->text(), QStringLiteral("5.0011"));
+        QVERIFY(m_bench->press("boringConfirm"));
+    }
+
+    // Next part.
+    void theNextPartIsShownBeforeItIsCut() {
+        m_desk->runParts(2);
+        show();
+        auto* top = m_bench->find<NumberDisplay>("boringNextDiameter0");
+        QVERIFY(top != nullptr);
+        QCOMPARE(top->text(), QStringLiteral("50.010"));
+        QVERIFY(text("boringNextFeed").contains(QStringLiteral("→")));
+        QVERIFY(!text("boringNextReason").isEmpty());
+        QVERIFY(!visible("boringNextLimited"));
+        m_desk->edit().nextLimited = true;
+        m_desk->announce();
+        QVERIFY(visible("boringNextLimited"));
+    }
+    void acceptIsOffWithItsReasonUntilThereIsSomethingToAccept() {
+        m_desk->runParts(2);
+        show();
+        auto* accept = m_bench->find<ActionButton>("boringAccept");
+        QVERIFY(!accept->isEnabled());
+        QVERIFY(!accept->reason().isEmpty());
+        m_desk->adviseMode = true;
+        m_desk->runParts(1);
+        QVERIFY(m_bench->press("boringAccept"));
+        QCOMPARE(m_desk->calls.back().what, std::string("accept"));
+        QVERIFY(!accept->isEnabled());
+        m_desk->runParts(1);
+        m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Control;
+        m_bench->client.tick();
+        QVERIFY(!accept->isEnabled());
+        QVERIFY(accept->reason().contains(QStringLiteral("control")));
+    }
+    void theSwitchAsksTheEngineAndShowsWhatItSays() {
+        show();
+        QVERIFY(m_bench->press("boringModeControl"));
+        const auto* mode = std::get_if<SetLoopMode>(&m_bench->engine.commands.back().action);
+        QVERIFY(mode != nullptr);
+        QCOMPARE(mode->mode, LoopMode::Control);
+        QVERIFY(m_bench->find<QPushButton>("boringModeAdvise")->isChecked());
+        m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Control;
+        m_bench->client.tick();
+        QVERIFY(m_bench->find<QPushButton>("boringModeControl")->isChecked());
+    }
+    void aLoopThatIsNotFittedSaysWhy() {
+        m_bench->engine.loop(ProcessId::Boring).fitted = false;
+        m_bench->engine.loop(ProcessId::Boring).reason = Sentence("no boring spindle");
+        show();
+        QVERIFY(!m_bench->press("boringModeControl"));
+        QVERIFY(text("boringLoopReason").contains(QStringLiteral("no boring spindle")));
+    }
+
+    // Charts.
+    void aTouchOnAChangedPartSaysWhy() {
+        m_desk->runParts(14);
+        show();
+        auto* chart = m_bench->find<BoreChart>("boringBoreChart");
+        emit chart->partTouched(11);
+        QVERIFY(text("boringNote").contains(QStringLiteral("the process has changed")));
+        emit chart->partTouched(0);
+        QVERIFY(!visible("boringNote"));
+    }
+    void theLivePointMovesWhileCutting() {
+        m_desk->runParts(1);
+        show();
+        auto* chart = m_bench->find<Chart>("boringFeedChart");
+        BoringStatus& boring = m_bench->engine.fake.boring;
+        boring.cutting = true;
+        boring.activeSchedule = m_desk->view().nextSchedule.revision;
+        boring.overhang_mm = {120.0, 1, Quality::Good};
+        boring.feed_mmPerRev = {0.15, 1, Quality::Good};
+        QTRY_VERIFY((m_bench->client.tick(), chart->drawn(3).size() == 1));
+        QCOMPARE(chart->drawn(3).front(), QPointF(120.0, 0.15));
+        boring.overhang_mm.value = 200.0;
+        QTRY_VERIFY((m_bench->client.tick(), chart->drawn(3).front().x() == 200.0));
+        boring.cutting = false;
+        QTRY_VERIFY((m_bench->client.tick(), chart->drawn(3).isEmpty()));
+    }
+    void atMostTwentyFivePartsAreDrawn() {
+        m_desk->runParts(30);
+        show();
+        QCOMPARE(m_bench->find<Chart>("boringBoreChart")->drawn(0).size(), 25);
+    }
+    void withoutALotThePageSaysSo() {
+        m_bench->services.boringDesk = nullptr;
+        show();
+        QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
+    }
+
+    void pictures() {
+        struct Screen {
+            const char* name;
+            QSize page;
+        };
+        for (const Screen& screen : {Screen{"1280x800", {1083, 670}}, Screen{"1920x1080", {1723, 950}}}) {
+            for (const bool korean : {false, true}) {
+                for (const bool dark : {false, true}) {
+                    for (const bool full : {false, true}) {
+                        cleanup();
+                        init();
+                        Preferences preferences;
+                        preferences.language = korean ? Language::Korean : Language::English;
+                        preferences.brightness = dark ? Brightness::Dark : Brightness::Light;
+                        preferences.length = korean && dark ? LengthUnit::Inch : LengthUnit::Millimetre;
+                        m_bench->look.apply(preferences);
+                        if (full) {
+                            m_desk->runParts(25);
+                            m_desk->cutPart();
+                            cutHalf();
+                        }
+                        m_bench->show<BoringPage>(screen.page);
+                        if (full) {
+                            emit m_bench->find<BoreChart>("boringBoreChart")->partTouched(11);
+                            type("5.0011");
+                        }
+                        m_bench->client.tick();
+                        QTest::qWait(220);  // numbers settle at 5 Hz
+                        m_bench->save(QStringLiteral("boring_%1_%2_%3_%4.png")
+                                          .arg(QLatin1String(screen.name), QLatin1String(korean ? "ko" : "en"),
+                                               QLatin1String(dark ? "dark" : "light"),
+                                               QLatin1String(full ? "full" : "empty")));
+                    }
+                }
+            }
+        }
+    }
+
+ private:
+    void show() { m_bench->show<BoringPage>(); }
+    [[nodiscard]] EntryPanel* entry() { return static_cast<BoringPage*>(m_bench->page)->entry(); }
+    [[nodiscard]] DiameterField* field() { return entry()->field(); }
+    [[nodiscard]] QString text(const char* name) {
+        auto* label = m_bench->find<QLabel>(name);
+        return label != nullptr ? label->text() : QString();
+    }
+    [[nodiscard]] bool visible(const char* name) {
+        auto* widget = m_bench->find<QWidget>(name);
+        return widget != nullptr && widget->isVisible();
+    }
+    template <class... Names>
+    int touches(Names... names) {
+        int done = 0;
+        ((done += m_bench->press(names) ? 1 : 0), ...);
+        return done;
+    }
+    /// Typed as the program types, so that no gauge is seen in it, and entered.
+    void type(const char* text) {
+        for (const char c : std::string(text)) {
+            QKeyEvent press(QEvent::KeyPress, c, Qt::NoModifier, QString(QLatin1Char(c)));
+            QCoreApplication::sendEvent(field(), &press);
+        }
+        static_cast<void>(m_bench->press("keyEnter"));
+    }
+    static void burst(QWidget* target, const char* text) {
+        for (const char c : std::string(text)) {
+            QTest::keyClick(target, c);
+        }
+        QTest::keyClick(target, Qt::Key_Return);
+    }
+    void cutHalf() {
+        BoringStatus& boring = m_bench->engine.fake.boring;
+        const BoringSchedule& schedule = m_desk->view().nextSchedule;
+        boring.cutting = true;
+        boring.activeSchedule = schedule.revision;
+        boring.overhang_mm = {150.0, 1, Quality::Good};
+        boring.feed_mmPerRev = {schedule.feed_mmPerRev(150.0), 1, Quality::Good};
+        for (float overhang_mm = 40.0F; overhang_mm < 150.0F; overhang_mm += 1.0F) {
+            Sample sample;
+            sample.cutting = true;
+            sample.overhang_mm = overhang_mm;
+            sample.feed_mmPerRev = static_cast<float>(schedule.feed_mmPerRev(static_cast<double>(overhang_mm)));
+            m_bench->engine.samples.push_back(sample);
+        }
+    }
+
+    std::unique_ptr<FakeBoringDesk> m_desk;
+    std::unique_ptr<PageBench> m_bench;
+};
+
+QTEST_MAIN(TestBoringPage)
+#include "tst_boring_page.moc"

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWindow>
+
+#include "ui/entry/gauge_wedge.h"
+
+using namespace kerf::ui;
+
+/// A window with a text field, a memo and a button, and a clock that only the test moves.
+class TestGaugeWedge : public QObject {
+    Q_OBJECT
+ private slots:
+    void initTestCase() { qRegisterMetaType<GaugeReading>(); }
+    void init() {
+        m_now_ms = 1000;
+        m_wedge = std::make_unique<GaugeWedge>();
+        m_wedge->setClock([this] { return m_now_ms; });
+        qApp->installEventFilter(m_wedge.get());
+        m_window = std::make_unique<QWidget>();
+        auto* layout = new QVBoxLayout(m_window.get());
+        m_line = new QLineEdit(m_window.get());
+        m_memo = new QPlainTextEdit(m_window.get());
+        m_button = new QPushButton(m_window.get());
+        for (QWidget* widget : std::initializer_list<QWidget*>{m_line, m_memo, m_button}) {
+            layout->addWidget(widget);
+        }
+        m_read = std::make_unique<QSignalSpy>(m_wedge.get(), &GaugeWedge::reading);
+        m_again = std::make_unique<QSignalSpy>(m_wedge.get(), &GaugeWedge::repeated);
+    }
+    void cleanup() {
+        m_window.reset();
+        m_wedge.reset();
+    }
+
+    void aBurstIsAReadingWhateverHasTheFocus() {
+        for (QWidget* target : std::initializer_list<QWidget*>{m_line, m_memo, m_button, m_window.get()}) {
+            m_read->clear();
+            m_now_ms += 10000;
+            burst(target, "50.011");
+            QCOMPARE(m_read->count(), 1);
+            QCOMPARE(m_read->first().first().value<GaugeReading>().value, 50.011);
+        }
+        QVERIFY(m_line->text().isEmpty());
+        QVERIFY(m_memo->toPlainText().isEmpty());
+    }
+    void tabEndsABurstToo() {
+        burst(m_line, "50.011", Qt::Key_Tab);
+        QCOMPARE(m_read->count(), 1);
+    }
+    void handsAreNotAGauge() {
+        for (const char c : std::string("50.011")) {
+            QTest::keyClick(m_line, c);
+            m_now_ms += 60;
+        }
+        QSignalSpy entered(m_line, &QLineEdit::returnPressed);
+        QTest::keyClick(m_line, Qt::Key_Return);
+        QCOMPARE(m_line->text(), QStringLiteral("50.011"));
+        QCOMPARE(entered.count(), 1);
+        QCOMPARE(m_read->count(), 0);
+    }
+    void aHeldKeyGoesOnByItself() {
+        QTest::keyClick(m_line, '7');
+        QTRY_COMPARE(m_line->text(), QStringLiteral("7"));
+    }
+    void fastTypingWithoutADecimalMarkArrivesWhole() {
+        QSignalSpy entered(m_line, &QLineEdit::returnPressed);
+        burst(m_line, "1234");  // a code, a serial number
+        QCOMPARE(m_line->text(), QStringLiteral("1234"));
+        QCOMPARE(entered.count(), 1);
+        QCOMPARE(m_read->count(), 0);
+    }
+    void textArrivesInOrder() {
+        for (const char* text : {"12 holes, 3.5 deep", "M8x1.25", "+-.,FF", "lot 12/A3.5b-7", "1.2.3.4 5in 6mm"}) {
+            m_line->clear();
+            QTest::keyClicks(m_line, QString::fromLatin1(text));
+            QTest::keyClick(m_line, Qt::Key_End);  // any other key gives back what is held
+            QCOMPARE(m_line->text(), QString::fromLatin1(text));
+        }
+        QCOMPARE(m_read->count(), 0);
+    }
+    void aBarCodeIsNotADiameter() {
+        burst(m_line, "A1250.5");
+        QCOMPARE(m_line->text(), QStringLiteral("A1250.5"));
+        QCOMPARE(m_read->count(), 0);
+    }
+    void backspaceAndShortcutsPassAtOnce() {
+        m_line->setText(QStringLiteral("abc"));
+        QTest::keyClick(m_line, '1');
+        QTest::keyClick(m_line, Qt::Key_Backspace);
+        QCOMPARE(m_line->text(), QStringLiteral("abc"));
+        QTest::keyClick(m_line, Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(m_line->selectedText(), QStringLiteral("abc"));
+    }
+    void aBounceOfTheSendButtonIsLeftOutAndTold() {
+        burst(m_button, "50.011");
+        m_now_ms += 400;
+        burst(m_button, "50.011");
+        QCOMPARE(m_read->count(), 1);
+        QCOMPARE(m_again->count(), 1);
+        m_now_ms += GaugeWedge::kRepeat_ms + 1;
+        burst(m_button, "50.011");  // the second depth may well be the same
+        QCOMPARE(m_read->count(), 2);
+    }
+    void twoDifferentReadingsInARowAreBothTaken() {
+        burst(m_button, "50.011");
+        m_now_ms += 400;
+        burst(m_button, "50.009");
+        QCOMPARE(m_read->count(), 2);
+    }
+    void keysThatQueuedUpBehindABusyScreenAreNoBurst() {
+        // Handled at one moment, typed a hundred milliseconds apart: the events carry their own time.
+        qint64 time_ms = 500000;
+        for (const char c : std::string("50.011")) {
+            QKeyEvent press(QEvent::KeyPress, c, Qt::NoModifier, QString(QLatin1Char(c)));
+            press.setTimestamp(static_cast<quint64>(time_ms += 100));
+            QSpontaneKeyEvent::setSpontaneous(&press);
+            QCoreApplication::sendEvent(m_line, &press);
+        }
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, QStringLiteral("\r"));
+        enter.setTimestamp(static_cast<quint64>(time_ms + 100));
+        QSpontaneKeyEvent::setSpontaneous(&enter);
+        QCoreApplication::sendEvent(m_line, &enter);
+        QCOMPARE(m_line->text(), QStringLiteral("50.011"));
+        QCOMPARE(m_read->count(), 0);
+    }
+    void keysOfTheScreensOwnKeypadAreNoGauge() {
+        for (const char c : std::string("50.011\r")) {
+            QKeyEvent press(QEvent::KeyPress, c == '\r' ? int(Qt::Key_Return) : int(c), Qt::NoModifier,
+                            QString(QLatin1Char(c)));
+            QCoreApplication::sendEvent(m_line, &press);
+        }
+        QCOMPARE(m_line->text(), QStringLiteral("50.011"));
+        QCOMPARE(m_read->count(), 0);
+    }
+    void theTargetMayVanishWhileKeysAreHeld() {
+        auto* doomed = new QLineEdit(m_window.get());
+        QTest::keyClick(doomed, '5');
+        delete doomed;
+        QTest::keyClick(m_line, 'x');
+        QCOMPARE(m_line->text(), QStringLiteral("x"));
+    }
+
+ private:
+    void burst(QWidget* target, const char* text, Qt::Key end = Qt::Key_Return) {
+        for (const char c : std::string(text)) {
+            QTest::keyClick(target, c);
+            m_now_ms += 3;
+        }
+        QTest::keyClick(target, end);
+    }
+
+    qint64 m_now_ms{0};
+    std::unique_ptr<GaugeWedge> m_wedge;
+    std::unique_ptr<QWidget> m_window;
+    QLineEdit* m_line{};
+    QPlainTextEdit* m_memo{};
+    QPushButton* m_button{};
+    std::unique_ptr<QSignalSpy> m_read;
+    std::unique_ptr<QSignalSpy> m_again;
+};
+
+QTEST_MAIN(TestGaugeWedge)
+#include "tst_gauge_wedge.moc"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointer>
+#include <functional>
+#include <string>
+
+#include "engine/api/boring_desk.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/entry/diameter_field.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/keypad.h"
+
+class QButtonGroup;
+class QLineEdit;
+
+namespace kerf::ui {
+
+/// A stored measurement that somebody wants to correct or take out.
+struct MeasurementSubject {
+    MeasurementId id{0};
+    QString place{};  ///< "part 7, top", translated
+    double diameter_mm{0.0};
+    double expected_mm{0.0};  ///< for the completion of the last two figures
+};
+
+/// Form of the correct / take out sheet: new value, reason (one touch, or words), who signs. The desk keeps the old
+/// value on record and computes everything after it again.
+///
+/// Object names: measurementCorrect, measurementVoid (switch), measurementField, measurementKeypad, measurementReason
+/// (words), measurementReason0…3 (one touch), measurementMessage; buttons of the sheet: measurementCancel,
+/// measurementApply.
+class MeasurementForm : public FaceWidget {
+    Q_OBJECT
+ public:
+    enum class Start { Correct, Void };
+    using Author = std::function<std::string()>;
+    /// Called with a translated sentence when the change is on disk.
+    using OnDone = std::function<void(const QString& sentence)>;
+
+    /// Opens the sheet; it closes itself when the change is on disk, and stays with the reason when it is not.
+    static MeasurementForm* open(SheetHost& host, Look& look, BoringDesk& desk, Author author,
+                                 const MeasurementSubject& subject, Start start, OnDone onDone);
+
+    /// A gauge was read while the form is open.
+    void takeDiameter(double diameter_mm);
+    [[nodiscard]] double expected_mm() const { return m_subject.expected_mm; }
+
+ protected:
+    void refresh() override;
+
+ private:
+    MeasurementForm(Look& look, BoringDesk& desk, Author author, MeasurementSubject subject, Start start, OnDone onDone,
+                    Sheet* sheet);
+    void reconsider();
+    void apply();
+    void answered(const Result<void>& result);
+    [[nodiscard]] bool correcting() const;
+    [[nodiscard]] QString reason() const;
+    [[nodiscard]] QString whyNot() const;
+
+    BoringDesk& m_desk;
+    Author m_author;
+    MeasurementSubject m_subject;
+    OnDone m_onDone;
+    QPointer<Sheet> m_sheet;
+    QButtonGroup* m_kind;
+    QPushButton* m_correct;
+    QPushButton* m_void;
+    DiameterField* m_field;
+    QLabel* m_unit;
+    Keypad* m_keypad;
+    QLabel* m_why;
+    QButtonGroup* m_reasons;
+    QLineEdit* m_words;
+    QLabel* m_message;
+    QLabel* m_signed;
+    QPushButton* m_cancel;
+    ActionButton* m_apply;
+    QHBoxLayout* m_columns;
+    QHBoxLayout* m_kindRow;
+    QHBoxLayout* m_reasonRow;
+    Sentence m_refusal{};
+    bool m_pending{false};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "ui/units/unit_system.h"
+
+namespace kerf::ui {
+
+/// One value as a hand gauge sent it through its keyboard wedge.
+struct GaugeReading {
+    double value{0.0};                 ///< in the gauge's own unit
+    std::optional<LengthUnit> unit{};  ///< empty: the frame carries none
+    QString frame{};                   ///< what was sent, without the end key
+};
+
+/// Reads the frames in use. Anything else, and anything without a decimal mark, is no gauge frame: whole numbers are
+/// typed by people and sent by bar code readers.
+///
+///   50.011   +50,011   50.011mm   1.96894 in   1.96894"     plain, point or comma, sign, unit
+///   01A+00050.011                                           Digimatic multiplexer: channel, sign, value
+///   FFFF005001130    (FFFF, sign 0/8, six figures, point 0-5, unit 0 mm/1 in)       Digimatic raw
+[[nodiscard]] std::optional<GaugeReading> parseGaugeFrame(const QString& frame);
+
+/// What may be wrong with a reading before anybody looks at the process.
+enum class GaugeDoubt {
+    None,
+    OtherUnit,   ///< fits the bore only when read in the other unit
+    DecadeSlip,  ///< a power of ten away from the bore
+};
+struct GaugeJudgement {
+    double value_mm{0.0};  ///< read in the frame's unit, else in the shown one
+    GaugeDoubt doubt{GaugeDoubt::None};
+    double otherUnit_mm{0.0};  ///< OtherUnit: read in the other unit
+};
+/// @param expected_mm the bore that is waited for, > 0
+/// @param shown unit on the screen, taken when the frame carries none
+[[nodiscard]] GaugeJudgement judgeReading(const GaugeReading& reading, double expected_mm, LengthUnit shown);
+
+}  // namespace kerf::ui

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/boring/boring_page.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/link/texts.h"
+#include "ui/pages/boring/boring_texts.h"
+#include "ui/pages/boring/measurement_list.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+
+BoringPage::BoringPage(const PageContext& page, QWidget* parent)
+    : Page(page, parent), m_desk(page.services.boringDesk) {
+    m_rows = new QVBoxLayout(this);
+    if (m_desk == nullptr) {
+        m_missing = makeLabel(TextRole::Body, this, true);
+        m_missing->setAlignment(Qt::AlignCenter);
+        m_rows->addWidget(m_missing, 1);
+    } else {
+        build();
+    }
+    refresh();
+}
+
+BoringPage::~BoringPage() = default;
+
+void BoringPage::build() {
+    m_boreCard = new Card(look(), this);
+    m_bore = new BoreChart(look(), m_boreCard);
+    m_note = makeLabel(TextRole::Body, m_boreCard, true);
+    m_note->setObjectName(QStringLiteral("boringNote"));
+    m_key = makeLabel(TextRole::Dim, m_boreCard);
+    m_boreCard->header()->addWidget(m_key);
+    m_boreCard->body()->addWidget(m_bore, 1);
+    m_boreCard->body()->addWidget(m_note);
+    m_feed = new FeedPanel(look(), this);
+    m_next = new NextPartPanel(look(), this);
+    m_estimates = new EstimatePanel(look(), this);
+    m_entry =
+        new EntryPanel(look(), *m_desk, {[this] { return context().session.author(); }, context().withOperator}, this);
+
+    m_top = new QHBoxLayout;
+    m_bottom = new QHBoxLayout;
+    m_charts = new QVBoxLayout;
+    m_charts->addWidget(m_boreCard, 5);
+    m_charts->addWidget(m_feed, 4);
+    m_top->addLayout(m_charts, 1);
+    m_top->addWidget(m_next);
+    m_bottom->addWidget(m_estimates, 2);
+    m_bottom->addWidget(m_entry, 3);
+    m_rows->addLayout(m_top, 1);
+    m_rows->addLayout(m_bottom);
+
+    connect(m_bore, &BoreChart::partTouched, this, [this](std::uint32_t number) {
+        m_touched = number;
+        showNote();
+    });
+    connect(m_next, &NextPartPanel::modeRequested, this, &BoringPage::setMode);
+    connect(m_next, &NextPartPanel::acceptRequested, this,
+            [this] { context().withOperator([this] { acceptSchedule(); }); });
+    connect(m_entry, &EntryPanel::undoRequested, this, [this] { context().withOperator([this] { undoLast(); }); });
+    connect(m_entry, &EntryPanel::measurementsRequested, this, &BoringPage::openList);
+    connect(m_entry, &EntryPanel::attentionNeeded, this, [this] {
+        if (!isVisible()) {
+            context().showPage("boring");
+        }
+    });
+    EngineClient& client = context().client;
+    connect(&client, &EngineClient::statusChanged, this, &BoringPage::onStatus);
+    connect(&client, &EngineClient::samplesArrived, m_feed, &FeedPanel::addSamples);
+
+    m_wedge = new GaugeWedge(this);
+    qApp->installEventFilter(m_wedge);
+    connect(m_wedge, &GaugeWedge::reading, this, &BoringPage::onGauge);
+    connect(m_wedge, &GaugeWedge::repeated, m_entry, &EntryPanel::tellRepeated);
+
+    m_subscription = m_desk->onChanged([this] { onDeskChanged(); });
+}
+
+void BoringPage::refresh() {
+    setObjectName(QStringLiteral("boringPage"));
+    const int gap = look().space(Space::Medium);
+    m_rows->setContentsMargins(gap, gap, gap, gap);
+    m_rows->setSpacing(gap);
+    if (m_missing != nullptr) {
+        m_missing->setText(tr("No boring lot is open on this machine. The page fills as soon as one is."));
+    } else {
+        for (QBoxLayout* row : std::initializer_list<QBoxLayout*>{m_top, m_bottom, m_charts}) {
+            row->setSpacing(gap);
+        }
+        m_next->setFixedWidth(look().metrics().sideWidth());
+        m_bore->retranslate();
+        m_behind = true;
+        onDeskChanged();
+    }
+    Page::refresh();
+}
+
+void BoringPage::showEvent(QShowEvent* event) {
+    Page::showEvent(event);
+    if (m_entry != nullptr) {
+        m_entry->field()->setFocus();
+    }
+    if (m_behind) {
+        onDeskChanged();
+    }
+}
+
+void BoringPage::onDeskChanged() {
+    if (m_desk == nullptr) {
+        return;
+    }
+    const BoringDeskView& view = m_desk->view();
+    m_entry->refreshView();  // also while hidden: a gauge enters from any page
+    m_behind = !isVisible();
+    if (m_behind && m_shownRevision != 0) {
+        return;
+    }
+    m_shownRevision = view.revision;
+    m_boreCard->setTitle(tr("Bore ⌀, %1 – last 25 parts of lot %2", "unit, lot")
+                             .arg(look().units().of("mm").symbol, QString::fromStdString(view.lot)));
+    m_bore->setView(view);
+    m_key->setText(m_bore->key());
+    m_feed->setView(view);
+    m_next->setView(view);
+    m_estimates->setView(view);
+    if (auto* list = context().sheets.findChild<MeasurementList*>()) {
+        list->refreshView();
+    }
+    showNote();
+}
+
+void BoringPage::onStatus(const Status& status) {
+    if (!isVisible()) {
+        return;
+    }
+    m_feed->setStatus(status);
+    m_next->setLoop(status.loops[static_cast<std::size_t>(ProcessId::Boring)]);
+}
+
+void BoringPage::showNote() {
+    const BoringDeskView& view = m_desk->view();
+    QString text;
+    if (!view.storeProblem.empty()) {
+        text = tr("Nothing can be stored at the moment: %1").arg(sentenceText(view.storeProblem, look().units()));
+    } else {
+        for (const BorePartView& part : view.parts) {
+            if (part.number != m_touched) {
+                continue;
+            }
+            QStringList values;
+            for (std::size_t depth = 0; depth < view.depths.size(); ++depth) {
+                const BoreMeasurementView* m = measurementAt(part, static_cast<std::uint8_t>(depth));
+                QString value =
+                    m != nullptr ? look().units().number(m->diameter_mm, "mm", kDiameterDecimals) : QStringLiteral("–");
+                if (m != nullptr && m->corrected) {
+                    value = tr("%1 (corrected)").arg(value);
+                }
+                if (depth < part.predicted.size() && part.predicted[depth]) {
+                    value =
+                        tr("%1, expected %2 ± %3", "diameter, prediction, half interval")
+                            .arg(value,
+                                 look().units().number(part.predicted[depth]->diameter_mm, "mm", kDiameterDecimals),
+                                 look().units().difference(part.predicted[depth]->half95_mm, "mm", kDiameterDecimals));
+                }
+                values << depthName(view.depths[depth]) + u' ' + value;
+            }
+            text = tr("Part %1: %2 %3.", "number, diameters, unit")
+                       .arg(part.number)
+                       .arg(values.join(QStringLiteral("; ")), look().units().of("mm").symbol);
+            if (part.perturbed) {
+                text += u' ' + sentenceText(part.perturbedReason, look().units());
+            }
+        }
+    }
+    m_note->setText(text);
+    m_note->setVisible(!text.isEmpty());
+}
+
+void BoringPage::undoLast() {
+    const LastMeasurement last = lastMeasurement(m_desk->view());
+    if (last.measurement != nullptr) {
+        openForm(last.part->id, last.measurement->depth, last.measurement->id, MeasurementForm::Start::Void);
+    }
+}
+
+void BoringPage::openForm(PartId id, std::uint8_t depth, MeasurementId measurement, MeasurementForm::Start start) {
+    const BoringDeskView& view = m_desk->view();
+    const BorePartView* part = findPart(view, id);
+    if (part == nullptr || depth >= view.depths.size()) {
+        return;
+    }
+    MeasurementSubject subject;
+    subject.id = measurement;
+    subject.place = placeName(part->number, view.depths[depth]);
+    subject.expected_mm = view.targetDiameter_mm;
+    for (const BoreMeasurementView& m : part->measurements) {
+        if (m.id == measurement) {
+            subject.diameter_mm = m.diameter_mm;
+        }
+    }
+    m_form = MeasurementForm::open(
+        context().sheets, look(), *m_desk, [this] { return context().session.author(); }, subject, start,
+        context().notify);
+}
+
+void BoringPage::openList() {
+    Sheet* sheet = context().sheets.open(tr("Diameters of this lot"),
+                                         tr("Touch a value to correct or take it out, an empty place to enter it."));
+    auto* list = new MeasurementList(look(), *m_desk, sheet);
+    sheet->body()->addWidget(list);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("measurementListClose"));
+    connect(list, &MeasurementList::measurementTouched, this, [this](qint64 part, int depth, qint64 measurement) {
+        context().withOperator([this, part, depth, measurement] {
+            openForm(part, static_cast<std::uint8_t>(depth), measurement, MeasurementForm::Start::Correct);
+        });
+    });
+    connect(list, &MeasurementList::openPlaceTouched, this, [this, sheet](qint64 part, int depth) {
+        sheet->close();
+        m_entry->choose(part, static_cast<std::uint8_t>(depth));
+    });
+}
+
+void BoringPage::onGauge(const GaugeReading& reading) {
+    if (MeasurementForm* form = m_form.data()) {  // a value is being corrected: the gauge means that one
+        form->takeDiameter(judgeReading(reading, form->expected_mm(), look().units().length()).value_mm);
+        return;
+    }
+    context().withOperator([this, reading] {
+        m_entry->takeGauge(reading);
+        if (!isVisible()) {
+            context().notify(m_entry->message());
+        }
+    });
+}
+
+void BoringPage::acceptSchedule() {
+    m_next->setBusy(true);
+    const QPointer<BoringPage> self(this);
+    m_desk->acceptSchedule(context().session.author(), [self](const Result<void>& result) {
+        BoringPage* page = self.data();
+        if (page == nullptr) {
+            return;
+        }
+        page->m_next->setBusy(false);
+        if (!result) {
+            page->context().notify(sentenceText(result.error(), page->look().units()));
+        }
+    });
+}
+
+void BoringPage::setMode(LoopMode mode) {
+    context().client.sendAction(SetLoopMode{ProcessId::Boring, mode});
+}
+
+}  // namespace kerf::ui

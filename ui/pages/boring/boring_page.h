@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointer>
+#include <memory>
+
+#include "ui/dialogs/measurement_sheet.h"
+#include "ui/entry/gauge_wedge.h"
+#include "ui/pages/boring/bore_chart.h"
+#include "ui/pages/boring/entry_panel.h"
+#include "ui/pages/boring/estimate_panel.h"
+#include "ui/pages/boring/feed_panel.h"
+#include "ui/pages/boring/next_part_panel.h"
+#include "ui/shell/page.h"
+
+namespace kerf::ui {
+
+/// The boring loop: bore against tolerance, feed along the bore, next part, estimated law, entry of diameters.
+///
+/// Shows what BoringDesk and Status say and passes on what is touched; decides nothing.
+///
+/// Object names, stable for tests:
+///   boringPage
+///   boringBoreChart, boringNote (words on the touched part, or why nothing can be stored)
+///   boringFeedChart, boringLiveFeed
+///   boringNextPart: boringNextDiameter0…, boringNextFeed, boringNextReason, boringNextLimited, boringAccept,
+///     boringLoopReason, boringModeOff, boringModeAdvise, boringModeControl
+///   boringEstimates
+///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
+///     boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter), boringGauge, boringCorrect, boringUndo,
+///     boringMeasureAgain, boringConfirm (the two answers to a plausibility question)
+///   sheet of boringCorrect: boringMeasurementList (column 0 part, then one per depth), measurementListClose
+///   sheet of correct / undo: see MeasurementForm
+class BoringPage : public Page {
+    Q_OBJECT
+ public:
+    explicit BoringPage(const PageContext& context, QWidget* parent = nullptr);
+    ~BoringPage() override;
+
+    /// Text for another language or look of the touched part (tests).
+    [[nodiscard]] EntryPanel* entry() const { return m_entry; }
+
+ protected:
+    void refresh() override;
+    void showEvent(QShowEvent* event) override;
+
+ private:
+    void build();
+    void onDeskChanged();
+    void onStatus(const Status& status);
+    void showNote();
+    void undoLast();
+    void openList();
+    void openForm(PartId part, std::uint8_t depth, MeasurementId id, MeasurementForm::Start start);
+    void onGauge(const GaugeReading& reading);
+    void acceptSchedule();
+    void setMode(LoopMode mode);
+
+    BoringDesk* m_desk;
+    std::unique_ptr<BoringDesk::Subscription> m_subscription;
+    GaugeWedge* m_wedge{nullptr};
+    Card* m_boreCard{nullptr};
+    BoreChart* m_bore{nullptr};
+    QLabel* m_key{nullptr};
+    QLabel* m_note{nullptr};
+    FeedPanel* m_feed{nullptr};
+    NextPartPanel* m_next{nullptr};
+    EstimatePanel* m_estimates{nullptr};
+    EntryPanel* m_entry{nullptr};
+    QLabel* m_missing{nullptr};
+    QVBoxLayout* m_rows{nullptr};
+    QHBoxLayout* m_top{nullptr};
+    QHBoxLayout* m_bottom{nullptr};
+    QVBoxLayout* m_charts{nullptr};
+    QPointer<MeasurementForm> m_form;
+    std::uint32_t m_touched{0};
+    std::uint64_t m_shownRevision{0};
+    bool m_behind{true};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "engine/api/boring_desk.h"
+#include "ui/units/unit_system.h"
+
+namespace kerf::ui {
+
+inline constexpr int kDiameterDecimals = 3;  ///< of the stored mm
+inline constexpr int kFeedDecimals = 3;      ///< of the stored mm/rev
+
+/// "top", "middle", "bottom" in the operator's language; any other name as it is.
+[[nodiscard]] QString depthName(const DepthView& depth);
+/// "part 7, top"
+[[nodiscard]] QString placeName(std::uint32_t partNumber, const DepthView& depth);
+[[nodiscard]] QString diameterText(double diameter_mm, const UnitSystem& units);
+
+/// The measurement of a depth that holds now; null while there is none.
+[[nodiscard]] const BoreMeasurementView* measurementAt(const BorePartView& part, std::uint8_t depth);
+[[nodiscard]] const BorePartView* findPart(const BoringDeskView& view, PartId id);
+/// The newest measurement that holds, with its part; nulls while there is none.
+struct LastMeasurement {
+    const BorePartView* part{nullptr};
+    const BoreMeasurementView* measurement{nullptr};
+};
+[[nodiscard]] LastMeasurement lastMeasurement(const BoringDeskView& view);
+
+}  // namespace kerf::ui

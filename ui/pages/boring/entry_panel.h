@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "engine/api/boring_desk.h"
+#include "ui/entry/diameter_field.h"
+#include "ui/entry/gauge_reading.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/keypad.h"
+
+class QHBoxLayout;
+class QLabel;
+class QStackedWidget;
+
+namespace kerf::ui {
+
+/// Where a diameter enters: keypad, gauge button, keyboard, or a gauge's keyboard wedge.
+///
+/// The oldest part that waits is preselected; two figures and Enter are an entry. What is typed stays with the part
+/// and depth it was begun for. An implausible value becomes a question in place of the buttons, a refused one keeps
+/// its text and says what, where and which range; a value that could not be stored stays and can be tried again.
+class EntryPanel : public Card {
+    Q_OBJECT
+ public:
+    /// Who signs, and how to ask for a name before an action that needs one.
+    struct Signing {
+        std::function<std::string()> author;
+        std::function<void(std::function<void()> action)> withOperator;
+    };
+
+    EntryPanel(Look& look, BoringDesk& desk, Signing signing, QWidget* parent = nullptr);
+
+    /// The desk has a new view.
+    void refreshView();
+    /// Enter this part and depth next, instead of the oldest that waits.
+    void choose(PartId part, std::uint8_t depth);
+    /// A reading of a hand gauge: entered at once when it is plausible.
+    void takeGauge(const GaugeReading& reading);
+    void tellRepeated(const GaugeReading& reading);
+    [[nodiscard]] DiameterField* field() const { return m_field; }
+    /// What is said under the field.
+    [[nodiscard]] QString message() const;
+    /// A question waits for an answer.
+    [[nodiscard]] bool asking() const { return m_question.has_value(); }
+
+ signals:
+    void undoRequested();
+    void measurementsRequested();
+    /// The operator must look here: a question or a refusal came from a gauge.
+    void attentionNeeded();
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    struct Target {
+        PartId part{0};
+        std::uint8_t depth{0};
+        friend bool operator==(const Target&, const Target&) = default;
+    };
+    /// What is said under the field. Kept as a function, so that it can be said again in another language or unit.
+    using Words = std::function<QString()>;
+
+    void retranslate();
+    void showTarget();
+    void say(Words words, bool wrong = false);
+    void showWords();
+    void onTyped();
+    void commit();
+    void submit(const BoreEntry& entry);
+    void ask(const BoreEntry& entry, Words words, Words confirm);
+    void store(const BoreEntry& entry);
+    void stored(const BoreEntry& entry, const Result<void>& result);
+    void measureAgain();
+    void confirm();
+    void readGauge();
+    [[nodiscard]] std::optional<Target> nextTarget() const;
+    [[nodiscard]] QString place(const BoreEntry& entry) const;
+    [[nodiscard]] QString whyNoTarget() const;
+    [[nodiscard]] double expected_mm(const Target& target) const;
+
+    Look& m_look;
+    BoringDesk& m_desk;
+    Signing m_signing;
+    QLabel* m_prompt;
+    DiameterField* m_field;
+    QLabel* m_unit;
+    QLabel* m_message;
+    QStackedWidget* m_rows;
+    QHBoxLayout* m_buttons;
+    QHBoxLayout* m_answers;
+    ActionButton* m_gauge;
+    ActionButton* m_undo;
+    QPushButton* m_correct;
+    QPushButton* m_again;
+    QPushButton* m_confirm;
+    Keypad* m_keypad;
+    QHBoxLayout* m_columns;
+    QHBoxLayout* m_fieldRow;
+    QVBoxLayout* m_left;
+
+    std::optional<Target> m_target;
+    std::optional<Target> m_chosen;
+    std::optional<BoreEntry> m_question;
+    bool m_pending{false};
+    bool m_fromGauge{false};  ///< the field holds a reading of the gauge button
+    Words m_words;
+    Words m_confirmWords;
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/boring/next_part_panel.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/link/texts.h"
+#include "ui/pages/boring/boring_texts.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+
+NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
+    : Card(look, parent),
+      m_look(look),
+      m_diameters(new QGridLayout),
+      m_feedLabel(makeLabel(TextRole::Small, this)),
+      m_feed(makeLabel(TextRole::CardNumber, this)),
+      m_why(makeLabel(TextRole::Body, this, true)),
+      m_limited(new Lamp(look, this)),
+      m_accept(new ActionButton(look, this)),
+      m_loopReason(makeLabel(TextRole::Small, this, true)),
+      m_modes(new QButtonGroup(this)),
+      m_modeRow(new QHBoxLayout) {
+    setObjectName(QStringLiteral("boringNextPart"));
+    m_feed->setObjectName(QStringLiteral("boringNextFeed"));
+    m_why->setObjectName(QStringLiteral("boringNextReason"));
+    m_limited->setObjectName(QStringLiteral("boringNextLimited"));
+    m_accept->setObjectName(QStringLiteral("boringAccept"));
+    m_loopReason->setObjectName(QStringLiteral("boringLoopReason"));
+
+    body()->addLayout(m_diameters);
+    body()->addWidget(m_feedLabel);
+    body()->addWidget(m_feed);
+    body()->addWidget(m_limited);
+    body()->addWidget(m_why);
+    body()->addStretch(1);
+    body()->addWidget(m_accept);
+    body()->addWidget(m_loopReason);
+    constexpr std::array<const char*, 3> names{"boringModeOff", "boringModeAdvise", "boringModeControl"};
+    for (int mode = 0; mode < 3; ++mode) {
+        auto* button = new QPushButton(this);
+        button->setObjectName(QLatin1String(names[static_cast<std::size_t>(mode)]));
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_modeButtons[static_cast<std::size_t>(mode)] = button;
+        m_modes->addButton(button, mode);
+        m_modeRow->addWidget(button, 1);
+    }
+    body()->addLayout(m_modeRow);
+
+    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
+        showLoop();  // the engine says what the mode is, not the touch
+        emit modeRequested(static_cast<LoopMode>(id));
+    });
+    connect(m_accept, &QPushButton::clicked, this, &NextPartPanel::acceptRequested);
+    m_accept->setPredicate([this] { return whyNotAccept(); });
+    connect(&look, &Look::changed, this, [this] { retranslate(); });
+    retranslate();
+}
+
+void NextPartPanel::changeEvent(QEvent* event) {
+    Card::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void NextPartPanel::retranslate() {
+    m_feedLabel->setText(tr("feed, top to bottom of the bore"));
+    m_accept->setText(tr("Accept"));
+    m_modeButtons[0]->setText(modeName(LoopMode::Off));
+    m_modeButtons[1]->setText(modeName(LoopMode::Advise));
+    m_modeButtons[2]->setText(modeName(LoopMode::Control));
+    m_limited->set(Sign::Limited, tr("at limit"));
+    m_diameters->setHorizontalSpacing(m_look.space(Space::Large));
+    m_diameters->setVerticalSpacing(m_look.space(Space::Small));
+    m_modeRow->setSpacing(m_look.metrics().touchGap());
+    showNext();
+    showLoop();
+}
+
+void NextPartPanel::setView(const BoringDeskView& view) {
+    m_view = view;
+    showNext();
+}
+
+void NextPartPanel::showNext() {
+    const std::uint32_t number = m_view.parts.empty() ? 1 : m_view.parts.back().number + 1;
+    setTitle(m_view.lotSize > 0 && number > m_view.lotSize ? tr("Next part: the lot is complete")
+                                                           : tr("Next part: %1").arg(number));
+    while (m_numbers.size() < m_view.depths.size()) {
+        auto* display = new NumberDisplay(m_look, "mm", kDiameterDecimals, TextSize::Card, this);
+        display->setObjectName(QStringLiteral("boringNextDiameter%1").arg(m_numbers.size()));
+        const int index = static_cast<int>(m_numbers.size());
+        m_diameters->addWidget(display, index / 2, index % 2);
+        display->show();
+        m_numbers.push_back(display);
+    }
+    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+        m_numbers[i]->setVisible(i < m_view.depths.size());
+        if (i >= m_view.depths.size()) {
+            continue;
+        }
+        m_numbers[i]->setWidest(m_view.targetDiameter_mm);
+        m_numbers[i]->setLabel(tr("⌀ %1, expected").arg(depthName(m_view.depths[i])));
+        const auto& prediction = i < m_view.nextPrediction.size() ? m_view.nextPrediction[i] : std::nullopt;
+        if (prediction) {
+            m_numbers[i]->setHalf95(prediction->half95_mm);
+            m_numbers[i]->setValue(prediction->diameter_mm);
+        } else {
+            m_numbers[i]->setNothing();
+        }
+    }
+    const BoringSchedule& next = m_view.nextSchedule;
+    const UnitSystem& units = m_look.units();
+    m_feed->setText(next.revision == 0
+                        ? QStringLiteral("–")
+                        : tr("%1 → %2", "feed at the top and at the bottom of the bore")
+                              .arg(units.number(next.feed_mmPerRev(next.overhangFrom_mm), "mm/rev", kFeedDecimals),
+                                   units.withUnit(next.feed_mmPerRev(next.overhangTo_mm), "mm/rev", kFeedDecimals)));
+    m_why->setText(m_view.nextReason.empty() ? QString() : sentenceText(m_view.nextReason, units));
+    m_limited->setVisible(m_view.nextLimited);
+    m_accept->setPrimary(!m_view.scheduleAccepted);
+    m_accept->reconsider();
+}
+
+void NextPartPanel::setLoop(const LoopStatus& loop) {
+    const bool same = loop.mode == m_loop.mode && loop.fitted == m_loop.fitted && loop.state == m_loop.state &&
+                      loop.reason.text == m_loop.reason.text;
+    m_loop = loop;
+    if (!same) {
+        showLoop();
+    }
+}
+
+void NextPartPanel::setBusy(bool busy) {
+    m_busy = busy;
+    m_accept->reconsider();
+}
+
+void NextPartPanel::showLoop() {
+    for (int mode = 0; mode < 3; ++mode) {
+        QPushButton* button = m_modeButtons[static_cast<std::size_t>(mode)];
+        button->setChecked(m_loop.mode == static_cast<LoopMode>(mode));
+        button->setEnabled(m_loop.fitted);
+    }
+    const QString why = sentenceText(m_loop.reason, m_look.units());
+    m_loopReason->setText(
+        m_loop.fitted ? (why.isEmpty() ? stateName(m_loop.state) : stateName(m_loop.state) + QStringLiteral(": ") + why)
+                      : tr("This machine has no boring loop: %1").arg(why));
+    m_accept->reconsider();
+}
+
+QString NextPartPanel::whyNotAccept() const {
+    if (m_busy) {
+        return tr("being stored");
+    }
+    if (m_view.nextSchedule.revision == 0) {
+        return tr("no schedule yet");
+    }
+    switch (m_loop.mode) {
+        case LoopMode::Off:
+            return tr("the loop is off");
+        case LoopMode::Control:
+            return tr("in control, every schedule is used by itself");
+        case LoopMode::Advise:
+            break;
+    }
+    return m_view.scheduleAccepted ? tr("this schedule is accepted") : QString();
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/api/boring_desk.h"
+#include "engine/api/status.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/lamp.h"
+#include "ui/widgets/number_display.h"
+
+class QButtonGroup;
+class QGridLayout;
+class QHBoxLayout;
+class QLabel;
+
+namespace kerf::ui {
+
+/// What the next part will be cut with, what bore is expected from it, and why it changed; accept and the switch
+/// off / advise / control.
+class NextPartPanel : public Card {
+    Q_OBJECT
+ public:
+    explicit NextPartPanel(Look& look, QWidget* parent = nullptr);
+
+    void setView(const BoringDeskView& view);
+    void setLoop(const LoopStatus& loop);
+    /// An answer of the desk is awaited: no second accept meanwhile.
+    void setBusy(bool busy);
+
+ signals:
+    void acceptRequested();
+    void modeRequested(kerf::LoopMode mode);
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    void retranslate();
+    void showNext();
+    void showLoop();
+    [[nodiscard]] QString whyNotAccept() const;
+
+    Look& m_look;
+    QGridLayout* m_diameters;
+    std::vector<NumberDisplay*> m_numbers;
+    QLabel* m_feedLabel;
+    QLabel* m_feed;
+    QLabel* m_why;
+    Lamp* m_limited;
+    ActionButton* m_accept;
+    QLabel* m_loopReason;
+    QButtonGroup* m_modes;
+    QHBoxLayout* m_modeRow;
+    std::array<QPushButton*, 3> m_modeButtons{};
+    BoringDeskView m_view{};
+    LoopStatus m_loop{};
+    bool m_busy{false};
+};
+
+}  // namespace kerf::ui
