@@ -11,6 +11,16 @@ namespace kerf::boring_alarm {
 inline constexpr AlarmCode kOverhangLost = 100;
 inline constexpr AlarmCode kSpindleSpeedLost = 101;
 inline constexpr AlarmCode kFeedNotFollowing = 102;
+inline constexpr AlarmCode kEstimateDiffers = 110;  ///< raised by the desk, not by the loop
+
+inline constexpr AlarmSpec kRestartDiffers{
+    kEstimateDiffers,
+    3,
+    KERF_TEXT("The estimate differs from the stored one"),
+    KERF_TEXT("The lot was computed again from its stored measurements and gave another state than the one stored with "
+              "the last of them: another version of the program, or a changed file."),
+    KERF_TEXT("The newly computed estimate and feed schedule are used."),
+    KERF_TEXT("Compare the next part with its prediction. Keep the data file for the service.")};
 
 inline constexpr std::array kSpecs{
     AlarmSpec{kOverhangLost, 2, KERF_TEXT("Spindle overhang unknown"),
