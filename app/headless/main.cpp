@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     kerf::headless::addBoringCommands(kerf);
     kerf::headless::addMillingCommands(kerf);
     kerf::headless::addTurningCommands(kerf);
+    kerf::headless::addTappingCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/golden.h"
+#include "tests/support/kerf_program.h"
+
+using kerf::test::csvRows;
+using kerf::test::KerfRun;
+using kerf::test::runKerf;
+using kerf::test::scratchFile;
+using nlohmann::json;
+
+namespace {
+
+KerfRun tapping(const QString& arguments) {
+    return runKerf(QStringList{QStringLiteral("tapping")} + arguments.split(u' ', Qt::SkipEmptyParts));
+}
+json document(const KerfRun& run) {
+    return json::parse(run.out.toStdString());
+}
+
+}  // namespace
+
+/// The contract of `kerf tapping …`.
+class TestTappingCommands : public QObject {
+    Q_OBJECT
+ private slots:
+    void simulateGivesTheReferenceFromAFileAndFromSettings() {
+        const json golden = kerf::test::loadGolden("golden_tapping.json");
+        const QString file = scratchFile(QStringLiteral("base.json"), QString::fromStdString(golden["BASE"].dump()));
+        const KerfRun b =
+            tapping(QStringLiteral("simulate --drive %1 --set Kpz=44 --set amax_s=520 --summary").arg(file));
+        QCOMPARE(b.exitCode, 0);
+        KERF_CLOSE(document(b)["saec_mm"].get<double>(), golden["B"]["SAEC"].get<double>(), 1e-9);
+        KERF_CLOSE(document(b)["engaged_pp_um"].get<double>(), golden["B"]["stats"]["eng_pp_um"].get<double>(), 1e-9);
+        const auto rows = csvRows(tapping(QStringLiteral("simulate --csv")).out);
+        QCOMPARE(rows[0].join(u','), QStringLiteral("t_s,spindle_rev,z_mm,error_um"));
+        QCOMPARE(rows.size(), 1181);
+        KERF_CLOSE(rows[101][2].toDouble(), golden["A"]["z_every10"][10].get<double>(), 1e-9);
+    }
+
+    void tuneTellsTrialsAndSummary() {
+        const KerfRun paper = tapping(QStringLiteral("tune --tuner paper --max-taps 4 --seed 1 --csv"));
+        const auto rows = csvRows(paper.out);
+        QVERIFY(rows[0].join(u',').startsWith(QStringLiteral("trial,kps,kpz,ffz")));
+        QVERIFY(rows[0].join(u',').endsWith(QStringLiteral("saec_mm,peak_um,rms_um,engaged_pp_um,accepted")));
+        QCOMPARE(rows.size(), 5);
+        KERF_CLOSE(rows[2][2].toDouble(), 41.40245981842313, 1e-9);
+        const QString noisy = QStringLiteral(
+            "tune --tuner default --max-taps 4 --noise-um 2 --encoder-spindle-counts 4096 --encoder-z-um 1 "
+            "--load-spread .2 --friction-spread .1 --assume wz=280 --seed 7 --summary");
+        const KerfRun run = tapping(noisy);
+        QCOMPARE(run.exitCode, 0);
+        const json out = document(run);
+        QVERIFY(out["reduction_percent"].get<double>() > 98.0);
+        QVERIFY(out["taps_used"].get<int>() <= 4);
+        KERF_CLOSE(out["saec_initial_mm"].get<double>(), 219.91800605256228, 1e-9);
+        QVERIFY(out["parameters"]["kpz"].is_number());
+        QCOMPARE(tapping(noisy).out, run.out);  // same seed, same digits
+    }
+
+    void evaluateJudgesARecordAndRefusesAWrongPitch() {
+        const QString file = scratchFile(QStringLiteral("record.csv"), tapping(QStringLiteral("simulate --csv")).out);
+        const KerfRun run = tapping(QStringLiteral("evaluate %1 --pitch-mm 1.25").arg(file));
+        QCOMPARE(run.exitCode, 0);
+        KERF_CLOSE(document(run)["saec_mm"].get<double>(), 219.91800605256228, 1e-9);
+        QCOMPARE(document(run)["within_tolerance"].get<bool>(), false);
+        const KerfRun wrong = tapping(QStringLiteral("evaluate %1 --pitch-mm 1").arg(file));
+        QCOMPARE(wrong.exitCode, 3);
+        QVERIFY(wrong.err.contains(QStringLiteral("does not fit a pitch")));
+        QVERIFY(wrong.out.isEmpty());
+    }
+
+    void badInputEndsWithThreeAndOneSentence_data() {
+        QTest::addColumn<QString>("arguments");
+        QTest::addColumn<QString>("says");
+        const QString broken = scratchFile(QStringLiteral("broken.json"), QStringLiteral("{\"Kpz\": "));
+        const QString unknown = scratchFile(QStringLiteral("unknown.json"), QStringLiteral("{\"Kq\": 1}"));
+        const QString text = scratchFile(QStringLiteral("text.json"), QStringLiteral("{\"Kpz\": \"48\"}"));
+        const QString range = scratchFile(QStringLiteral("range.json"), QStringLiteral("{\"sub\": 2.5}"));
+        const QString column = scratchFile(QStringLiteral("column.csv"), QStringLiteral("t_s,spindle_rev\n0,0\n"));
+        const QString cell = scratchFile(QStringLiteral("cell.csv"), QStringLiteral("t_s,spindle_rev,z_mm\n0,0,x\n"));
+        QTest::newRow("no file") << "simulate --summary --drive none.json"
+                                 << "cannot be read";
+        QTest::newRow("no JSON") << "simulate --summary --drive " + broken << "no valid JSON";
+        QTest::newRow("unknown key") << "simulate --summary --drive " + unknown << "Kq";
+        QTest::newRow("no number") << "simulate --summary --drive " + text << "no number";
+        QTest::newRow("range") << "simulate --summary --drive " + range << "whole number";
+        QTest::newRow("unstable") << "simulate --summary --set Kpz=4000 --set amax_z=1e7"
+                                  << "unstable";
+        QTest::newRow("column") << "evaluate --pitch-mm 1.25 " + column << "z_mm";
+        QTest::newRow("cell") << "evaluate --pitch-mm 1.25 " + cell << "line 2";
+    }
+    void badInputEndsWithThreeAndOneSentence() {
+        QFETCH(QString, arguments);
+        QFETCH(QString, says);
+        const KerfRun run = tapping(arguments);
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.err.contains(says), qPrintable(run.err));
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(run.err.count(u'\n'), 1);
+    }
+
+    void wrongUsageEndsWithTwo() {
+        QCOMPARE(tapping(QStringLiteral("simulate")).exitCode, 2);
+        QCOMPARE(tapping(QStringLiteral("simulate --summary --set Kq=1")).exitCode, 2);
+        QCOMPARE(tapping(QStringLiteral("tune --summary --tuner best")).exitCode, 2);
+        QCOMPARE(tapping(QStringLiteral("simulate --help")).exitCode, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTappingCommands)
+#include "tst_tapping_commands.moc"
