@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/console_application.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <QDir>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "app/console/logging.h"
+#include "app/console/preferences.h"
+#include "db/migrator.h"
+#include "engine/boring/boring_loop.h"
+#include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "ui/link/texts.h"
+
+namespace kerf::console {
+namespace {
+
+constexpr const char* kPartTypeName = "Cylinder 50";
+constexpr const char* kLotName = "1";
+constexpr std::uint32_t kLotSize = 30;
+constexpr const char* kAuthor = "Kerf";
+constexpr int kDeskPoll_ms = 200;
+
+Command modeCommand(LoopMode mode) {
+    Command command;
+    command.action = SetLoopMode{ProcessId::Boring, mode};
+    return command;
+}
+
+}  // namespace
+
+ConsoleApplication::ConsoleApplication(Options options) : m_options(std::move(options)) {}
+
+ConsoleApplication::~ConsoleApplication() {
+    m_shift.reset();
+    m_deskPoll.stop();
+    m_window.reset();
+    if (m_engine) {
+        m_engine->stop();  // no new parts; then all that has been made goes to the disk
+    }
+    if (m_writer) {
+        if (const std::size_t unsaved = m_writer->stop(); unsaved > 0) {
+            spdlog::critical("{} finished parts could not be stored", unsaved);
+        }
+    }
+    m_deskChanges.reset();
+    m_desk.reset();
+    m_writer.reset();
+}
+
+Result<void> ConsoleApplication::start() {
+    if (const auto data = openData(); !data) {
+        return data;
+    }
+    if (const auto machine = openMachine(); !machine) {
+        return machine;
+    }
+    std::vector<std::unique_ptr<ProcessLoop>> loops;
+    loops.push_back(std::make_unique<BoringLoop>());
+    m_engine = std::make_unique<Engine>(*m_machine, std::move(loops));
+    m_writer = std::make_unique<db::WriterThread>(m_databasePath, &m_engine->partRecords());
+    if (const auto writing = m_writer->start(); !writing) {
+        return writing;
+    }
+    m_writer->submit(CloseAlarmsOfLastRun{}, {});
+
+    m_look = std::make_unique<ui::Look>();
+    m_savedPreferences = storedPreferences(*m_reader);
+    ui::Preferences preferences = m_savedPreferences;
+    if (!m_options.language.empty()) {
+        preferences.language = m_options.language == "ko" ? ui::Language::Korean : ui::Language::English;
+    }
+    if (!m_options.theme.empty()) {
+        preferences.brightness = m_options.theme == "dark" ? ui::Brightness::Dark : ui::Brightness::Light;
+    }
+    if (!m_options.unit.empty()) {
+        preferences.length = m_options.unit == "inch" ? ui::LengthUnit::Inch : ui::LengthUnit::Millimetre;
+    }
+    m_look->apply(preferences);
+    openLot();
+    return {};
+}
+
+Result<void> ConsoleApplication::openData() {
+    QString folder = QString::fromStdString(m_options.dataDir);
+    if (folder.isEmpty()) {
+        folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/kerf");
+    }
+    if (!QDir().mkpath(folder)) {
+        return fail(KERF_TEXT("The data folder cannot be made; choose another one with --data."));
+    }
+    startLogging(folder.toStdString());
+    m_databasePath = folder.toStdString() + "/kerf.db";
+    if (const auto prepared = db::prepareDatabase(m_databasePath); !prepared) {
+        return tl::unexpected(prepared.error());
+    }
+    auto reader = db::DatabaseReader::open(m_databasePath);
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    m_reader = std::move(*reader);
+    return {};
+}
+
+Result<void> ConsoleApplication::openMachine() {
+    if (m_options.machine == "linuxcnc") {
+        m_realMachine = std::make_unique<linuxcnc::LinuxCncMachine>(linuxcnc::LinuxCncMachine::Params{});
+        m_machine = m_realMachine.get();
+        return m_machine->connect();
+    }
+    Simulator::Params params;
+    params.seed = m_options.seed;
+    PartQuery newest;
+    newest.process = ProcessId::Boring;
+    newest.limit = 1;
+    if (const auto parts = m_reader->parts(newest); parts && !parts->empty()) {
+        params.partsSoFar = parts->front().number;  // the machine goes on where it was
+    }
+    m_simulator = std::make_unique<Simulator>(params);
+    m_machine = &m_simulator->machine();
+    return m_machine->connect();
+}
+
+void ConsoleApplication::openLot() {
+    BoringLotRequest request;
+    request.machineName = m_machine->capabilities().machineName.data();
+    request.machineKind = m_options.machine;
+    request.partTypeName = kPartTypeName;
+    request.lotName = kLotName;
+    request.lotSize = kLotSize;
+    request.author = kAuthor;
+    openBoringLot(*m_writer, request, [this](const Result<LotId>& lot) {
+        if (lot) {
+            lotIsOpen(*lot);
+        } else {
+            emit failed(ui::sentenceText(lot.error()));
+        }
+    });
+}
+
+void ConsoleApplication::lotIsOpen(LotId lot) {
+    StoredBoringDesk::Links links{*m_writer, *m_engine};
+    links.gauge = [this](std::uint32_t partSequence, double overhang_mm) -> std::optional<double> {
+        const Simulator::Bore bore;
+        return m_simulator ? m_simulator->gaugeReading_mm(partSequence, overhang_mm, bore) : std::nullopt;
+    };
+    auto desk = StoredBoringDesk::open(links, *m_reader, lot);
+    if (!desk) {
+        emit failed(ui::sentenceText(desk.error()));
+        return;
+    }
+    m_desk = std::move(*desk);
+    if (!m_desk->restartFinding().empty()) {
+        spdlog::warn("{}", m_desk->restartFinding().english());
+    }
+    for (const BorePartView& part : m_desk->view().parts) {
+        for (const BoreMeasurementView& measurement : part.measurements) {
+            m_lastAnnounced = std::max(m_lastAnnounced, measurement.id);
+        }
+    }
+    m_deskChanges = m_desk->onChanged([this] { announceAccepted(); });
+    connect(&m_deskPoll, &QTimer::timeout, this, [this] { m_desk->poll(); });
+    m_deskPoll.start(kDeskPoll_ms);
+
+    m_window = std::make_unique<ui::MainWindow>(*m_look, services());
+    connect(&m_window->client(), &ui::EngineClient::alarmArrived, this, &ConsoleApplication::keepAlarm);
+    m_engine->start();
+    m_window->client().start();
+    (void)m_engine->send(modeCommand(LoopMode::Control));
+    if (m_simulator) {
+        const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
+        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, *m_desk);
+    }
+    m_desk->poll();
+    emit ready();
+}
+
+ui::Services ConsoleApplication::services() {
+    ui::Services services{*m_engine};
+    services.boringDesk = m_desk.get();
+    services.parts = m_reader.get();
+    services.lots = m_reader.get();
+    services.alarms = m_reader.get();
+    services.audit = m_reader.get();
+    services.settings = m_reader.get();
+    services.operators = storedOperators(*m_reader);
+    services.savePreferences = [this](const ui::Preferences& now) {
+        savePreferences(m_savedPreferences, now,
+                        [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+        m_savedPreferences = now;
+    };
+    services.saveOperators = [this](const QStringList& operators) {
+        saveOperators(operators, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+    };
+    services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
+    return services;
+}
+
+void ConsoleApplication::keepAlarm(const AlarmEvent& event) {
+    if (event.raised) {
+        const AlarmSpec* spec = m_engine->alarmSpec(event.code);
+        m_writer->submit(RaiseAlarm{event.code, spec != nullptr ? spec->priority : std::uint8_t{3}, event.detail}, {});
+    } else {
+        m_writer->submit(ClearAlarm{event.code}, {});
+    }
+}
+
+void ConsoleApplication::acknowledgeAlarm(AlarmCode code, const QString& author) {
+    const auto open = m_reader->openAlarms();
+    if (!open) {
+        spdlog::error("acknowledge: {}", open.error().english());
+        return;
+    }
+    for (const AlarmRow& row : *open) {
+        if (row.code == code && !row.acknowledgedUtc_ms) {
+            m_writer->submit(AcknowledgeAlarm{row.id, author.toStdString()}, {});
+        }
+    }
+}
+
+void ConsoleApplication::announceAccepted() {
+    const BoringDeskView& view = m_desk->view();
+    MeasurementId newest = m_lastAnnounced;
+    for (const BorePartView& part : view.parts) {
+        for (const BoreMeasurementView& measurement : part.measurements) {
+            if (measurement.id > m_lastAnnounced) {
+                newest = std::max(newest, measurement.id);
+                const BoringSchedule& next = view.nextSchedule;
+                emit accepted(QString::fromStdString(
+                    fmt::format("accepted {} part {} depth {} diameter_mm {:.17g} next {} {:.17g} {:.17g} {:.17g}",
+                                measurement.id, part.number, measurement.depth, measurement.diameter_mm, next.revision,
+                                next.lnC, next.alpha, next.beta)));
+            }
+        }
+    }
+    m_lastAnnounced = newest;
+}
+
+void ConsoleApplication::saveSetting(const std::string& key, const std::string& value) {
+    const QString name = m_window ? m_window->session().name() : QString();
+    m_writer->submit(ChangeSetting{key, value, name.isEmpty() ? kAuthor : name.toStdString(), {}},
+                     [key](const Result<Receipt>& result) {
+                         if (!result) {
+                             spdlog::error("setting {}: {}", key, result.error().english());
+                         }
+                     });
+}
+
+}  // namespace kerf::console

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/console/options.h"
+#include "app/console/simulated_shift.h"
+#include "app/console/simulator.h"
+#include "app/desk/boring_desk.h"
+#include "db/readers/database_reader.h"
+#include "db/writer_thread.h"
+#include "engine/loop/engine.h"
+#include "ui/shell/main_window.h"
+#include "ui/theme/look.h"
+
+namespace kerf::console {
+
+/// Builds the console's parts, joins them, and takes them down in the right order. Everything here is on the GUI
+/// thread; the engine and the database writer have their own.
+class ConsoleApplication : public QObject {
+    Q_OBJECT
+ public:
+    explicit ConsoleApplication(Options options);
+    /// Stops the engine, then waits until everything that has been made is on the disk.
+    ~ConsoleApplication() override;
+
+    /// Opens data and machine; then ready() or failed() follows from the event loop. The sentence says why it cannot
+    /// even begin (data folder, database, machine).
+    [[nodiscard]] Result<void> start();
+
+    /// Null before ready().
+    [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
+    [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
+    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return *m_desk; }
+    [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
+    /// Null with a real machine.
+    [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
+    [[nodiscard]] SimulatedShift* shift() const noexcept { return m_shift.get(); }
+    [[nodiscard]] ui::Look& look() noexcept { return *m_look; }
+    [[nodiscard]] const std::string& databasePath() const noexcept { return m_databasePath; }
+
+ signals:
+    void ready();
+    void failed(const QString& sentence);
+    /// A measurement is accepted: on the disk, in the estimate, and its schedule on the way to the engine.
+    void accepted(const QString& line);
+
+ private:
+    [[nodiscard]] Result<void> openData();
+    [[nodiscard]] Result<void> openMachine();
+    void openLot();
+    void lotIsOpen(LotId lot);
+    [[nodiscard]] ui::Services services();
+    void keepAlarm(const AlarmEvent& event);
+    void acknowledgeAlarm(AlarmCode code, const QString& author);
+    void announceAccepted();
+    void saveSetting(const std::string& key, const std::string& value);
+
+    Options m_options;
+    std::string m_databasePath;
+    std::unique_ptr<db::DatabaseReader> m_reader;
+    std::unique_ptr<Simulator> m_simulator;
+    std::unique_ptr<MachinePort> m_realMachine;
+    MachinePort* m_machine{nullptr};
+    std::unique_ptr<Engine> m_engine;
+    std::unique_ptr<db::WriterThread> m_writer;
+    std::unique_ptr<StoredBoringDesk> m_desk;
+    std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
+    QTimer m_deskPoll;
+    std::unique_ptr<ui::Look> m_look;
+    ui::Preferences m_savedPreferences{};
+    std::unique_ptr<ui::MainWindow> m_window;
+    std::unique_ptr<SimulatedShift> m_shift;
+    MeasurementId m_lastAnnounced{0};
+};
+
+}  // namespace kerf::console

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <functional>
+#include <string>
+
+#include "db/api/settings_reader.h"
+#include "ui/theme/look.h"
+
+/// What an operator chooses about the face, as rows of the settings table.
+namespace kerf::console {
+
+/// As stored; the defaults where nothing is.
+[[nodiscard]] ui::Preferences storedPreferences(SettingsReader& settings);
+[[nodiscard]] QStringList storedOperators(SettingsReader& settings);
+
+using SaveSetting = std::function<void(const std::string& key, const std::string& value)>;
+/// Calls `save` for whatever differs between the two.
+void savePreferences(const ui::Preferences& before, const ui::Preferences& now, const SaveSetting& save);
+void saveOperators(const QStringList& operators, const SaveSetting& save);
+
+}  // namespace kerf::console

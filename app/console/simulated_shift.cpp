@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/simulated_shift.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+namespace kerf::console {
+namespace {
+
+constexpr const char* kAuthor = "Simulator";
+
+template <class Action>
+Command commandOf(const Action& action) {
+    Command command;
+    command.action = action;
+    return command;
+}
+
+}  // namespace
+
+SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringDesk& desk, QObject* parent)
+    : QObject(parent), m_params(params), m_engine(engine), m_desk(desk) {
+    m_prepared = partsDone() >= params.preparedParts;
+    setSpeed(m_prepared ? params.simulationSpeed : 0.0);
+    connect(&m_timer, &QTimer::timeout, this, &SimulatedShift::tick);
+    m_timer.start(kTick_ms);
+}
+
+std::uint32_t SimulatedShift::partsDone() const {
+    const auto& parts = m_desk.view().parts;
+    const auto last =
+        std::find_if(parts.rbegin(), parts.rend(), [](const BorePartView& part) { return part.complete; });
+    return last == parts.rend() ? 0 : last->number;
+}
+
+void SimulatedShift::setSpeed(double factor) {
+    (void)m_engine.send(commandOf(SetSimulationSpeed{factor}));
+}
+
+void SimulatedShift::tick() {
+    if (!m_prepared && partsDone() >= m_params.preparedParts) {
+        m_prepared = true;
+        setSpeed(m_params.simulationSpeed);
+        emit preparationDone();
+    }
+    if (m_desk.view().awaiting) {
+        if (!m_prepared || m_params.autoOperator) {
+            enterWhatTheGaugeShows();
+        }
+        return;
+    }
+    loadNextBlank();
+}
+
+void SimulatedShift::enterWhatTheGaugeShows() {
+    if (m_entering) {
+        return;
+    }
+    const BoringDeskView& view = m_desk.view();
+    const auto reading_mm = m_desk.gaugeReading_mm(*view.awaiting, view.awaitingDepth);
+    if (!reading_mm) {
+        return;
+    }
+    BoreEntry entry;
+    entry.part = *view.awaiting;
+    entry.depth = view.awaitingDepth;
+    entry.diameter_mm = *reading_mm;
+    entry.author = kAuthor;
+    entry.fromGauge = true;
+    entry.confirmed = true;  // the gauge is read again and again until it is believed
+    m_entering = true;
+    m_desk.enter(entry, [this](const Result<void>& result) {
+        m_entering = false;
+        if (!result) {
+            spdlog::warn("simulated operator: {}", result.error().english());
+        }
+    });
+}
+
+void SimulatedShift::loadNextBlank() {
+    const Status& status = m_engine.status();
+    const BoringDeskView& view = m_desk.view();
+    const std::uint32_t cut = view.parts.empty() ? 0 : view.parts.back().number;
+    const bool machineFree = status.program != ProgramState::Running && status.program != ProgramState::Paused;
+    // The part just finished shows up at the desk a moment after the machine has finished it.
+    const bool known = m_startWait == 0 || cut > m_startedAfter || --m_startWait == 0;
+    if (!machineFree || !known || status.held || status.link != LinkState::Up || status.boring.nextSchedule == 0 ||
+        (view.lotSize > 0 && cut >= view.lotSize)) {
+        return;
+    }
+    if (m_engine.send(commandOf(StartPart{ProcessId::Boring}))) {
+        m_startedAfter = cut;
+        m_startWait = kStartPatience_ticks;
+    }
+}
+
+}  // namespace kerf::console

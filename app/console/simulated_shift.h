@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "engine/api/boring_desk.h"
+#include "engine/api/engine_api.h"
+
+namespace kerf::console {
+
+/// The hands beside the simulated machine: loads the next blank when every bore so far has been measured, and, where
+/// asked, gauges and enters the bores. The console itself cannot tell them from a person's.
+class SimulatedShift : public QObject {
+    Q_OBJECT
+ public:
+    struct Params {
+        std::uint32_t preparedParts{0};  ///< measured by itself and as fast as it can, before the operator comes
+        bool autoOperator{false};        ///< measured by itself for the rest of the lot too
+        double simulationSpeed{20.0};    ///< after the prepared parts
+    };
+    SimulatedShift(const Params& params, EngineApi& engine, BoringDesk& desk, QObject* parent = nullptr);
+
+    /// True once the prepared parts are done.
+    [[nodiscard]] bool prepared() const noexcept { return m_prepared; }
+
+ signals:
+    void preparationDone();
+
+ private:
+    void tick();
+    void enterWhatTheGaugeShows();
+    void loadNextBlank();
+    void setSpeed(double factor);
+    [[nodiscard]] std::uint32_t partsDone() const;
+
+    static constexpr int kTick_ms = 20;
+    static constexpr int kStartPatience_ticks = 50;
+
+    Params m_params;
+    EngineApi& m_engine;
+    BoringDesk& m_desk;
+    QTimer m_timer;
+    bool m_prepared{false};
+    bool m_entering{false};
+    int m_startWait{0};
+    std::uint32_t m_startedAfter{0};
+};
+
+}  // namespace kerf::console
