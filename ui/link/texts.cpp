@@ -51,23 +51,16 @@ const char* unitAt(const QString& text, qsizetype from, qsizetype& length) {
     return nullptr;
 }
 
-}  // namespace
-
-QString engineText(const char* english) {
-    return english == nullptr || *english == '\0' ? QString() : QCoreApplication::translate("engine", english);
-}
-
-QString sentenceText(const Sentence& sentence, const UnitSystem& units) {
-    const QString text = engineText(sentence.text);
+QString fill(const QString& text, std::span<const SentenceArg> args, const UnitSystem& units) {
     QString out;
     out.reserve(text.size() + 16);
     for (qsizetype i = 0; i < text.size(); ++i) {
         const int index = text[i] == u'%' && i + 1 < text.size() ? text[i + 1].unicode() - u'1' : -1;
-        if (index < 0 || index >= sentence.argCount) {
+        if (index < 0 || index >= static_cast<int>(args.size())) {
             out += text[i];
             continue;
         }
-        const SentenceArg& arg = sentence.args[static_cast<std::size_t>(index)];
+        const SentenceArg& arg = args[static_cast<std::size_t>(index)];
         ++i;
         if (arg.decimals < 0) {
             out += engineText(arg.name.data());
@@ -82,6 +75,20 @@ QString sentenceText(const Sentence& sentence, const UnitSystem& units) {
         }
     }
     return out;
+}
+
+}  // namespace
+
+QString engineText(const char* english) {
+    return english == nullptr || *english == '\0' ? QString() : QCoreApplication::translate("engine", english);
+}
+
+QString sentenceText(const Sentence& sentence, const UnitSystem& units) {
+    return fill(engineText(sentence.text), std::span(sentence.args.data(), sentence.argCount), units);
+}
+
+QString sentenceText(const std::string& english, std::span<const SentenceArg> args, const UnitSystem& units) {
+    return fill(engineText(english.c_str()), args, units);
 }
 
 AlarmText alarmText(const AlarmSpec* spec, AlarmCode code) {

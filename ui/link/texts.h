@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <span>
+#include <string>
 
 #include "engine/core/alarm.h"
 #include "engine/core/process.h"
@@ -16,6 +18,10 @@ namespace kerf::ui {
 /// A sentence in the operator's language. A number followed by a unit that the screen converts ("%1 mm", "%2 degC")
 /// is shown in the operator's unit.
 [[nodiscard]] QString sentenceText(const Sentence& sentence, const UnitSystem& units = UnitSystem());
+
+/// The same for a sentence that comes back from the database.
+[[nodiscard]] QString sentenceText(const std::string& english, std::span<const SentenceArg> args,
+                                   const UnitSystem& units = UnitSystem());
 
 struct AlarmText {
     QString title{};

@@ -25,16 +25,19 @@ QPushButton, QToolButton {
     min-height: @touchInner@px; min-width: @touchInner@px; padding: 0 @medium@px; }
 QPushButton:hover, QToolButton:hover { border-color: @dim@; }
 QPushButton:pressed, QToolButton:pressed { background: @line@; }
-QPushButton:checked, QToolButton:checked { background: @ground@; border: @edge@px solid @text@; font-weight: 600; }
-QPushButton:focus, QToolButton:focus, QLineEdit:focus, QComboBox:focus { border: @edge@px solid @measured@; }
+QPushButton:checked, QToolButton:checked { background: @ground@; border: @edge@px solid @text@;
+    min-height: @touchEdge@px; min-width: @touchEdge@px; }
+QPushButton:focus, QToolButton:focus, QLineEdit:focus, QComboBox:focus { border: @edge@px solid @measured@;
+    min-height: @touchEdge@px; }
 QPushButton:disabled, QToolButton:disabled { color: @dim@; background: @panel@; border-style: dashed; }
-QPushButton[primary="true"] { border: @edge@px solid @text@; font-weight: 600; }
+QPushButton[primary="true"] { border: @edge@px solid @text@; font-weight: 600;
+    min-height: @touchEdge@px; min-width: @touchEdge@px; }
 QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit {
     background: @raised@; border: @hairline@px solid @line@; border-radius: @corner@px;
     min-height: @touchInner@px; padding: 0 @medium@px;
     selection-background-color: @measured@; selection-color: @onMeasured@; }
 QLineEdit:disabled { color: @dim@; background: @panel@; }
-QLineEdit[wrong="true"] { border: @edge@px solid @alarm2@; }
+QLineEdit[wrong="true"] { border: @edge@px solid @alarm2@; min-height: @touchEdge@px; }
 QComboBox::drop-down { border: none; width: @touchHalf@px; }
 QComboBox QAbstractItemView { background: @raised@; border: @hairline@px solid @line@; }
 QComboBox QAbstractItemView::item { min-height: @touchInner@px; }
@@ -44,8 +47,8 @@ QCheckBox::indicator, QRadioButton::indicator {
 QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @text@; }
 QTableView, QListView, QTreeView { background: @panel@; alternate-background-color: @raised@; gridline-color: @line@;
     border: @hairline@px solid @line@; selection-background-color: @ground@; selection-color: @text@; }
-QTableView::item, QListView::item { padding: 0 @small@px; }
-QTableView::item:selected, QListView::item:selected { background: @ground@; color: @text@; border: @hairline@px solid @dim@; }
+QTableView::item, QListView::item { padding: 0 @small@px; border: none; }
+QTableView::item:selected, QListView::item:selected { background: @ground@; color: @text@; }
 QHeaderView { background: @panel@; }
 QHeaderView::section { background: @panel@; color: @dim@; border: none; border-bottom: @hairline@px solid @line@;
     font-size: @label@px; padding: @small@px; }
@@ -91,7 +94,8 @@ QString styleSheet(const Look& look) {
         {QStringLiteral("hairline"), QString::number(hairline)},
         {QStringLiteral("edge"), QString::number(edge)},
         {QStringLiteral("touch"), QString::number(m.touch())},
-        {QStringLiteral("touchInner"), QString::number(m.touch() - hairline)},
+        {QStringLiteral("touchInner"), QString::number(m.touch() - 2 * hairline)},
+        {QStringLiteral("touchEdge"), QString::number(m.touch() - 2 * edge)},
         {QStringLiteral("touchHalf"), QString::number(m.touch() / 2)},
         {QStringLiteral("box"), QString::number(m.touch() / 2)},
         {QStringLiteral("scroll"), QString::number(m.touch() / 2)},

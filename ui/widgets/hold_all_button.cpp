@@ -38,10 +38,15 @@ void HoldAllButton::refresh() {
     setText(m_held ? tr("HELD – all loops off") : tr("HOLD ALL"));
     setShortcut(key);
     setToolTip(tr("All loops off, last offset held (Pause key). This is not an emergency stop."));
+    updateGeometry();
+}
+
+// As wide as the longer of its two texts, so that nothing moves when it is pressed.
+QSize HoldAllButton::sizeHint() const {
     const QFontMetrics metrics(m_look.font(TextSize::Body, QFont::Bold));
     const int text =
         qMax(metrics.horizontalAdvance(tr("HELD – all loops off")), metrics.horizontalAdvance(tr("HOLD ALL")));
-    setMinimumWidth(text + 4 * m_look.space(Space::Large));
+    return {text + 4 * m_look.space(Space::Large), m_look.metrics().touch()};
 }
 
 }  // namespace kerf::ui

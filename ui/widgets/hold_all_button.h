@@ -18,6 +18,9 @@ class HoldAllButton : public QPushButton {
     /// What the engine says: the button then reads "HELD".
     void setHeld(bool held);
 
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
  protected:
     void changeEvent(QEvent* event) override;
 

@@ -74,6 +74,11 @@ void paintSign(QPainter& painter, const QRectF& box, Sign sign, const Look& look
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(inner);
             break;
+        case Sign::Up:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(look.color(Token::Dim));
+            painter.drawEllipse(box.adjusted(w * 0.15, w * 0.15, -w * 0.15, -w * 0.15));
+            break;
         case Sign::Controlling:
             painter.setPen(Qt::NoPen);
             painter.setBrush(look.color(Token::Acting));

@@ -15,6 +15,7 @@ enum class Sign {
     None,
     Off,          ///< dash
     Advising,     ///< ring
+    Up,           ///< disc in grey: works, nothing to see
     Controlling,  ///< disc, acting
     Limited,      ///< disc under a bar, acting and limit
     Held,         ///< two bars

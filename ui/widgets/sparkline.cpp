@@ -9,7 +9,7 @@
 namespace kerf::ui {
 
 Sparkline::Sparkline(Look& look, QWidget* parent) : FaceWidget(look, parent) {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void Sparkline::push(double value) {

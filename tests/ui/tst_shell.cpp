@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include "tests/support/layout_check.h"
+#include "tests/support/shell_bench.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/number_display.h"
+
+using namespace kerf;
+using namespace kerf::ui;
+using kerf::test::ShellBench;
+
+class TestShell : public QObject {
+    Q_OBJECT
+ private slots:
+    void nothingIsClippedAtAnySizeLanguageOrTheme_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("language");
+        QTest::addColumn<int>("brightness");
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<int>("unit");
+        struct Screen {
+            QSize size;
+            double scale;
+        };
+        for (const Screen& screen : {Screen{{1280, 800}, 1.0}, Screen{{1920, 1080}, 1.0}, Screen{{1920, 1080}, 1.25},
+                                     Screen{{3840, 2160}, 1.0}, Screen{{3840, 2160}, 2.0}}) {
+            for (const Language language : {Language::English, Language::Korean}) {
+                for (const Brightness brightness : {Brightness::Light, Brightness::Dark}) {
+                    // Units change texts, themes do not: one with the other covers both.
+                    const LengthUnit unit = brightness == Brightness::Dark ? LengthUnit::Inch : LengthUnit::Millimetre;
+                    QTest::addRow("%dx%d %.2f %s %s", screen.size.width(), screen.size.height(), screen.scale,
+                                  language == Language::English ? "en" : "ko",
+                                  brightness == Brightness::Light ? "light" : "dark")
+                        << screen.size << int(language) << int(brightness) << screen.scale << int(unit);
+                }
+            }
+        }
+    }
+    void nothingIsClippedAtAnySizeLanguageOrTheme() {
+        QFETCH(QSize, size);
+        QFETCH(int, language);
+        QFETCH(int, brightness);
+        QFETCH(double, scale);
+        QFETCH(int, unit);
+        Preferences preferences;
+        preferences.language = Language(language);
+        preferences.brightness = Brightness(brightness);
+        preferences.scale = scale;
+        preferences.length = LengthUnit(unit);
+        ShellBench bench(standardPages(), preferences);
+        bench.window->resize(size);
+        bench.window->show();
+        bench.window->session().signOn(QStringLiteral("Kim Minji"));
+        bench.raise(test::kSensorAlarm);
+        bench.raise(test::kToolAlarm);
+        for (const PageEntry& entry : bench.window->pages()) {
+            bench.window->showPage(entry.key);
+            bench.window->client().tick();
+            QTest::qWait(0);
+            QCOMPARE(bench.window->size(), size);
+            const QStringList clipped = test::clippedTexts(bench.window.get());
+            QVERIFY2(clipped.isEmpty(), qPrintable(QLatin1String(entry.key) + u'\n' + clipped.join(u'\n')));
+            const QStringList small = test::smallTargets(bench.window.get(), bench.look);
+            QVERIFY2(small.isEmpty(), qPrintable(QLatin1String(entry.key) + u'\n' + small.join(u'\n')));
+        }
+    }
+    void holdAllReachesTheEngineWithAFrozenPage() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        auto* hold = bench.window->findChild<QPushButton*>(QStringLiteral("holdAll"));
+        QVERIFY(hold != nullptr);
+        bench.window->client().stop();                                                    // no tick any more
+        bench.window->page("overview")->setEnabled(false);                                // the page takes nothing
+        bench.window->sheets().tell(QStringLiteral("Question"), QStringLiteral("open"));  // and a question lies on it
+        QElapsedTimer clock;
+        clock.start();
+        QTest::mousePress(hold, Qt::LeftButton);
+        QCOMPARE(bench.engine.holds.load(), 1);
+        QVERIFY(clock.elapsed() < 100);
+        QTest::mouseRelease(hold, Qt::LeftButton);
+    }
+    void aFrozenScreenLosesChartSamplesOnlyAndTheEngineGoesOn() {
+        ShellBench bench;
+        bench.window->client().stop();
+        bench.engine.samples.assign(10'000, Sample{});
+        QCOMPARE(bench.engine.samples.size(), std::size_t{10'000});  // nobody waits for the screen
+        bench.window->client().tick();
+        QCOMPARE(bench.engine.samples.size(), 10'000 - EngineClient::kSamplesPerTick);
+    }
+    void aRefusedCommandIsToldOnTheBottomLine() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.engine.fake.program = ProgramState::Idle;
+        bench.engine.refuseWith = Sentence("The door is open.");
+        bench.window->client().tick();
+        QTRY_VERIFY(bench.window->findChild<QPushButton*>(QStringLiteral("startPart"))->isEnabled());
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("startPart")), Qt::LeftButton);
+        bench.window->client().tick();
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("The door is open.")));
+    }
+    void aButtonThatIsOffSaysWhy() {
+        ShellBench bench;
+        bench.window->client().tick();
+        auto* start = bench.window->findChild<ActionButton*>(QStringLiteral("startPart"));
+        QVERIFY(!start->isEnabled());
+        QVERIFY(!start->reason().isEmpty());
+    }
+    void theFirstUnseenAlarmStandsOnTheBottomLineUntilSeen() {
+        ShellBench bench;
+        bench.window->show();
+        bench.raise(test::kSensorAlarm);
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("Thermocouple disagrees")));
+        bench.raise(test::kToolAlarm);
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("Tool broken")));  // priority 1 goes first
+        bench.window->session().signOn(QStringLiteral("Kim Minji"));
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("alarmShow")), Qt::LeftButton);
+        auto* seen = bench.window->findChild<QPushButton*>(QStringLiteral("acknowledge"));
+        QVERIFY(seen->isVisible());
+        QTest::mouseClick(seen, Qt::LeftButton);
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("Thermocouple disagrees")));
+        QTest::mouseClick(seen,
+                          Qt::LeftButton);  // the tool alarm stands still, but has been seen: next comes the other
+        bench.raise(test::kSensorAlarm, false);
+        bench.raise(test::kToolAlarm, false);
+    }
+    void acknowledgingAsksWhoIsThere() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.raise(test::kToolAlarm);
+        bench.window->showPage("alarms");
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("acknowledge")), Qt::LeftButton);
+        QVERIFY(bench.window->sheets().current() != nullptr);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("operator0")), Qt::LeftButton);
+        QVERIFY(bench.window->sheets().current() == nullptr);
+        QCOMPARE(bench.window->session().name(), QStringLiteral("Kim Minji"));
+        QCOMPARE(bench.window->bottomLine(), QStringLiteral("No alarms."));
+    }
+    void everythingSwitchesLive() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.window->client().tick();
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("settings")), Qt::LeftButton);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("unitInch")), Qt::LeftButton);
+        QCOMPARE(bench.look.units().length(), LengthUnit::Inch);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("themeDark")), Qt::LeftButton);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("languageKorean")), Qt::LeftButton);
+        QCOMPARE(bench.look.preferences().language, Language::Korean);
+        QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("language")), Qt::LeftButton);
+        QCOMPARE(bench.look.preferences().language, Language::English);
+    }
+    void everyPageIsRendered() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        const QStringList files = bench.window->renderPages(QStringLiteral("pages"));
+        QCOMPARE(files.size(), static_cast<qsizetype>(bench.window->pages().size()));
+        for (const QString& file : files) {
+            QCOMPARE(QImage(file).size(), QSize(1280, 800));
+        }
+    }
+};
+
+QTEST_MAIN(TestShell)
+#include "tst_shell.moc"

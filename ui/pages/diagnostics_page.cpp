@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/diagnostics_page.h"
+
+#include <QGridLayout>
+
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+namespace {
+constexpr int kPeriod_ms = 500;
+}
+
+DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
+    : Page(context, parent),
+      m_costCard(new Card(context.look, this)),
+      m_lateCard(new Card(context.look, this)),
+      m_cost(new HistogramChart(context.look, this)),
+      m_late(new HistogramChart(context.look, this)),
+      m_engine(new Card(context.look, this)),
+      m_link(new Card(context.look, this)),
+      m_scheduling(makeLabel(TextRole::Body, this, true)) {
+    auto* grid = new QGridLayout(this);
+    grid->addWidget(m_costCard, 0, 0);
+    grid->addWidget(m_lateCard, 0, 1);
+    grid->addWidget(m_engine, 1, 0);
+    grid->addWidget(m_link, 1, 1);
+    grid->setRowStretch(0, 3);
+    grid->setRowStretch(1, 2);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    m_costCard->body()->addWidget(m_cost);
+    m_lateCard->body()->addWidget(m_late);
+    m_cycles = addFact(m_engine, "cycles");
+    m_overruns = addFact(m_engine, "overruns");
+    m_dropped = addFact(m_engine, "droppedSamples");
+    m_speed = addFact(m_engine, "achievedSpeed");
+    m_scheduling->setObjectName(QStringLiteral("scheduling"));
+    m_engine->body()->addWidget(m_scheduling);
+    m_engine->body()->addStretch(1);
+    m_machine = addFact(m_link, "machine");
+    m_state = addFact(m_link, "linkState");
+    m_clock = addFact(m_link, "machineTime");
+    m_versions = addFact(m_link, "versions");
+    m_link->body()->addStretch(1);
+    m_since.start();
+    connect(&context.client, &EngineClient::statusChanged, this, &DiagnosticsPage::onStatus);
+    refresh();
+}
+
+DiagnosticsPage::Fact DiagnosticsPage::addFact(Card* card, const char* objectName) {
+    Fact fact{makeLabel(TextRole::Dim, card), makeLabel(TextRole::Body, card, true)};
+    fact.value->setObjectName(QLatin1String(objectName));
+    auto* row = new QHBoxLayout;
+    row->addWidget(fact.name, 2);
+    row->addWidget(fact.value, 3);
+    card->body()->addLayout(row);
+    return fact;
+}
+
+void DiagnosticsPage::onStatus(const Status& status) {
+    if (isVisible() && m_since.elapsed() >= kPeriod_ms) {
+        m_since.restart();
+        update(status);
+    }
+}
+
+void DiagnosticsPage::update(const Status& status) {
+    const Capabilities& capabilities = context().client.engine().capabilities();
+    m_cost->setHistogram(status.stats.cost);
+    m_late->setHistogram(status.stats.lateness);
+    m_cost->setDeadline(capabilities.cycle_ns);
+    m_late->setDeadline(capabilities.cycle_ns);
+    m_cycles.value->setText(QString::number(status.stats.cycles));
+    const double share = status.stats.cycles > 0 ? 100.0 * static_cast<double>(status.stats.overruns) /
+                                                       static_cast<double>(status.stats.cycles)
+                                                 : 0.0;
+    m_overruns.value->setText(tr("%1 (%2 %)").arg(status.stats.overruns).arg(share, 0, 'f', 4));
+    m_dropped.value->setText(QString::number(status.stats.droppedSamples));
+    m_speed.value->setText(QStringLiteral("×%1").arg(status.stats.achievedSpeed, 0, 'f', 2));
+    m_scheduling->setText(
+        status.stats.realTimeScheduling
+            ? tr("Real-time scheduling is granted: the cycle goes before all other work of this computer.")
+            : tr("Real-time scheduling is not granted: other programs can delay the cycle. Allow it with "
+                 "“rtprio” in /etc/security/limits.conf."));
+    m_machine.value->setText(QString::fromUtf8(capabilities.machineName.data()));
+    m_state.value->setText(status.link == LinkState::Up           ? tr("up")
+                           : status.link == LinkState::Connecting ? tr("connecting")
+                                                                  : tr("down"));
+    m_clock.value->setText(tr("%1 s").arg(static_cast<double>(status.machineTime_ns) / 1e9, 0, 'f', 1));
+}
+
+void DiagnosticsPage::refresh() {
+    const int gap = look().space(Space::Medium);
+    layout()->setContentsMargins(gap, gap, gap, gap);
+    layout()->setSpacing(gap);
+    m_costCard->setTitle(tr("Work in one cycle"));
+    m_lateCard->setTitle(tr("Start after the deadline"));
+    m_cost->setTitle(tr("time per cycle; height: share of all cycles"));
+    m_late->setTitle(tr("lateness; height: share of all cycles"));
+    m_engine->setTitle(tr("Engine"));
+    m_link->setTitle(tr("Machine and versions"));
+    m_cycles.name->setText(tr("Cycles"));
+    m_overruns.name->setText(tr("Overruns"));
+    m_dropped.name->setText(tr("Chart samples dropped"));
+    m_speed.name->setText(tr("Machine time per second"));
+    m_machine.name->setText(tr("Machine"));
+    m_state.name->setText(tr("Link"));
+    m_clock.name->setText(tr("Machine time"));
+    m_versions.name->setText(tr("Versions"));
+    m_versions.value->setText(
+        QStringLiteral("Kerf %1, Qt %2").arg(QStringLiteral(KERF_VERSION), QLatin1String(qVersion())));
+    update(context().client.status());
+    Page::refresh();
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/main_window.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QEvent>
+#include <QGridLayout>
+#include <QResizeEvent>
+#include <cstring>
+
+#include "ui/dialogs/operator_chooser.h"
+#include "ui/dialogs/settings_sheet.h"
+#include "ui/link/texts.h"
+#include "ui/shell/header_bar.h"
+#include "ui/shell/navigation.h"
+#include "ui/widgets/alarm_bar.h"
+#include "ui/widgets/hold_all_button.h"
+
+namespace kerf::ui {
+
+MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* parent)
+    : QMainWindow(parent),
+      m_look(look),
+      m_services(std::move(services)),
+      m_pages(std::move(pages)),
+      m_client(m_services.engine),
+      m_session(m_services.operators),
+      m_alarms(m_services.engine) {
+    setObjectName(QStringLiteral("mainWindow"));
+    buildFrame();
+    connect(&m_look, &Look::changed, this, [this] {
+        refresh();
+        if (m_services.savePreferences) {
+            m_services.savePreferences(m_look.preferences());
+        }
+    });
+    connect(&m_client, &EngineClient::statusChanged, this, &MainWindow::onStatus);
+    connect(&m_client, &EngineClient::alarmArrived, this,
+            [this](const AlarmEvent& event) { m_alarms.take(event, QDateTime::currentDateTime()); });
+    connect(&m_client, &EngineClient::refused, this, [this](const Sentence& reason) {
+        m_alarmBar->notify(tr("Not done: %1").arg(sentenceText(reason, m_look.units())));
+    });
+    connect(&m_alarms, &AlarmList::changed, this, &MainWindow::showAlarm);
+    connect(&m_alarms, &AlarmList::acknowledgedByOperator, this, [this](AlarmCode code, const QString& author) {
+        if (m_services.acknowledgeAlarm) {
+            m_services.acknowledgeAlarm(code, author);
+        }
+    });
+    connect(&m_session, &OperatorSession::learned, this, [this](const QStringList& known) {
+        if (m_services.saveOperators) {
+            m_services.saveOperators(known);
+        }
+    });
+    if (m_services.boringDesk != nullptr) {
+        m_deskChanges = m_services.boringDesk->onChanged([this] { onStatus(m_client.status()); });
+    }
+    m_clock.setInterval(1000);
+    connect(&m_clock, &QTimer::timeout, this,
+            [this] { m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm"))); });
+    m_clock.start();
+    m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm")));
+    refresh();
+    m_client.tick();
+    m_client.start();
+}
+
+MainWindow::~MainWindow() {
+    m_client.stop();
+}
+
+void MainWindow::buildFrame() {
+    auto* central = new QWidget(this);
+    setCentralWidget(central);
+    auto* grid = new QGridLayout(central);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+
+    auto* top = new QFrame(central);
+    top->setObjectName(QStringLiteral("topLine"));
+    top->setProperty("role", QStringLiteral("bar"));
+    auto* topRow = new QHBoxLayout(top);
+    m_header = new HeaderBar(m_look, m_session, top);
+    topRow->addWidget(m_header);
+    grid->addWidget(top, 0, 0, 1, 2);
+
+    auto* left = new QFrame(central);
+    left->setProperty("role", QStringLiteral("bar"));
+    auto* leftColumn = new QVBoxLayout(left);
+    leftColumn->setContentsMargins(0, 0, 0, 0);
+    m_navigation = new Navigation(m_look, m_pages, left);
+    leftColumn->addWidget(m_navigation);
+    grid->addWidget(left, 1, 0);
+
+    m_sheets = new SheetHost(m_look, central);
+    auto* pageArea = new QVBoxLayout(m_sheets);
+    pageArea->setContentsMargins(0, 0, 0, 0);
+    m_stack = new QStackedWidget(m_sheets);
+    pageArea->addWidget(m_stack);
+    grid->addWidget(m_sheets, 1, 1);
+    grid->setRowStretch(1, 1);
+    grid->setColumnStretch(1, 1);
+
+    auto* bottom = new QFrame(central);
+    bottom->setObjectName(QStringLiteral("bottomLine"));
+    bottom->setProperty("role", QStringLiteral("bar"));
+    auto* bottomRow = new QHBoxLayout(bottom);
+    m_alarmBar = new AlarmBar(m_look, bottom);
+    m_holdAll = new HoldAllButton(m_look, m_services.engine, bottom);
+    bottomRow->addWidget(m_alarmBar, 1);
+    bottomRow->addWidget(m_holdAll);
+    m_bottom = bottom;
+    grid->addWidget(bottom, 2, 0, 1, 2);
+
+    const PageContext context{m_look,
+                              m_services,
+                              m_client,
+                              m_session,
+                              m_alarms,
+                              *m_sheets,
+                              [this](const char* key) { showPage(key); },
+                              [this](const QString& sentence) { m_alarmBar->notify(sentence); },
+                              [this](std::function<void()> action) { withOperator(std::move(action)); }};
+    for (const PageEntry& entry : m_pages) {
+        Page* made = entry.make(context);
+        made->setProperty("pageKey", QLatin1String(entry.key));
+        m_stack->addWidget(made);
+        m_made.push_back(made);
+    }
+    connect(m_navigation, &Navigation::chosen, this, [this](std::size_t index) { showPage(m_pages[index].key); });
+    connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
+    connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
+    connect(m_header, &HeaderBar::speedRequested, this, &MainWindow::chooseSpeed);
+    connect(m_alarmBar, &AlarmBar::showRequested, this, [this] { showPage("alarms"); });
+    if (!m_pages.empty()) {
+        showPage(m_pages.front().key);
+    }
+    m_sheets->setFocusPolicy(Qt::ClickFocus);
+    m_sheets->setFocus();  // no button has the focus before somebody wants it
+}
+
+void MainWindow::showPage(const char* key) {
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        if (std::strcmp(m_pages[i].key, key) == 0) {
+            m_stack->setCurrentIndex(static_cast<int>(i));
+            m_navigation->setCurrent(i);
+            return;
+        }
+    }
+}
+
+Page* MainWindow::page(const char* key) const {
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        if (std::strcmp(m_pages[i].key, key) == 0) {
+            return m_made[i];
+        }
+    }
+    return nullptr;
+}
+
+QString MainWindow::bottomLine() const {
+    return m_alarmBar->text();
+}
+
+QStringList MainWindow::renderPages(const QString& folder) {
+    QStringList written;
+    if (!QDir().mkpath(folder)) {
+        return written;
+    }
+    const int before = m_stack->currentIndex();
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        showPage(m_pages[i].key);
+        m_client.tick();
+        QCoreApplication::processEvents();  // layouts settle
+        const QString name =
+            QStringLiteral("%1_%2.png").arg(i + 1, 2, 10, QLatin1Char('0')).arg(QLatin1String(m_pages[i].key));
+        const QString path = QDir(folder).filePath(name);
+        if (grab().save(path)) {
+            written << path;
+        }
+    }
+    if (before >= 0) {
+        showPage(m_pages[static_cast<std::size_t>(before)].key);
+    }
+    return written;
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_header != nullptr) {
+        refresh();
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+}
+
+void MainWindow::refresh() {
+    setWindowTitle(tr("Kerf – operator console"));
+    const int medium = m_look.space(Space::Medium);
+    for (QWidget* bar : {m_header->parentWidget(), m_bottom}) {
+        bar->layout()->setContentsMargins(2 * medium, medium, 2 * medium, medium);
+        bar->layout()->setSpacing(m_look.metrics().touchGap());
+    }
+    showAlarm();
+    onStatus(m_client.status());
+}
+
+void MainWindow::onStatus(const Status& status) {
+    m_header->setStatus(status, m_services.engine.capabilities());
+    m_header->setWork(m_services.boringDesk != nullptr ? &m_services.boringDesk->view() : nullptr, status);
+    m_navigation->setStatus(status);
+    m_holdAll->setHeld(status.held);
+}
+
+void MainWindow::showAlarm() {
+    m_navigation->setAlarmCount(m_alarms.unacknowledged());
+    const AlarmEntry* first = m_alarms.firstUnacknowledged();
+    if (first == nullptr) {
+        m_alarmBar->clearAlarm();
+        return;
+    }
+    const AlarmText text = alarmText(m_alarms.spec(first->code), first->code);
+    QStringList words{text.title};
+    const QString detail = sentenceText(first->detail, m_look.units());
+    if (!detail.isEmpty()) {
+        words << detail;
+    }
+    if (!text.action.isEmpty()) {
+        words << text.action;
+    }
+    m_alarmBar->setAlarm(first->priority, words.join(QStringLiteral(" – ")), m_alarms.unacknowledged() - 1);
+}
+
+void MainWindow::chooseSpeed() {
+    Sheet* sheet = m_sheets->open(tr("Simulator speed"), tr("Machine time per second on the clock."));
+    auto* grid = new QGridLayout;
+    grid->setSpacing(m_look.metrics().touchGap());
+    int column = 0;
+    for (const double factor : {1.0, 5.0, 20.0, 100.0, 1000.0}) {
+        auto* button = new QPushButton(QStringLiteral("×%1").arg(factor), sheet);
+        button->setObjectName(QStringLiteral("speed%1").arg(factor));
+        connect(button, &QPushButton::clicked, sheet, [this, sheet, factor] {
+            m_client.sendAction(SetSimulationSpeed{factor});
+            sheet->close();
+        });
+        grid->addWidget(button, 0, column++);
+    }
+    sheet->body()->addLayout(grid);
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
+void MainWindow::withOperator(std::function<void()> action) {
+    if (m_session.signedOn()) {
+        action();
+    } else {
+        chooseOperator(m_look, *m_sheets, m_session, std::move(action));
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <QStackedWidget>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "ui/shell/page.h"
+
+namespace kerf::ui {
+
+class AlarmBar;
+class HeaderBar;
+class HoldAllButton;
+class Navigation;
+
+/// The frame around every page: header, navigation, page area, bottom line with HOLD ALL.
+///
+///     Look look;
+///     MainWindow window(look, Services{.engine = engine, .boringDesk = &desk});
+///     window.show();
+///
+/// Look and everything in Services outlive the window. Pages are made when the window is.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+ public:
+    MainWindow(Look& look, Services services, PageList pages = standardPages(), QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void showPage(const char* key);
+    [[nodiscard]] Page* page(const char* key) const;
+    [[nodiscard]] const PageList& pages() const { return m_pages; }
+    [[nodiscard]] EngineClient& client() { return m_client; }
+    [[nodiscard]] OperatorSession& session() { return m_session; }
+    [[nodiscard]] SheetHost& sheets() { return *m_sheets; }
+    /// What the bottom line says now.
+    [[nodiscard]] QString bottomLine() const;
+
+    /// Render every page into `folder` as NN_key.png at the window's present size, theme and language.
+    /// Returns the files written; an empty list when the folder cannot be written.
+    QStringList renderPages(const QString& folder);
+
+ protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+ private:
+    void buildFrame();
+    void refresh();
+    void onStatus(const Status& status);
+    void showAlarm();
+    void chooseSpeed();
+    void withOperator(std::function<void()> action);
+
+    Look& m_look;
+    Services m_services;
+    PageList m_pages;
+    EngineClient m_client;
+    OperatorSession m_session;
+    AlarmList m_alarms;
+    std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
+    QTimer m_clock;
+
+    HeaderBar* m_header{nullptr};
+    Navigation* m_navigation{nullptr};
+    QStackedWidget* m_stack{nullptr};
+    SheetHost* m_sheets{nullptr};
+    AlarmBar* m_alarmBar{nullptr};
+    HoldAllButton* m_holdAll{nullptr};
+    QWidget* m_bottom{nullptr};
+    std::vector<Page*> m_made;
+};
+
+}  // namespace kerf::ui
