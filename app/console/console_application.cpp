@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_application.h"
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <QDir>
@@ -93,7 +92,7 @@ Result<void> ConsoleApplication::openData() {
         return fail(KERF_TEXT("The data folder cannot be made; choose another one with --data."));
     }
     startLogging(folder.toStdString());
-    m_databasePath = folder.toStdString() + "/kerf.db";
+    m_databasePath = (folder + QStringLiteral("/kerf.db")).toStdString();
     if (const auto prepared = db::prepareDatabase(m_databasePath); !prepared) {
         return tl::unexpected(prepared.error());
     }
@@ -126,12 +125,12 @@ Result<void> ConsoleApplication::openMachine() {
 
 void ConsoleApplication::openLot() {
     BoringLotRequest request;
-    request.machineName = m_machine->capabilities().machineName.data();
+    request.machineName = std::string(m_machine->capabilities().machineName.data());
     request.machineKind = m_options.machine;
-    request.partTypeName = kPartTypeName;
-    request.lotName = kLotName;
+    request.partTypeName = std::string(kPartTypeName);
+    request.lotName = std::string(kLotName);
     request.lotSize = kLotSize;
-    request.author = kAuthor;
+    request.author = std::string(kAuthor);
     openBoringLot(*m_writer, request, [this](const Result<LotId>& lot) {
         if (lot) {
             lotIsOpen(*lot);
@@ -229,10 +228,10 @@ void ConsoleApplication::announceAccepted() {
             if (measurement.id > m_lastAnnounced) {
                 newest = std::max(newest, measurement.id);
                 const BoringSchedule& next = view.nextSchedule;
-                emit accepted(QString::fromStdString(
-                    fmt::format("accepted {} part {} depth {} diameter_mm {:.17g} next {} {:.17g} {:.17g} {:.17g}",
-                                measurement.id, part.number, measurement.depth, measurement.diameter_mm, next.revision,
-                                next.lnC, next.alpha, next.beta)));
+                emit accepted(
+                    QString::asprintf("accepted %lld part %u depth %u diameter_mm %.17g next %u %.17g %.17g %.17g",
+                                      static_cast<long long>(measurement.id), part.number, measurement.depth,
+                                      measurement.diameter_mm, next.revision, next.lnC, next.alpha, next.beta));
             }
         }
     }
