@@ -11,12 +11,14 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kKnownSpread_Hz = 0.6;  ///< how far a known tone may be from its name
 constexpr double kFoundSpread_Hz = 0.15;
-constexpr double kKnownAmplitude_um2 = 0.5;  ///< prior variance of a known tone
-constexpr std::size_t kEarliest = 300;       ///< samples before known tones may act
+constexpr double kKnownAmplitude_um2 = 0.5;    ///< prior variance of a known tone
+constexpr std::size_t kFrequenciesFree = 300;  ///< samples before frequencies are followed
+constexpr std::size_t kEarliest = 500;         ///< samples before known tones may act
 constexpr double kSureFrequency_Hz = 0.12;
+constexpr double kFoundLevel_um2 = 0.01;   ///< variance of a level that a search has found
 constexpr double kWorthwhile = 0.1;        ///< squared amplitude over noise variance below which a tone is left alone
 constexpr double kStartMemory = 150.0;     ///< samples in which amplitudes are followed at the start
-constexpr double kAllowedRise = 1.25;      ///< power of x_i over its power before the law acted
+constexpr double kAllowedRise = 3.0;       ///< power of x_i over its power before the law acted
 constexpr double kExplained = 0.015;       ///< share of the power known tones may leave to act at once
 constexpr double kAuthorityStep = 0.0025;  ///< per sample: full trim after 400
 constexpr double kAuthorityDrop = 0.05;    ///< per sample: none after 20, 4 ms
@@ -57,7 +59,7 @@ void ToneCanceller::startKnown() noexcept {
     for (std::size_t j = 0; j < m_params.knownCount; ++j) {
         Tone tone;
         tone.omega_radPerSample = m_params.knownTones_Hz[j] * toOmega;
-        if (m_tracker.add(tone, kKnownAmplitude_um2, std::pow(kKnownSpread_Hz * toOmega, 2))) {
+        if (m_tracker.add(tone, kKnownAmplitude_um2, 0.0)) {
             m_inverse[j] = 1.0 / m_path.response(tone.omega_radPerSample);
         }
     }
@@ -100,6 +102,9 @@ double ToneCanceller::update(double inner_um) noexcept {
     }
     const double shape = m_path.entryShape();
     const double disturbance_um = inner_um - m_path.step_um(m_command_um);
+    if (!m_acting && m_samples == kFrequenciesFree) {
+        m_tracker.freeFrequencies(std::pow(kKnownSpread_Hz * 2.0 * kPi / m_params.sampleRate_Hz, 2));
+    }
     const double innovation_um = m_tracker.update(disturbance_um, shape, m_acting);
     m_reference_um = m_tracker.level_um() * shape;
     judge(inner_um, disturbance_um, innovation_um);
@@ -130,11 +135,16 @@ void ToneCanceller::judge(double inner_um, double disturbance_um, double innovat
     m_remaining_um2 += (1.0 - kPowerMemory) * (remaining_um * remaining_um - m_remaining_um2);
     m_untreated_um2 += (1.0 - kPowerMemory) * (untreated_um * untreated_um - m_untreated_um2);
     m_innovation_um2 += (1.0 - kFastMemory) * (innovation_um * innovation_um - m_innovation_um2);
+    if (!m_acting && m_pause == 0) {
+        // What the law has to beat: the mean power of the whole time it listens.
+        m_baseline_um2 += (untreated_um * untreated_um - m_baseline_um2) / static_cast<double>(m_samples);
+    }
     if (!m_acting && m_samples >= kEarliest && m_innovation_um2 < kExplained * m_untreated_um2 && settled()) {
         begin();
     }
-    m_worse = m_acting && m_authority >= 1.0 && m_remaining_um2 > m_untreated_um2 ? m_worse + 1 : 0;
-    if (m_worse > kWorseSamples || (m_acting && m_remaining_um2 > m_allowed_um2)) {
+    const bool worse = m_remaining_um2 > m_untreated_um2 || m_remaining_um2 > m_baseline_um2;
+    m_worse = m_acting && m_authority >= 1.0 && worse ? m_worse + 1 : 0;
+    if (m_worse > kWorseSamples || (m_acting && m_remaining_um2 > kAllowedRise * m_baseline_um2)) {
         m_worse = 0;
         m_samples = 0;
         m_acting = false;
@@ -164,7 +174,6 @@ bool ToneCanceller::settled() const noexcept {
 void ToneCanceller::begin() noexcept {
     m_acting = true;
     m_tracker.expectAmplitudeChange(kStartMemory);
-    m_allowed_um2 = kAllowedRise * m_untreated_um2;
     m_finder.begin();
 }
 
@@ -172,7 +181,12 @@ void ToneCanceller::begin() noexcept {
 void ToneCanceller::adopt() noexcept {
     bool starting = false;
     if (!m_acting) {
-        m_tracker.reset(m_tracker.level_um(), 1.0);
+        m_tracker.reset(m_finder.level_um(), kFoundLevel_um2);
+        double power_um2 = m_finder.noise_um2();
+        for (std::size_t i = 0; i < m_finder.count(); ++i) {
+            power_um2 += 0.5 * std::pow(m_finder.tone(i, 0).amplitude_um(), 2);
+        }
+        m_remaining_um2 = m_untreated_um2 = m_baseline_um2 = power_um2;
         starting = true;
     } else {
         tidy();
@@ -191,7 +205,8 @@ void ToneCanceller::adopt() noexcept {
         const double variance_um2 =
             4.0 * m_finder.noise_um2() / static_cast<double>(ToneFinder::kPoints * ToneFinder::kDecimation) +
             0.01 * power_um2;
-        if (!owned && m_tracker.add(found, variance_um2, std::pow(kFoundSpread_Hz / toHz, 2))) {
+        const bool credible = power_um2 < 8.0 * m_finder.power_um2();
+        if (!owned && credible && m_tracker.add(found, variance_um2, std::pow(kFoundSpread_Hz / toHz, 2))) {
             m_inverse[m_tracker.count() - 1] = 1.0 / m_path.response(found.omega_radPerSample);
         }
     }

@@ -22,7 +22,7 @@ namespace kerf::turning {
 ///
 /// At each tone the loop is that of an integrator in the tone's frame: stable for any path gain between 0 and ∞ times
 /// the model's and any phase error below 90°; for tones that are far apart against the filter's bandwidth
-/// (docs/turning.md). It listens until known tones explain the signal (60 ms at the earliest) or a search has ended (.3
+/// (docs/turning.md). It listens until known tones explain the signal (.1 s at the earliest) or a search has ended (.3
 /// s), then acts. When what is left is as large as the disturbance would be without it for .2 s, it lets go, listens
 /// and starts again: so it is not worse than open loop for long. Sign: x_i grows with w by path(). Units
 /// µm. update() runs in the cycle: no allocation, lock, throw or I/O; its cost is bounded by eight tones
@@ -88,7 +88,7 @@ class ToneCanceller {
     double m_remaining_um2{0.0};
     double m_untreated_um2{0.0};
     double m_innovation_um2{0.0};
-    double m_allowed_um2{0.0};
+    double m_baseline_um2{0.0};
 };
 
 /// |1 − exp(−jωd)|: how much of a tone the force sees, 0 blind to 2.

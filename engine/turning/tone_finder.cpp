@@ -15,6 +15,7 @@ constexpr double kHighest_Hz = 400.0;
 constexpr double kPointRate_Hz = 1000.0;
 constexpr std::size_t kMultiplicationsPerSlice = 1500;
 constexpr double kRidge = 1e-9;
+constexpr double kNearest_rad = 2.0 * kPi * 3.0 / kPointRate_Hz;
 constexpr double kLargestMove_rad = 2.0 * kPi * 2.0 / kPointRate_Hz;  ///< of a frequency in one fit
 
 }  // namespace
@@ -105,6 +106,9 @@ void ToneFinder::load() noexcept {
     }
     const double freedom = static_cast<double>(kPoints - unknowns());
     m_noise_um2 = power_um2 / freedom * static_cast<double>(kDecimation);
+    if (m_count == 0) {
+        m_power_um2 = power_um2 / freedom;
+    }
     m_index = 0;
     m_phase = Phase::Transform;
 }
@@ -131,9 +135,19 @@ bool ToneFinder::pick() noexcept {
     constexpr double kBin_Hz = kPointRate_Hz / static_cast<double>(kBins);
     const auto first = static_cast<std::size_t>(std::ceil(kLowest_Hz / kBin_Hz));
     const auto last = static_cast<std::size_t>(kHighest_Hz / kBin_Hz);
-    std::size_t best = first;
+    // What is left near a tone already found is its own unrest; two tones there would only fight each other.
+    const auto owned = [&](std::size_t bin) {
+        const double omega_rad = 2.0 * kPi * static_cast<double>(bin) / static_cast<double>(kBins);
+        return std::any_of(m_tones.begin(), m_tones.begin() + static_cast<std::ptrdiff_t>(m_count),
+                           [&](const Candidate& tone) { return std::abs(tone.omega_rad - omega_rad) < kNearest_rad; });
+    };
+    std::size_t best = 0;
     for (std::size_t i = first; i <= last; ++i) {
-        best = std::norm(m_spectrum[i]) > std::norm(m_spectrum[best]) ? i : best;
+        const bool higher = best == 0 || std::norm(m_spectrum[i]) > std::norm(m_spectrum[best]);
+        best = higher && !owned(i) ? i : best;
+    }
+    if (best == 0) {
+        return false;
     }
     const double power = std::norm(m_spectrum[best]);
     const double noise = static_cast<double>(kPoints) * m_noise_um2 / static_cast<double>(kDecimation);
@@ -145,7 +159,8 @@ bool ToneFinder::pick() noexcept {
     const double middle = std::abs(m_spectrum[best]);
     const double bend = left - 2.0 * middle + right;
     const double shift = bend < 0.0 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
-    m_tones[m_count++] = {2.0 * kPi * (static_cast<double>(best) + shift) / static_cast<double>(kBins), 0.0, 0.0};
+    const double omega_rad = 2.0 * kPi * (static_cast<double>(best) + shift) / static_cast<double>(kBins);
+    m_tones[m_count++] = {omega_rad, 0.0, 0.0};
     return true;
 }
 

@@ -35,6 +35,10 @@ class ToneFinder {
     [[nodiscard]] Tone tone(std::size_t index, std::size_t samples) const noexcept;
     /// Input samples since begin().
     [[nodiscard]] std::size_t age() const noexcept { return m_age; }
+    /// Level at the end of the stretch, where the shape of the entry has become 1.
+    [[nodiscard]] double level_um() const noexcept { return m_level_um + m_shape_um; }
+    /// Mean square of the points about level and shape, before any tone was taken out, µm².
+    [[nodiscard]] double power_um2() const noexcept { return m_power_um2; }
     /// Mean square of what the tones do not explain, of one input sample, µm².
     [[nodiscard]] double noise_um2() const noexcept { return m_noise_um2; }
 
@@ -71,6 +75,7 @@ class ToneFinder {
     double m_level_um{0.0};
     double m_shape_um{0.0};
     double m_noise_um2{0.0};
+    double m_power_um2{0.0};
     bool m_shaped{false};
     std::size_t m_count{0};
     std::array<Candidate, kMaxTones> m_tones{};

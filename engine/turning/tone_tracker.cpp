@@ -89,6 +89,12 @@ void ToneTracker::expectAmplitudeChange(double amplitude_samples) noexcept {
     }
 }
 
+void ToneTracker::freeFrequencies(double frequencyVariance_rad2) noexcept {
+    for (std::size_t j = 0; j < m_count; ++j) {
+        m_p[3 + 3 * j][3 + 3 * j] += frequencyVariance_rad2;
+    }
+}
+
 void ToneTracker::leak(std::size_t index, double factor) noexcept {
     m_tones[index].a_um *= factor;
     m_tones[index].b_um *= factor;

@@ -51,6 +51,9 @@ class ToneTracker {
     /// The law begins to act, and an error of its path will change every amplitude: follow amplitudes in about
     /// `amplitude_samples` from now on, and let the frequencies rest where they are.
     void expectAmplitudeChange(double amplitude_samples) noexcept;
+    /// Let the frequencies move from now on: at first only amplitudes and phases are learned, for with a frequency that
+    /// is free at once the filter's linearisation may settle on a wrong one.
+    void freeFrequencies(double frequencyVariance_rad2) noexcept;
     /// Pull one amplitude towards zero by this factor (blind tones must not be held for ever).
     void leak(std::size_t index, double factor) noexcept;
 
