@@ -68,7 +68,9 @@ void LoopCard::show(const LoopStatus& loop, const KeyFigure& figure) {
 }
 
 void LoopCard::sample(const KeyFigure& figure) {
-    if (figure.value) {
+    if (!figure.course.empty()) {
+        m_course->setValues(figure.course);
+    } else if (figure.value) {
         m_course->push(*figure.value);
     }
 }

@@ -55,6 +55,8 @@ struct KeyFigure {
     std::optional<double> value{};
     std::optional<double> half95{};
     bool limited{false};
+    /// Course for the sparkline, oldest first; empty: the card remembers `value` over the last minute itself.
+    std::vector<double> course{};
 };
 
 /// One row of the navigation. A room plugs in its page with one PageEntry in standardPages() (ui/shell/page_list.cpp).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/texts.h"
 #include "ui/pages/alarms_page.h"
+#include "ui/pages/boring/boring_page.h"
+#include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/diagnostics_page.h"
 #include "ui/pages/overview_page.h"
 
@@ -18,12 +20,42 @@ Page* makePage(const PageContext& context) {
     return new P(context);
 }
 
+/// The next bore as predicted; its course is what was measured at the first depth.
+KeyFigure boringFigure(const Services& services, const Status& status) {
+    KeyFigure figure;
+    if (services.boringDesk == nullptr) {
+        figure = {Pages::tr("Feed"), "mm/rev", kFeedDecimals, {}, {}, status.feedScaleLimited, {}};
+        if (status.boring.feed_mmPerRev.good()) {
+            figure.value = status.boring.feed_mmPerRev.value;
+        }
+        return figure;
+    }
+    const BoringDeskView& view = services.boringDesk->view();
+    figure.unit = "mm";
+    figure.decimals = kDiameterDecimals;
+    figure.limited = view.nextLimited;
+    figure.label =
+        view.depths.empty() ? Pages::tr("Next bore") : Pages::tr("Next bore, %1").arg(depthName(view.depths.front()));
+    if (!view.nextPrediction.empty() && view.nextPrediction.front()) {
+        figure.value = view.nextPrediction.front()->diameter_mm;
+        figure.half95 = view.nextPrediction.front()->half95_mm;
+    }
+    for (const BorePartView& part : view.parts) {
+        if (const BoreMeasurementView* measured = measurementAt(part, 0)) {
+            figure.course.push_back(measured->diameter_mm);
+        }
+    }
+    return figure;
+}
+
 }  // namespace
 
 // One row per page, in the order of the navigation. A room adds its page here, with nothing else to change.
 PageList standardPages() {
     return {
         {"overview", [] { return Pages::tr("Overview"); }, {}, makePage<OverviewPage>, {}},
+        {"boring", [] { return processName(ProcessId::Boring); }, ProcessId::Boring, makePage<BoringPage>,
+         boringFigure},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},
     };

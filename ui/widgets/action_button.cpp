@@ -66,8 +66,11 @@ QSize ActionButton::sizeHint() const {
     return {width, heightForWidth(width)};
 }
 
+// Narrow, the sentence takes more lines.
 QSize ActionButton::minimumSizeHint() const {
-    return sizeHint();
+    const QFontMetrics title(m_look.font(TextSize::Body, QFont::DemiBold));
+    const int width = qMax(m_look.metrics().touch(), title.horizontalAdvance(text()) + 2 * m_look.space(Space::Medium));
+    return {width, qMin(heightForWidth(width), sizeHint().height())};
 }
 
 void ActionButton::paintEvent(QPaintEvent*) {

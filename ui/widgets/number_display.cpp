@@ -104,16 +104,22 @@ void NumberDisplay::refresh() {
     FaceWidget::refresh();
 }
 
-QSize NumberDisplay::sizeHint() const {
-    const QFontMetrics number(look().font(m_size));
+QSize NumberDisplay::sizeFor(const QString& digits) const {
+    const QFontMetrics number(look().font(m_size, QFont::Medium));
     const QFontMetrics small(look().font(TextSize::Label));
-    const UnitSystem& units = look().units();
-    const int digits = number.horizontalAdvance(units.number(-m_widest, m_unit, m_decimals));
-    const int unit = small.horizontalAdvance(units.of(m_unit).symbol);
-    const int remarkWidth = small.horizontalAdvance(remark());
-    const int width = digits + look().space(Space::Small) + qMax(unit, remarkWidth);
+    const int unit = small.horizontalAdvance(look().units().of(m_unit).symbol);
+    const int width =
+        number.horizontalAdvance(digits) + look().space(Space::Small) + qMax(unit, small.horizontalAdvance(remark()));
     const int labelHeight = m_label.isEmpty() ? 0 : small.height();
     return {qMax(width, small.horizontalAdvance(m_label)), labelHeight + qMax(number.height(), 2 * small.height())};
+}
+
+QSize NumberDisplay::sizeHint() const {
+    return sizeFor(look().units().number(-m_widest, m_unit, m_decimals)).expandedTo(minimumSizeHint());
+}
+
+QSize NumberDisplay::minimumSizeHint() const {
+    return sizeFor(text());
 }
 
 void NumberDisplay::paintEvent(QPaintEvent*) {

@@ -38,7 +38,8 @@ class NumberDisplay : public FaceWidget {
     /// The number as shown (tests, screen readers).
     [[nodiscard]] QString text() const;
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    /// What the present number needs; sizeHint() leaves room for the widest.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
     void paintEvent(QPaintEvent* event) override;
@@ -53,6 +54,7 @@ class NumberDisplay : public FaceWidget {
         friend bool operator==(const Content&, const Content&) = default;
     };
     void changed();
+    [[nodiscard]] QSize sizeFor(const QString& digits) const;
     [[nodiscard]] QString remark() const;  ///< interval, age or "limited"
 
     const char* m_unit;

@@ -25,6 +25,7 @@ void Sparkline::push(double value) {
 
 void Sparkline::setValues(const std::vector<double>& values) {
     m_values.assign(values.begin(), values.end());
+    m_capacity = std::max<std::size_t>(2, values.size());
     update();
 }
 
