@@ -50,7 +50,7 @@ int Metrics::navWidth() const {
     return px(52.0);
 }
 int Metrics::sideWidth() const {
-    return px(84.0);
+    return px(87.0);
 }
 int Metrics::sparkline() const {
     return px(12.0);
