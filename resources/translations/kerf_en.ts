@@ -1,0 +1,1738 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en_US">
+    <context>
+        <name>BoringTexts</name>
+        <message>
+            <source>top</source>
+            <comment>depth of a bore</comment>
+            <translation>top</translation>
+        </message>
+        <message>
+            <source>middle</source>
+            <comment>depth of a bore</comment>
+            <translation>middle</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <comment>depth of a bore</comment>
+            <translation>bottom</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>part number, depth of its bore</comment>
+            <translation>part %1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>OperatorChooser</name>
+        <message>
+            <source>Who is at the machine?</source>
+            <translation>Who is at the machine?</translation>
+        </message>
+        <message>
+            <source>The name goes with every entry and correction.</source>
+            <translation>The name goes with every entry and correction.</translation>
+        </message>
+        <message>
+            <source>New name</source>
+            <translation>New name</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Sign off</source>
+            <translation>Sign off</translation>
+        </message>
+        <message>
+            <source>Sign on</source>
+            <translation>Sign on</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Feed</source>
+            <translation>Feed</translation>
+        </message>
+        <message>
+            <source>Next bore</source>
+            <translation>Next bore</translation>
+        </message>
+        <message>
+            <source>Next bore, %1</source>
+            <translation>Next bore, %1</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>Overview</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarms</translation>
+        </message>
+        <message>
+            <source>Diagnostics</source>
+            <translation>Diagnostics</translation>
+        </message>
+    </context>
+    <context>
+        <name>Settings</name>
+        <message>
+            <source>Settings</source>
+            <translation>Settings</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Language</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Length</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>Temperature</translation>
+        </message>
+        <message>
+            <source>Theme</source>
+            <translation>Theme</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Size</translation>
+        </message>
+        <message>
+            <source>inch</source>
+            <translation>inch</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Light</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Dark</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>Words</name>
+        <message>
+            <source>Alarm %1, which this console does not know</source>
+            <translation>Alarm %1, which this console does not know</translation>
+        </message>
+        <message>
+            <source>Note the number and call service.</source>
+            <translation>Note the number and call service.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>Boring</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Milling</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>Turning</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>Thermal</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>Tapping</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>off</translation>
+        </message>
+        <message>
+            <source>advising</source>
+            <translation>advising</translation>
+        </message>
+        <message>
+            <source>controlling</source>
+            <translation>controlling</translation>
+        </message>
+        <message>
+            <source>limited</source>
+            <translation>limited</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>held</translation>
+        </message>
+        <message>
+            <source>faulted</source>
+            <translation>faulted</translation>
+        </message>
+        <message>
+            <source>advise</source>
+            <translation>advise</translation>
+        </message>
+        <message>
+            <source>control</source>
+            <translation>control</translation>
+        </message>
+    </context>
+    <context>
+        <name>engine</name>
+        <message>
+            <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
+            <translation>%1 % of the samples are missing: this tap does not count, repeat it.</translation>
+        </message>
+        <message>
+            <source>%1 % of the samples are missing; a record with more than %2 % does not count.</source>
+            <translation>%1 % of the samples are missing; a record with more than %2 % does not count.</translation>
+        </message>
+        <message>
+            <source>%1 measurements were accepted, %2 are stored.</source>
+            <translation>%1 measurements were accepted, %2 are stored.</translation>
+        </message>
+        <message>
+            <source>%1 must be from %2 to %3.</source>
+            <translation>%1 must be from %2 to %3.</translation>
+        </message>
+        <message>
+            <source>A blank profile needs from 1 to %1 steps.</source>
+            <translation>A blank profile needs from 1 to %1 steps.</translation>
+        </message>
+        <message>
+            <source>A correction needs a reason.</source>
+            <translation>A correction needs a reason.</translation>
+        </message>
+        <message>
+            <source>A deflection must be a number above 0 mm.</source>
+            <translation>A deflection must be a number above 0 mm.</translation>
+        </message>
+        <message>
+            <source>A deflection of %1 mm was expected, the entry means %2 mm. Measure again or confirm.</source>
+            <translation>A deflection of %1 mm was expected, the entry means %2 mm. Measure again or confirm.</translation>
+        </message>
+        <message>
+            <source>A diameter is a number above zero.</source>
+            <translation>A diameter is a number above zero.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>A real machine runs at its own speed.</source>
+            <translation>A real machine runs at its own speed.</translation>
+        </message>
+        <message>
+            <source>A revolution has %1 samples; expected 2 to %2.</source>
+            <translation>A revolution has %1 samples; expected 2 to %2.</translation>
+        </message>
+        <message>
+            <source>A tone is at %1 Hz; expected above 0 and below %2 Hz.</source>
+            <translation>A tone is at %1 Hz; expected above 0 and below %2 Hz.</translation>
+        </message>
+        <message>
+            <source>All %1 taps are used.</source>
+            <translation>All %1 taps are used.</translation>
+        </message>
+        <message>
+            <source>All loops are held by the operator; the last offset stays.</source>
+            <translation>All loops are held by the operator; the last offset stays.</translation>
+        </message>
+        <message>
+            <source>All loops are held. The control goes on at or below its programmed feed with its last offset.</source>
+            <translation>All loops are held. The control goes on at or below its programmed feed with its last offset.</translation>
+        </message>
+        <message>
+            <source>All loops are held: release the hold first.</source>
+            <translation>All loops are held: release the hold first.</translation>
+        </message>
+        <message>
+            <source>An infeed of %1 um per revolution leaves no overlap; at this depth at most %2 um.</source>
+            <translation>An infeed of %1 um per revolution leaves no overlap; at this depth at most %2 um.</translation>
+        </message>
+        <message>
+            <source>An overhang must be a number above 0 mm.</source>
+            <translation>An overhang must be a number above 0 mm.</translation>
+        </message>
+        <message>
+            <source>Another Kerf is already working with this data file.</source>
+            <translation>Another Kerf is already working with this data file.</translation>
+        </message>
+        <message>
+            <source>Audit entry %1 was changed after it was written.</source>
+            <translation>Audit entry %1 was changed after it was written.</translation>
+        </message>
+        <message>
+            <source>Blank step %1 must end after it begins.</source>
+            <translation>Blank step %1 must end after it begins.</translation>
+        </message>
+        <message>
+            <source>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</source>
+            <translation>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</translation>
+        </message>
+        <message>
+            <source>Check the control and the cable. Kerf connects again by itself; then release the hold.</source>
+            <translation>Check the control and the cable. Kerf connects again by itself; then release the hold.</translation>
+        </message>
+        <message>
+            <source>Check the spindle encoder. Measure this part at both depths.</source>
+            <translation>Check the spindle encoder. Measure this part at both depths.</translation>
+        </message>
+        <message>
+            <source>Check the spindle's position signal. Measure this part at both depths.</source>
+            <translation>Check the spindle's position signal. Measure this part at both depths.</translation>
+        </message>
+        <message>
+            <source>Compare the next part with its prediction. Keep the data file for the service.</source>
+            <translation>Compare the next part with its prediction. Keep the data file for the service.</translation>
+        </message>
+        <message>
+            <source>Emergency stop</source>
+            <translation>Emergency stop</translation>
+        </message>
+        <message>
+            <source>Emergency stop: the control has stopped the machine.</source>
+            <translation>Emergency stop: the control has stopped the machine.</translation>
+        </message>
+        <message>
+            <source>End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.</source>
+            <translation>End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not being stored</source>
+            <translation>Finished parts are not being stored</translation>
+        </message>
+        <message>
+            <source>Free disk space or end the program that locks the file. Storing goes on by itself.</source>
+            <translation>Free disk space or end the program that locks the file. Storing goes on by itself.</translation>
+        </message>
+        <message>
+            <source>Height of blank step %1 must be from 0 to %2 mm.</source>
+            <translation>Height of blank step %1 must be from 0 to %2 mm.</translation>
+        </message>
+        <message>
+            <source>Held again since the release was asked.</source>
+            <translation>Held again since the release was asked.</translation>
+        </message>
+        <message>
+            <source>Least error expected at a gain of %1 1/s: %2 mm instead of %3 mm.</source>
+            <translation>Least error expected at a gain of %1 1/s: %2 mm instead of %3 mm.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</source>
+            <translation>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</translation>
+        </message>
+        <message>
+            <source>Loops react later than designed. Feed and offsets stay inside their limits.</source>
+            <translation>Loops react later than designed. Feed and offsets stay inside their limits.</translation>
+        </message>
+        <message>
+            <source>Make the machine safe, reset the emergency stop at the control, then release the hold.</source>
+            <translation>Make the machine safe, reset the emergency stop at the control, then release the hold.</translation>
+        </message>
+        <message>
+            <source>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</source>
+            <translation>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 differs from what was logged when it was accepted.</source>
+            <translation>Measurement %1 differs from what was logged when it was accepted.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 is already in the lot.</source>
+            <translation>Measurement %1 is already in the lot.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 is not in use any more.</source>
+            <translation>Measurement %1 is not in use any more.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine</source>
+            <translation>No connection to the machine</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: the last offset stays, the control runs at its own feed.</source>
+            <translation>No connection to the machine: the last offset stays, the control runs at its own feed.</translation>
+        </message>
+        <message>
+            <source>No feed schedule is loaded: choose a part type and a lot first.</source>
+            <translation>No feed schedule is loaded: choose a part type and a lot first.</translation>
+        </message>
+        <message>
+            <source>No feed schedule is loaded: this bore is cut at its programmed feed.</source>
+            <translation>No feed schedule is loaded: this bore is cut at its programmed feed.</translation>
+        </message>
+        <message>
+            <source>No tone is given; expected one frequency in Hz or more.</source>
+            <translation>No tone is given; expected one frequency in Hz or more.</translation>
+        </message>
+        <message>
+            <source>Not fitted yet.</source>
+            <translation>Not fitted yet.</translation>
+        </message>
+        <message>
+            <source>Part %1 has all of its %2 measurements.</source>
+            <translation>Part %1 has all of its %2 measurements.</translation>
+        </message>
+        <message>
+            <source>Part %1 has been measured at %2 mm; correct that value instead.</source>
+            <translation>Part %1 has been measured at %2 mm; correct that value instead.</translation>
+        </message>
+        <message>
+            <source>Part %1 has no known feed at %2 mm.</source>
+            <translation>Part %1 has no known feed at %2 mm.</translation>
+        </message>
+        <message>
+            <source>Part %1 has not been cut yet.</source>
+            <translation>Part %1 has not been cut yet.</translation>
+        </message>
+        <message>
+            <source>Part %1 is already in the lot.</source>
+            <translation>Part %1 is already in the lot.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: the feed stays where it is.</source>
+            <translation>Programmed feed unknown: the feed stays where it is.</translation>
+        </message>
+        <message>
+            <source>Reading or writing the data file failed: check the disk.</source>
+            <translation>Reading or writing the data file failed: check the disk.</translation>
+        </message>
+        <message>
+            <source>Ready: the next bore is cut at its programmed feed.</source>
+            <translation>Ready: the next bore is cut at its programmed feed.</translation>
+        </message>
+        <message>
+            <source>Ready: the next bore is cut with the schedule shown.</source>
+            <translation>Ready: the next bore is cut with the schedule shown.</translation>
+        </message>
+        <message>
+            <source>Refine the learned trim: %1 mm expected instead of %2 mm.</source>
+            <translation>Refine the learned trim: %1 mm expected instead of %2 mm.</translation>
+        </message>
+        <message>
+            <source>Sampling is uneven: %1 ms between samples %2 and the next, %3 ms elsewhere.</source>
+            <translation>Sampling is uneven: %1 ms between samples %2 and the next, %3 ms elsewhere.</translation>
+        </message>
+        <message>
+            <source>Schedule %1 of this lot is not stored.</source>
+            <translation>Schedule %1 of this lot is not stored.</translation>
+        </message>
+        <message>
+            <source>Set the feed knob to 100 %, or accept the deviation.</source>
+            <translation>Set the feed knob to 100 %, or accept the deviation.</translation>
+        </message>
+        <message>
+            <source>Sign on first: a measurement needs a name.</source>
+            <translation>Sign on first: a measurement needs a name.</translation>
+        </message>
+        <message>
+            <source>Sign on first: the audit log needs a name.</source>
+            <translation>Sign on first: the audit log needs a name.</translation>
+        </message>
+        <message>
+            <source>Simulation speed must be from 1 to 1000, or 0 for as fast as possible.</source>
+            <translation>Simulation speed must be from 1 to 1000, or 0 for as fast as possible.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown</source>
+            <translation>Spindle overhang unknown</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: the feed stays where it is.</source>
+            <translation>Spindle overhang unknown: the feed stays where it is.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown</source>
+            <translation>Spindle speed unknown</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: the feed stays where it is.</source>
+            <translation>Spindle speed unknown or zero: the feed stays where it is.</translation>
+        </message>
+        <message>
+            <source>Sum of errors changed by %1 mm: gain from %2 to %3 1/s.</source>
+            <translation>Sum of errors changed by %1 mm: gain from %2 to %3 1/s.</translation>
+        </message>
+        <message>
+            <source>Switched off.</source>
+            <translation>Switched off.</translation>
+        </message>
+        <message>
+            <source>The audit log is broken before entry %1: entries are missing.</source>
+            <translation>The audit log is broken before entry %1: entries are missing.</translation>
+        </message>
+        <message>
+            <source>The backup %1 could not be written completely.</source>
+            <translation>The backup %1 could not be written completely.</translation>
+        </message>
+        <message>
+            <source>The best feed at %1 mm overhang lies outside %2 to %3 mm/rev; it sits at the limit.</source>
+            <translation>The best feed at %1 mm overhang lies outside %2 to %3 mm/rev; it sits at the limit.</translation>
+        </message>
+        <message>
+            <source>The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit.</source>
+            <translation>The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit.</translation>
+        </message>
+        <message>
+            <source>The best gain no longer moves: %1 1/s.</source>
+            <translation>The best gain no longer moves: %1 1/s.</translation>
+        </message>
+        <message>
+            <source>The bore is cut with another feed than planned. The estimate uses the feed really cut.</source>
+            <translation>The bore is cut with another feed than planned. The estimate uses the feed really cut.</translation>
+        </message>
+        <message>
+            <source>The boring loop does not know this command.</source>
+            <translation>The boring loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The boring program needs feed, speed and overhangs above zero, the end deeper than the start.</source>
+            <translation>The boring program needs feed, speed and overhangs above zero, the end deeper than the start.</translation>
+        </message>
+        <message>
+            <source>The command was not sent: the engine has not taken the earlier ones yet. Try again.</source>
+            <translation>The command was not sent: the engine has not taken the earlier ones yet. Try again.</translation>
+        </message>
+        <message>
+            <source>The control has stopped the machine. All loops are held.</source>
+            <translation>The control has stopped the machine. All loops are held.</translation>
+        </message>
+        <message>
+            <source>The control is still busy with earlier commands.</source>
+            <translation>The control is still busy with earlier commands.</translation>
+        </message>
+        <message>
+            <source>The control no longer answers: cable, network or the control itself.</source>
+            <translation>The control no longer answers: cable, network or the control itself.</translation>
+        </message>
+        <message>
+            <source>The control refused the command: is it switched on, homed and idle?</source>
+            <translation>The control refused the command: is it switched on, homed and idle?</translation>
+        </message>
+        <message>
+            <source>The control takes no commands: linuxcncrsh does not answer.</source>
+            <translation>The control takes no commands: linuxcncrsh does not answer.</translation>
+        </message>
+        <message>
+            <source>The data file %1 cannot be read: check its permissions.</source>
+            <translation>The data file %1 cannot be read: check its permissions.</translation>
+        </message>
+        <message>
+            <source>The data file %1 has version %2, written by a newer Kerf; this one knows up to %3. Install the newer program; the file was left as it is.</source>
+            <translation>The data file %1 has version %2, written by a newer Kerf; this one knows up to %3. Install the newer program; the file was left as it is.</translation>
+        </message>
+        <message>
+            <source>The data file %1 is damaged; it was left as it is. Go on with the newest backup.</source>
+            <translation>The data file %1 is damaged; it was left as it is. Go on with the newest backup.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be opened: check the folder and its permissions.</source>
+            <translation>The data file cannot be opened: check the folder and its permissions.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be written: it, or its folder, is read-only.</source>
+            <translation>The data file cannot be written: it, or its folder, is read-only.</translation>
+        </message>
+        <message>
+            <source>The data file is damaged: go on with the newest backup and keep this file.</source>
+            <translation>The data file is damaged: go on with the newest backup and keep this file.</translation>
+        </message>
+        <message>
+            <source>The data file is in use by another program; try again in a moment.</source>
+            <translation>The data file is in use by another program; try again in a moment.</translation>
+        </message>
+        <message>
+            <source>The data file is not a Kerf database.</source>
+            <translation>The data file is not a Kerf database.</translation>
+        </message>
+        <message>
+            <source>The data file refused the entry: it contradicts what is already stored.</source>
+            <translation>The data file refused the entry: it contradicts what is already stored.</translation>
+        </message>
+        <message>
+            <source>The data file refused the request (code %1).</source>
+            <translation>The data file refused the request (code %1).</translation>
+        </message>
+        <message>
+            <source>The data folder cannot be made; choose another one with --data.</source>
+            <translation>The data folder cannot be made; choose another one with --data.</translation>
+        </message>
+        <message>
+            <source>The database does not take records: disk full, or the file is locked.</source>
+            <translation>The database does not take records: disk full, or the file is locked.</translation>
+        </message>
+        <message>
+            <source>The depth of cut is %1 um; expected above 0, at most the tool radius %2 um.</source>
+            <translation>The depth of cut is %1 um; expected above 0, at most the tool radius %2 um.</translation>
+        </message>
+        <message>
+            <source>The disk is full: nothing can be stored until space is made.</source>
+            <translation>The disk is full: nothing can be stored until space is made.</translation>
+        </message>
+        <message>
+            <source>The emergency stop of the machine is pressed.</source>
+            <translation>The emergency stop of the machine is pressed.</translation>
+        </message>
+        <message>
+            <source>The engine misses its deadlines</source>
+            <translation>The engine misses its deadlines</translation>
+        </message>
+        <message>
+            <source>The entry is not a number.</source>
+            <translation>The entry is not a number.</translation>
+        </message>
+        <message>
+            <source>The estimate differs from the stored one</source>
+            <translation>The estimate differs from the stored one</translation>
+        </message>
+        <message>
+            <source>The estimated exponent α = %1 is outside %2 to %3 and was clipped.</source>
+            <translation>The estimated exponent α = %1 is outside %2 to %3 and was clipped.</translation>
+        </message>
+        <message>
+            <source>The extra delay is %1 samples; expected 0 or 1.</source>
+            <translation>The extra delay is %1 samples; expected 0 or 1.</translation>
+        </message>
+        <message>
+            <source>The feed does not follow the schedule</source>
+            <translation>The feed does not follow the schedule</translation>
+        </message>
+        <message>
+            <source>The feed follows the schedule along the bore.</source>
+            <translation>The feed follows the schedule along the bore.</translation>
+        </message>
+        <message>
+            <source>The feed schedule has a value outside its range; the last one stays.</source>
+            <translation>The feed schedule has a value outside its range; the last one stays.</translation>
+        </message>
+        <message>
+            <source>The feed stays where it is; it does not follow the schedule, so the bore may taper.</source>
+            <translation>The feed stays where it is; it does not follow the schedule, so the bore may taper.</translation>
+        </message>
+        <message>
+            <source>The file %1 exists already; a backup never overwrites.</source>
+            <translation>The file %1 exists already; a backup never overwrites.</translation>
+        </message>
+        <message>
+            <source>The file %1 is a database of another program; it was left as it is.</source>
+            <translation>The file %1 is a database of another program; it was left as it is.</translation>
+        </message>
+        <message>
+            <source>The file %1 is not a database; it was left as it is.</source>
+            <translation>The file %1 is not a database; it was left as it is.</translation>
+        </message>
+        <message>
+            <source>The finished part is kept in memory. No new part can be started.</source>
+            <translation>The finished part is kept in memory. No new part can be started.</translation>
+        </message>
+        <message>
+            <source>The forgetting factor is %1; expected 0.5 to 1.</source>
+            <translation>The forgetting factor is %1; expected 0.5 to 1.</translation>
+        </message>
+        <message>
+            <source>The gain error is %1; expected above 0, at most 10.</source>
+            <translation>The gain error is %1; expected above 0, at most 10.</translation>
+        </message>
+        <message>
+            <source>The infeed is %1 um per revolution; expected 0 or more.</source>
+            <translation>The infeed is %1 um per revolution; expected 0 or more.</translation>
+        </message>
+        <message>
+            <source>The initial covariance is %1; expected above 0, at most 1e9.</source>
+            <translation>The initial covariance is %1; expected above 0, at most 1e9.</translation>
+        </message>
+        <message>
+            <source>The last part is not stored yet: no new part until it is.</source>
+            <translation>The last part is not stored yet: no new part until it is.</translation>
+        </message>
+        <message>
+            <source>The length of a blank segment must be above 0 and at most %1 mm.</source>
+            <translation>The length of a blank segment must be above 0 and at most %1 mm.</translation>
+        </message>
+        <message>
+            <source>The limit of the forgetting is %1; expected 0 or more.</source>
+            <translation>The limit of the forgetting is %1; expected 0 or more.</translation>
+        </message>
+        <message>
+            <source>The lot was computed again from its stored measurements and gave another state than the one stored with the last of them: another version of the program, or a changed file.</source>
+            <translation>The lot was computed again from its stored measurements and gave another state than the one stored with the last of them: another version of the program, or a changed file.</translation>
+        </message>
+        <message>
+            <source>The machine is not ready.</source>
+            <translation>The machine is not ready.</translation>
+        </message>
+        <message>
+            <source>The machine is switched off.</source>
+            <translation>The machine is switched off.</translation>
+        </message>
+        <message>
+            <source>The measurement to be replaced is not stored.</source>
+            <translation>The measurement to be replaced is not stored.</translation>
+        </message>
+        <message>
+            <source>The newly computed estimate and feed schedule are used.</source>
+            <translation>The newly computed estimate and feed schedule are used.</translation>
+        </message>
+        <message>
+            <source>The operator's feed knob, a limit of the control, or its acceleration keeps the feed away from the schedule.</source>
+            <translation>The operator's feed knob, a limit of the control, or its acceleration keeps the feed away from the schedule.</translation>
+        </message>
+        <message>
+            <source>The part belongs to no lot: no estimator can learn from it.</source>
+            <translation>The part belongs to no lot: no estimator can learn from it.</translation>
+        </message>
+        <message>
+            <source>The part of this measurement is not stored.</source>
+            <translation>The part of this measurement is not stored.</translation>
+        </message>
+        <message>
+            <source>The position of the boring spindle is missing, old or not a number.</source>
+            <translation>The position of the boring spindle is missing, old or not a number.</translation>
+        </message>
+        <message>
+            <source>The recipe has no revision %1.</source>
+            <translation>The recipe has no revision %1.</translation>
+        </message>
+        <message>
+            <source>The record has %1 samples; at least %2 are needed.</source>
+            <translation>The record has %1 samples; at least %2 are needed.</translation>
+        </message>
+        <message>
+            <source>The schedule wants %1 of the programmed feed; this control allows %2.</source>
+            <translation>The schedule wants %1 of the programmed feed; this control allows %2.</translation>
+        </message>
+        <message>
+            <source>The spindle cannot bend by %1 mm; its deflection must be above 0. Measure again.</source>
+            <translation>The spindle cannot bend by %1 mm; its deflection must be above 0. Measure again.</translation>
+        </message>
+        <message>
+            <source>The spindle position jumps by no whole number of revolutions: counts are lost or the column is not in revolutions.</source>
+            <translation>The spindle position jumps by no whole number of revolutions: counts are lost or the column is not in revolutions.</translation>
+        </message>
+        <message>
+            <source>The spindle speed is %1 rev/s; expected %2 to %3.</source>
+            <translation>The spindle speed is %1 rev/s; expected %2 to %3.</translation>
+        </message>
+        <message>
+            <source>The spindle turns %1 rev in the whole record; a tap needs at least one.</source>
+            <translation>The spindle turns %1 rev in the whole record; a tap needs at least one.</translation>
+        </message>
+        <message>
+            <source>The spindle turns up to %1 rev between two samples; at most %2 rev: sample faster.</source>
+            <translation>The spindle turns up to %1 rev between two samples; at most %2 rev: sample faster.</translation>
+        </message>
+        <message>
+            <source>The spindle's speed signal is missing, old or not a number.</source>
+            <translation>The spindle's speed signal is missing, old or not a number.</translation>
+        </message>
+        <message>
+            <source>The tool radius is %1 um; expected above 0, at most 1000000 um.</source>
+            <translation>The tool radius is %1 um; expected above 0, at most 1000000 um.</translation>
+        </message>
+        <message>
+            <source>There is no such alarm.</source>
+            <translation>There is no such alarm.</translation>
+        </message>
+        <message>
+            <source>There is no such part.</source>
+            <translation>There is no such part.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no such signal over HAL.</source>
+            <translation>This LinuxCNC brings no such signal over HAL.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC has no external offsets: set OFFSET_AV_RATIO in its ini.</source>
+            <translation>This LinuxCNC has no external offsets: set OFFSET_AV_RATIO in its ini.</translation>
+        </message>
+        <message>
+            <source>This computer is too busy, or real-time scheduling is not allowed.</source>
+            <translation>This computer is too busy, or real-time scheduling is not allowed.</translation>
+        </message>
+        <message>
+            <source>This control cannot do that.</source>
+            <translation>This control cannot do that.</translation>
+        </message>
+        <message>
+            <source>This control has no program for that process.</source>
+            <translation>This control has no program for that process.</translation>
+        </message>
+        <message>
+            <source>This loop does not run on LinuxCNC yet.</source>
+            <translation>This loop does not run on LinuxCNC yet.</translation>
+        </message>
+        <message>
+            <source>This lot is closed already, or there is none of that number.</source>
+            <translation>This lot is closed already, or there is none of that number.</translation>
+        </message>
+        <message>
+            <source>This machine cannot host this loop.</source>
+            <translation>This machine cannot host this loop.</translation>
+        </message>
+        <message>
+            <source>This measurement was replaced meanwhile: look at the newest value first.</source>
+            <translation>This measurement was replaced meanwhile: look at the newest value first.</translation>
+        </message>
+        <message>
+            <source>This simulated machine does not have it.</source>
+            <translation>This simulated machine does not have it.</translation>
+        </message>
+        <message>
+            <source>Time does not rise at sample %1; expected one row per sample, oldest first.</source>
+            <translation>Time does not rise at sample %1; expected one row per sample, oldest first.</translation>
+        </message>
+        <message>
+            <source>Too many entries are waiting to be stored; try again in a moment.</source>
+            <translation>Too many entries are waiting to be stored; try again in a moment.</translation>
+        </message>
+        <message>
+            <source>What is left (%1 mm) is noise and scatter: further taps would not help.</source>
+            <translation>What is left (%1 mm) is noise and scatter: further taps would not help.</translation>
+        </message>
+        <message>
+            <source>Worse than before (%1 mm against %2 mm): back half way.</source>
+            <translation>Worse than before (%1 mm against %2 mm): back half way.</translation>
+        </message>
+        <message>
+            <source>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</source>
+            <translation>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmBar</name>
+        <message>
+            <source>No alarms.</source>
+            <translation>No alarms.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1  (and %n more)</source>
+            <translation>
+                <numerusform>%1  (and %n more)</numerusform>
+                <numerusform>%1  (and %n more)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>Show</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmModel</name>
+        <message>
+            <source>stands, seen by %1</source>
+            <translation>stands, seen by %1</translation>
+        </message>
+        <message>
+            <source>stands</source>
+            <translation>stands</translation>
+        </message>
+        <message>
+            <source>stood at the last restart</source>
+            <translation>stood at the last restart</translation>
+        </message>
+        <message>
+            <source>gone %1, seen by %2</source>
+            <translation>gone %1, seen by %2</translation>
+        </message>
+        <message>
+            <source>gone %1</source>
+            <translation>gone %1</translation>
+        </message>
+        <message>
+            <source>%1, first</source>
+            <translation>%1, first</translation>
+        </message>
+        <message>
+            <source>Prio.</source>
+            <translation>Prio.</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>Alarm</translation>
+        </message>
+        <message>
+            <source>Since</source>
+            <translation>Since</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>State</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmsPage</name>
+        <message>
+            <source>That is all.</source>
+            <translation>That is all.</translation>
+        </message>
+        <message>
+            <source>No database is connected: only the alarms since the start are known.</source>
+            <translation>No database is connected: only the alarms since the start are known.</translation>
+        </message>
+        <message>
+            <source>No alarm has been recorded yet.</source>
+            <translation>No alarm has been recorded yet.</translation>
+        </message>
+        <message>
+            <source>No alarms stand. One that comes up appears here until it has gone and been seen.</source>
+            <translation>No alarms stand. One that comes up appears here until it has gone and been seen.</translation>
+        </message>
+        <message>
+            <source>Choose an alarm.</source>
+            <translation>Choose an alarm.</translation>
+        </message>
+        <message>
+            <source>Seen by %1.</source>
+            <translation>Seen by %1.</translation>
+        </message>
+        <message>
+            <source>It is from an earlier run.</source>
+            <translation>It is from an earlier run.</translation>
+        </message>
+        <message>
+            <source>Standing or unseen</source>
+            <translation>Standing or unseen</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>History</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>Older</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>Cause</translation>
+        </message>
+        <message>
+            <source>Consequence</source>
+            <translation>Consequence</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>What to do</translation>
+        </message>
+        <message>
+            <source>Seen</source>
+            <translation>Seen</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::BoreChart</name>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>bore ⌀</source>
+            <translation>bore ⌀</translation>
+        </message>
+        <message>
+            <source>The bore of each part appears here once its diameter is entered.</source>
+            <translation>The bore of each part appears here once its diameter is entered.</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>upper</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>lower</translation>
+        </message>
+        <message>
+            <source>Bore against its tolerance, last 25 parts</source>
+            <translation>Bore against its tolerance, last 25 parts</translation>
+        </message>
+        <message>
+            <source>expected</source>
+            <translation>expected</translation>
+        </message>
+        <message>
+            <source>process changed</source>
+            <translation>process changed</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::BoringPage</name>
+        <message>
+            <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
+            <translation>No boring lot is open on this machine. The page fills as soon as one is.</translation>
+        </message>
+        <message>
+            <source>Bore ⌀, %1 – last 25 parts of lot %2</source>
+            <comment>unit, lot</comment>
+            <translation>Bore ⌀, %1 – last 25 parts of lot %2</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>Nothing can be stored at the moment: %1</translation>
+        </message>
+        <message>
+            <source>%1 (corrected)</source>
+            <translation>%1 (corrected)</translation>
+        </message>
+        <message>
+            <source>%1, expected %2 ± %3</source>
+            <comment>diameter, prediction, half interval</comment>
+            <translation>%1, expected %2 ± %3</translation>
+        </message>
+        <message>
+            <source>Part %1: %2 %3.</source>
+            <comment>number, diameters, unit</comment>
+            <translation>Part %1: %2 %3.</translation>
+        </message>
+        <message>
+            <source>Diameters of this lot</source>
+            <translation>Diameters of this lot</translation>
+        </message>
+        <message>
+            <source>Touch a value to correct or take it out, an empty place to enter it.</source>
+            <translation>Touch a value to correct or take it out, an empty place to enter it.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Chart</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>axis title, unit</comment>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::DiagnosticsPage</name>
+        <message>
+            <source>%1 (%2 %)</source>
+            <translation>%1 (%2 %)</translation>
+        </message>
+        <message>
+            <source>Real-time scheduling is granted: the cycle goes before all other work of this computer.</source>
+            <translation>Real-time scheduling is granted: the cycle goes before all other work of this computer.</translation>
+        </message>
+        <message>
+            <source>Real-time scheduling is not granted: other programs can delay the cycle. Allow it with “rtprio” in /etc/security/limits.conf.</source>
+            <translation>Real-time scheduling is not granted: other programs can delay the cycle. Allow it with “rtprio” in /etc/security/limits.conf.</translation>
+        </message>
+        <message>
+            <source>up</source>
+            <translation>up</translation>
+        </message>
+        <message>
+            <source>connecting</source>
+            <translation>connecting</translation>
+        </message>
+        <message>
+            <source>down</source>
+            <translation>down</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Work in one cycle</source>
+            <translation>Work in one cycle</translation>
+        </message>
+        <message>
+            <source>Start after the deadline</source>
+            <translation>Start after the deadline</translation>
+        </message>
+        <message>
+            <source>time per cycle; height: share of all cycles</source>
+            <translation>time per cycle; height: share of all cycles</translation>
+        </message>
+        <message>
+            <source>lateness; height: share of all cycles</source>
+            <translation>lateness; height: share of all cycles</translation>
+        </message>
+        <message>
+            <source>Engine</source>
+            <translation>Engine</translation>
+        </message>
+        <message>
+            <source>Machine and versions</source>
+            <translation>Machine and versions</translation>
+        </message>
+        <message>
+            <source>Cycles</source>
+            <translation>Cycles</translation>
+        </message>
+        <message>
+            <source>Overruns</source>
+            <translation>Overruns</translation>
+        </message>
+        <message>
+            <source>Chart samples dropped</source>
+            <translation>Chart samples dropped</translation>
+        </message>
+        <message>
+            <source>Machine time per second</source>
+            <translation>Machine time per second</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Machine</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>Link</translation>
+        </message>
+        <message>
+            <source>Machine time</source>
+            <translation>Machine time</translation>
+        </message>
+        <message>
+            <source>Versions</source>
+            <translation>Versions</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EntryPanel</name>
+        <message>
+            <source>no part waits</source>
+            <translation>no part waits</translation>
+        </message>
+        <message>
+            <source>none fitted</source>
+            <translation>none fitted</translation>
+        </message>
+        <message>
+            <source>nothing entered</source>
+            <translation>nothing entered</translation>
+        </message>
+        <message>
+            <source>Enter the bore</source>
+            <translation>Enter the bore</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>Gauge</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>Undo last</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>Correct</translation>
+        </message>
+        <message>
+            <source>Measure again</source>
+            <translation>Measure again</translation>
+        </message>
+        <message>
+            <source>⌀ of %1</source>
+            <comment>part and depth</comment>
+            <translation>⌀ of %1</translation>
+        </message>
+        <message>
+            <source>No part waits for a diameter</source>
+            <translation>No part waits for a diameter</translation>
+        </message>
+        <message>
+            <source>For %1 type all figures.</source>
+            <translation>For %1 type all figures.</translation>
+        </message>
+        <message>
+            <source>Type the last two figures, or the whole diameter.</source>
+            <translation>Type the last two figures, or the whole diameter.</translation>
+        </message>
+        <message>
+            <source>The first part is not cut yet. Its diameters are asked for here.</source>
+            <translation>The first part is not cut yet. Its diameters are asked for here.</translation>
+        </message>
+        <message>
+            <source>All parts cut so far are measured.</source>
+            <translation>All parts cut so far are measured.</translation>
+        </message>
+        <message>
+            <source>Please answer: measure again, or confirm the value.</source>
+            <translation>Please answer: measure again, or confirm the value.</translation>
+        </message>
+        <message>
+            <source>Nothing typed for %1: type its last two figures.</source>
+            <translation>Nothing typed for %1: type its last two figures.</translation>
+        </message>
+        <message>
+            <source>“%1” for %2 is one figure short: type the last two, or the whole diameter.</source>
+            <translation>“%1” for %2 is one figure short: type the last two, or the whole diameter.</translation>
+        </message>
+        <message>
+            <source>“%1” for %2 is not a number: type a diameter such as %3.</source>
+            <translation>“%1” for %2 is not a number: type a diameter such as %3.</translation>
+        </message>
+        <message>
+            <source>Not taken for %1: %2</source>
+            <translation>Not taken for %1: %2</translation>
+        </message>
+        <message>
+            <source>Yes, %1</source>
+            <translation>Yes, %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: being stored …</source>
+            <translation>%1: being stored …</translation>
+        </message>
+        <message>
+            <source>Not stored, %1 is kept here: %2 Enter tries again.</source>
+            <translation>Not stored, %1 is kept here: %2 Enter tries again.</translation>
+        </message>
+        <message>
+            <source>%1: %2 from the gauge, stored.</source>
+            <translation>%1: %2 from the gauge, stored.</translation>
+        </message>
+        <message>
+            <source>%1: %2 stored.</source>
+            <translation>%1: %2 stored.</translation>
+        </message>
+        <message>
+            <source>The gauge was too early: the value before is being stored. Send it again.</source>
+            <translation>The gauge was too early: the value before is being stored. Send it again.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but no part waits for a diameter: left out.</source>
+            <translation>The gauge sent %1, but no part waits for a diameter: left out.</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: that fits only in inch. Set the gauge to mm.</source>
+            <translation>the gauge sent %1: that fits only in inch. Set the gauge to mm.</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: that fits only in mm. Set the gauge to inch.</source>
+            <translation>the gauge sent %1: that fits only in mm. Set the gauge to inch.</translation>
+        </message>
+        <message>
+            <source>Take %1</source>
+            <translation>Take %1</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: its decimal point seems to have slipped.</source>
+            <translation>the gauge sent %1: its decimal point seems to have slipped.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 twice at once: the second one is left out.</source>
+            <translation>The gauge sent %1 twice at once: the second one is left out.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EstimatePanel</name>
+        <message>
+            <source>Estimated law, 95 % intervals</source>
+            <translation>Estimated law, 95 % intervals</translation>
+        </message>
+        <message>
+            <source>Estimated law (%1), 95 % intervals</source>
+            <translation>Estimated law (%1), 95 % intervals</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EstimateStrips</name>
+        <message>
+            <source>The estimated constants of the law appear here after the first measured part.</source>
+            <translation>The estimated constants of the law appear here after the first measured part.</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::FeedPanel</name>
+        <message>
+            <source>Feed along the bore, %1</source>
+            <comment>unit</comment>
+            <translation>Feed along the bore, %1</translation>
+        </message>
+        <message>
+            <source>overhang</source>
+            <translation>overhang</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>feed</translation>
+        </message>
+        <message>
+            <source>schedule</source>
+            <translation>schedule</translation>
+        </message>
+        <message>
+            <source>last part</source>
+            <translation>last part</translation>
+        </message>
+        <message>
+            <source>The feed schedule appears here as soon as a lot is running.</source>
+            <translation>The feed schedule appears here as soon as a lot is running.</translation>
+        </message>
+        <message>
+            <source>Feed along the bore: schedule, last part, live cut</source>
+            <translation>Feed along the bore: schedule, last part, live cut</translation>
+        </message>
+        <message>
+            <source>live %1</source>
+            <translation>live %1</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>not cutting</translation>
+        </message>
+        <message>
+            <source>feed not known</source>
+            <translation>feed not known</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HeaderBar</name>
+        <message>
+            <source>lot %1</source>
+            <translation>lot %1</translation>
+        </message>
+        <message>
+            <source>part %1/%2</source>
+            <translation>part %1/%2</translation>
+        </message>
+        <message>
+            <source>emergency stop</source>
+            <translation>emergency stop</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>connected</translation>
+        </message>
+        <message>
+            <source>machine off</source>
+            <translation>machine off</translation>
+        </message>
+        <message>
+            <source>connecting</source>
+            <translation>connecting</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>no link</translation>
+        </message>
+        <message>
+            <source>simulator ×%1</source>
+            <translation>simulator ×%1</translation>
+        </message>
+        <message>
+            <source>simulator, free run</source>
+            <translation>simulator, free run</translation>
+        </message>
+        <message>
+            <source>Sign on</source>
+            <translation>Sign on</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Language</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Settings</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HistogramChart</name>
+        <message>
+            <source>Appears as soon as the engine cycles.</source>
+            <translation>Appears as soon as the engine cycles.</translation>
+        </message>
+        <message>
+            <source>cycle</source>
+            <translation>cycle</translation>
+        </message>
+        <message>
+            <source>median %1</source>
+            <translation>median %1</translation>
+        </message>
+        <message>
+            <source>99.9 % %1</source>
+            <translation>99.9 % %1</translation>
+        </message>
+        <message>
+            <source>worst %1</source>
+            <translation>worst %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HoldAllButton</name>
+        <message>
+            <source>HELD – all loops off</source>
+            <translation>HELD – all loops off</translation>
+        </message>
+        <message>
+            <source>HOLD ALL</source>
+            <translation>HOLD ALL</translation>
+        </message>
+        <message>
+            <source>All loops off, last offset held (Pause key). This is not an emergency stop.</source>
+            <translation>All loops off, last offset held (Pause key). This is not an emergency stop.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Keypad</name>
+        <message>
+            <source>Enter</source>
+            <translation>Enter</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>Clear</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LoopCard</name>
+        <message>
+            <source>not fitted</source>
+            <translation>not fitted</translation>
+        </message>
+        <message>
+            <source>Not fitted yet.</source>
+            <translation>Not fitted yet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MainWindow</name>
+        <message>
+            <source>Not done: %1</source>
+            <translation>Not done: %1</translation>
+        </message>
+        <message>
+            <source>Kerf – operator console</source>
+            <translation>Kerf – operator console</translation>
+        </message>
+        <message>
+            <source>Simulator speed</source>
+            <translation>Simulator speed</translation>
+        </message>
+        <message>
+            <source>Machine time per second on the clock.</source>
+            <translation>Machine time per second on the clock.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MeasurementForm</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>part and depth, diameter</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The old value stays on record. The law and all later parts are computed again without it.</source>
+            <translation>The old value stays on record. The law and all later parts are computed again without it.</translation>
+        </message>
+        <message>
+            <source>Correct the value</source>
+            <translation>Correct the value</translation>
+        </message>
+        <message>
+            <source>Take it out</source>
+            <translation>Take it out</translation>
+        </message>
+        <message>
+            <source>typed wrong</source>
+            <translation>typed wrong</translation>
+        </message>
+        <message>
+            <source>measured wrong</source>
+            <translation>measured wrong</translation>
+        </message>
+        <message>
+            <source>wrong part or depth</source>
+            <translation>wrong part or depth</translation>
+        </message>
+        <message>
+            <source>gauge not set</source>
+            <translation>gauge not set</translation>
+        </message>
+        <message>
+            <source>Why?</source>
+            <translation>Why?</translation>
+        </message>
+        <message>
+            <source>or in your own words</source>
+            <translation>or in your own words</translation>
+        </message>
+        <message>
+            <source>signed by %1</source>
+            <translation>signed by %1</translation>
+        </message>
+        <message>
+            <source>Leave as it is</source>
+            <translation>Leave as it is</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>nobody is signed on</source>
+            <translation>nobody is signed on</translation>
+        </message>
+        <message>
+            <source>the right diameter is missing</source>
+            <translation>the right diameter is missing</translation>
+        </message>
+        <message>
+            <source>a reason is missing</source>
+            <translation>a reason is missing</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>Correct</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>Take out</translation>
+        </message>
+        <message>
+            <source>Not changed: %1</source>
+            <translation>Not changed: %1</translation>
+        </message>
+        <message>
+            <source>This bore then waits for a diameter again.</source>
+            <translation>This bore then waits for a diameter again.</translation>
+        </message>
+        <message>
+            <source>%1 becomes %2.</source>
+            <comment>diameters</comment>
+            <translation>%1 becomes %2.</translation>
+        </message>
+        <message>
+            <source>Type the right diameter: its last two figures, or the whole.</source>
+            <translation>Type the right diameter: its last two figures, or the whole.</translation>
+        </message>
+        <message>
+            <source>%1: %2 corrected to %3.</source>
+            <translation>%1: %2 corrected to %3.</translation>
+        </message>
+        <message>
+            <source>%1: %2 taken out.</source>
+            <translation>%1: %2 taken out.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MeasurementList</name>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>⌀ %1</source>
+            <translation>⌀ %1</translation>
+        </message>
+        <message>
+            <source>enter</source>
+            <translation>enter</translation>
+        </message>
+        <message>
+            <source>%1 (corrected)</source>
+            <translation>%1 (corrected)</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::NextPartPanel</name>
+        <message>
+            <source>feed, top to bottom of the bore</source>
+            <translation>feed, top to bottom of the bore</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Accept</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>at limit</translation>
+        </message>
+        <message>
+            <source>Next part: the lot is complete</source>
+            <translation>Next part: the lot is complete</translation>
+        </message>
+        <message>
+            <source>Next part: %1</source>
+            <translation>Next part: %1</translation>
+        </message>
+        <message>
+            <source>⌀ %1, expected</source>
+            <translation>⌀ %1, expected</translation>
+        </message>
+        <message>
+            <source>%1 → %2</source>
+            <comment>feed at the top and at the bottom of the bore</comment>
+            <translation>%1 → %2</translation>
+        </message>
+        <message>
+            <source>This machine has no boring loop: %1</source>
+            <translation>This machine has no boring loop: %1</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>no schedule yet</source>
+            <translation>no schedule yet</translation>
+        </message>
+        <message>
+            <source>the loop is off</source>
+            <translation>the loop is off</translation>
+        </message>
+        <message>
+            <source>in control, every schedule is used by itself</source>
+            <translation>in control, every schedule is used by itself</translation>
+        </message>
+        <message>
+            <source>this schedule is accepted</source>
+            <translation>this schedule is accepted</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::NumberDisplay</name>
+        <message>
+            <source>%1 s old</source>
+            <translation>%1 s old</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>at limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OverviewPage</name>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>Start the program at the control.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>No link to the machine.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>The machine is off.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>Hold is in force.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>Finished parts are not stored yet.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>Nothing is held.</source>
+            <translation>Nothing is held.</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>Emergency stop is pressed.</translation>
+        </message>
+        <message>
+            <source>All loops are held with their last offset.</source>
+            <translation>All loops are held with their last offset.</translation>
+        </message>
+        <message>
+            <source>Ready for the next part.</source>
+            <translation>Ready for the next part.</translation>
+        </message>
+        <message>
+            <source>Cutting, %1 s to go.</source>
+            <translation>Cutting, %1 s to go.</translation>
+        </message>
+        <message>
+            <source>The program is running.</source>
+            <translation>The program is running.</translation>
+        </message>
+        <message>
+            <source>The program is paused.</source>
+            <translation>The program is paused.</translation>
+        </message>
+        <message>
+            <source>Part finished.</source>
+            <translation>Part finished.</translation>
+        </message>
+        <message>
+            <source>The last part was aborted.</source>
+            <translation>The last part was aborted.</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>cutting</translation>
+        </message>
+        <message>
+            <source>ready</source>
+            <translation>ready</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>off</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Machine</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>Feed</translation>
+        </message>
+        <message>
+            <source>Parts since start</source>
+            <translation>Parts since start</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>Start part</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>Release hold</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SheetHost</name>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ValueField</name>
+        <message>
+            <source>Enter a number.</source>
+            <translation>Enter a number.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>“%1” is not a number.</translation>
+        </message>
+        <message>
+            <source>Must be from %1 to %2.</source>
+            <translation>Must be from %1 to %2.</translation>
+        </message>
+    </context>
+</TS>

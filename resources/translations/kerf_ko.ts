@@ -1,0 +1,1737 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ko_KR" sourcelanguage="en_US">
+    <context>
+        <name>BoringTexts</name>
+        <message>
+            <source>top</source>
+            <comment>depth of a bore</comment>
+            <translation>위</translation>
+        </message>
+        <message>
+            <source>middle</source>
+            <comment>depth of a bore</comment>
+            <translation>가운데</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <comment>depth of a bore</comment>
+            <translation>아래</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>part number, depth of its bore</comment>
+            <translation>%1번 공작물, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>OperatorChooser</name>
+        <message>
+            <source>Who is at the machine?</source>
+            <translation>작업자가 누구입니까?</translation>
+        </message>
+        <message>
+            <source>The name goes with every entry and correction.</source>
+            <translation>입력과 수정마다 이 이름이 함께 기록됩니다.</translation>
+        </message>
+        <message>
+            <source>New name</source>
+            <translation>새 이름</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Sign off</source>
+            <translation>로그아웃</translation>
+        </message>
+        <message>
+            <source>Sign on</source>
+            <translation>로그인</translation>
+        </message>
+    </context>
+    <context>
+        <name>Pages</name>
+        <message>
+            <source>Feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>Next bore</source>
+            <translation>다음 보어</translation>
+        </message>
+        <message>
+            <source>Next bore, %1</source>
+            <translation>다음 보어, %1</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>전체 보기</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Diagnostics</source>
+            <translation>진단</translation>
+        </message>
+    </context>
+    <context>
+        <name>Settings</name>
+        <message>
+            <source>Settings</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>언어</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>길이 단위</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>온도 단위</translation>
+        </message>
+        <message>
+            <source>Theme</source>
+            <translation>화면 색</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>크기</translation>
+        </message>
+        <message>
+            <source>inch</source>
+            <translation>인치</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>밝게</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>어둡게</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>Words</name>
+        <message>
+            <source>Alarm %1, which this console does not know</source>
+            <translation>이 콘솔이 모르는 알람 %1</translation>
+        </message>
+        <message>
+            <source>Note the number and call service.</source>
+            <translation>번호를 적어 두고 서비스에 연락하십시오.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>보링</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>밀링</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>선삭</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>탭 가공</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>꺼짐</translation>
+        </message>
+        <message>
+            <source>advising</source>
+            <translation>조언 중</translation>
+        </message>
+        <message>
+            <source>controlling</source>
+            <translation>제어 중</translation>
+        </message>
+        <message>
+            <source>limited</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>held</source>
+            <translation>홀드</translation>
+        </message>
+        <message>
+            <source>faulted</source>
+            <translation>고장</translation>
+        </message>
+        <message>
+            <source>advise</source>
+            <translation>조언</translation>
+        </message>
+        <message>
+            <source>control</source>
+            <translation>제어</translation>
+        </message>
+    </context>
+    <context>
+        <name>engine</name>
+        <message>
+            <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
+            <translation>샘플의 %1 %가 빠졌습니다. 이 탭은 무효이니 다시 하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 % of the samples are missing; a record with more than %2 % does not count.</source>
+            <translation>샘플의 %1 %가 빠졌습니다. %2 %를 넘게 빠진 기록은 무효입니다.</translation>
+        </message>
+        <message>
+            <source>%1 measurements were accepted, %2 are stored.</source>
+            <translation>측정값 %1개를 받았으나 저장된 것은 %2개입니다.</translation>
+        </message>
+        <message>
+            <source>%1 must be from %2 to %3.</source>
+            <translation>%1: %2에서 %3 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>A blank profile needs from 1 to %1 steps.</source>
+            <translation>소재 형상은 1단에서 %1단까지입니다.</translation>
+        </message>
+        <message>
+            <source>A correction needs a reason.</source>
+            <translation>수정하려면 이유가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>A deflection must be a number above 0 mm.</source>
+            <translation>처짐은 0 mm보다 큰 수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>A deflection of %1 mm was expected, the entry means %2 mm. Measure again or confirm.</source>
+            <translation>예상 처짐은 %1 mm인데 입력값대로면 %2 mm입니다. 다시 측정하거나 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>A diameter is a number above zero.</source>
+            <translation>지름은 0보다 큰 수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>A real machine runs at its own speed.</source>
+            <translation>실제 기계는 자기 속도로만 움직입니다.</translation>
+        </message>
+        <message>
+            <source>A revolution has %1 samples; expected 2 to %2.</source>
+            <translation>1회전에 샘플이 %1개입니다. 2개에서 %2개 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>A tone is at %1 Hz; expected above 0 and below %2 Hz.</source>
+            <translation>주파수가 %1 Hz입니다. 0보다 크고 %2 Hz보다 작아야 합니다.</translation>
+        </message>
+        <message>
+            <source>All %1 taps are used.</source>
+            <translation>탭 %1회를 모두 사용했습니다.</translation>
+        </message>
+        <message>
+            <source>All loops are held by the operator; the last offset stays.</source>
+            <translation>작업자가 모든 루프를 홀드했습니다. 마지막 보정값은 유지됩니다.</translation>
+        </message>
+        <message>
+            <source>All loops are held. The control goes on at or below its programmed feed with its last offset.</source>
+            <translation>모든 루프가 홀드되었습니다. 컨트롤러는 마지막 보정값으로 프로그램 이송 이하에서 계속합니다.</translation>
+        </message>
+        <message>
+            <source>All loops are held: release the hold first.</source>
+            <translation>모든 루프가 홀드 상태입니다. 먼저 홀드를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>An infeed of %1 um per revolution leaves no overlap; at this depth at most %2 um.</source>
+            <translation>회전당 이송 %1 um로는 중첩이 생기지 않습니다. 이 깊이에서는 최대 %2 um입니다.</translation>
+        </message>
+        <message>
+            <source>An overhang must be a number above 0 mm.</source>
+            <translation>돌출 길이는 0 mm보다 큰 수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Another Kerf is already working with this data file.</source>
+            <translation>다른 Kerf가 이미 이 데이터 파일을 쓰고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Audit entry %1 was changed after it was written.</source>
+            <translation>감사 기록 %1번이 기록된 뒤에 바뀌었습니다.</translation>
+        </message>
+        <message>
+            <source>Blank step %1 must end after it begins.</source>
+            <translation>소재 형상 %1단은 시작점보다 뒤에서 끝나야 합니다.</translation>
+        </message>
+        <message>
+            <source>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</source>
+            <translation>데이터 파일 %1을(를) 최신으로 바꾸다가 %2단계에서 실패했습니다. 파일은 %3단계 뒤의 상태 그대로이며 앞서 만든 사본도 남아 있습니다.</translation>
+        </message>
+        <message>
+            <source>Check the control and the cable. Kerf connects again by itself; then release the hold.</source>
+            <translation>컨트롤러와 케이블을 점검하십시오. 연결은 저절로 되살아납니다. 그다음 홀드를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Check the spindle encoder. Measure this part at both depths.</source>
+            <translation>주축 엔코더를 점검하십시오. 이 공작물은 두 깊이에서 모두 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Check the spindle's position signal. Measure this part at both depths.</source>
+            <translation>주축 위치 신호를 점검하십시오. 이 공작물은 두 깊이에서 모두 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Compare the next part with its prediction. Keep the data file for the service.</source>
+            <translation>다음 공작물을 예측값과 비교하십시오. 데이터 파일은 서비스용으로 보관하십시오.</translation>
+        </message>
+        <message>
+            <source>Emergency stop</source>
+            <translation>비상정지</translation>
+        </message>
+        <message>
+            <source>Emergency stop: the control has stopped the machine.</source>
+            <translation>비상정지: 컨트롤러가 기계를 세웠습니다.</translation>
+        </message>
+        <message>
+            <source>End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.</source>
+            <translation>다른 프로그램을 끝내십시오. 사이클 시간과 실시간 스케줄링 허용 방법은 진단 화면에 있습니다.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not being stored</source>
+            <translation>끝난 공작물이 저장되지 않습니다</translation>
+        </message>
+        <message>
+            <source>Free disk space or end the program that locks the file. Storing goes on by itself.</source>
+            <translation>디스크 공간을 비우거나 파일을 잠근 프로그램을 끝내십시오. 저장은 저절로 이어집니다.</translation>
+        </message>
+        <message>
+            <source>Height of blank step %1 must be from 0 to %2 mm.</source>
+            <translation>소재 형상 %1단의 높이는 0에서 %2 mm 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Held again since the release was asked.</source>
+            <translation>해제를 요청한 뒤에 다시 홀드되었습니다.</translation>
+        </message>
+        <message>
+            <source>Least error expected at a gain of %1 1/s: %2 mm instead of %3 mm.</source>
+            <translation>게인 %1 1/s에서 오차가 가장 작을 것입니다: %3 mm 대신 %2 mm.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</source>
+            <translation>LinuxCNC에 닿지 않습니다. 실행 중이 아니거나 HAL 파일이 kerf-hal을 불러오지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Loops react later than designed. Feed and offsets stay inside their limits.</source>
+            <translation>루프가 설계보다 늦게 반응합니다. 이송과 보정은 한계 안에 머뭅니다.</translation>
+        </message>
+        <message>
+            <source>Make the machine safe, reset the emergency stop at the control, then release the hold.</source>
+            <translation>기계를 안전하게 하고 컨트롤러에서 비상정지를 푼 다음 홀드를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</source>
+            <translation>맞춘 게인 %1 1/s, 피드포워드 %2, 학습한 보정: 예상 오차 %3 mm.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 differs from what was logged when it was accepted.</source>
+            <translation>측정값 %1번이 받을 때 남긴 기록과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 is already in the lot.</source>
+            <translation>측정값 %1번은 이미 로트에 있습니다.</translation>
+        </message>
+        <message>
+            <source>Measurement %1 is not in use any more.</source>
+            <translation>측정값 %1번은 더 이상 쓰이지 않습니다.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine</source>
+            <translation>기계와 연결되지 않음</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: the last offset stays, the control runs at its own feed.</source>
+            <translation>기계와 연결되지 않았습니다. 마지막 보정값은 유지되고 컨트롤러는 자기 이송으로 움직입니다.</translation>
+        </message>
+        <message>
+            <source>No feed schedule is loaded: choose a part type and a lot first.</source>
+            <translation>이송 계획이 없습니다. 먼저 품목과 로트를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>No feed schedule is loaded: this bore is cut at its programmed feed.</source>
+            <translation>이송 계획이 없어 이 보어는 프로그램 이송으로 가공합니다.</translation>
+        </message>
+        <message>
+            <source>No tone is given; expected one frequency in Hz or more.</source>
+            <translation>주파수가 없습니다. Hz 단위로 하나 이상 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Not fitted yet.</source>
+            <translation>아직 장착되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 has all of its %2 measurements.</source>
+            <translation>%1번 공작물은 측정 %2개가 모두 끝났습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 has been measured at %2 mm; correct that value instead.</source>
+            <translation>%1번 공작물은 %2 mm에서 이미 측정했습니다. 그 값을 수정하십시오.</translation>
+        </message>
+        <message>
+            <source>Part %1 has no known feed at %2 mm.</source>
+            <translation>%1번 공작물은 %2 mm에서의 이송을 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 has not been cut yet.</source>
+            <translation>%1번 공작물은 아직 가공하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 is already in the lot.</source>
+            <translation>%1번 공작물은 이미 로트에 있습니다.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: the feed stays where it is.</source>
+            <translation>프로그램 이송을 알 수 없어 이송을 그대로 둡니다.</translation>
+        </message>
+        <message>
+            <source>Reading or writing the data file failed: check the disk.</source>
+            <translation>데이터 파일을 읽거나 쓰지 못했습니다. 디스크를 점검하십시오.</translation>
+        </message>
+        <message>
+            <source>Ready: the next bore is cut at its programmed feed.</source>
+            <translation>준비됨: 다음 보어는 프로그램 이송으로 가공합니다.</translation>
+        </message>
+        <message>
+            <source>Ready: the next bore is cut with the schedule shown.</source>
+            <translation>준비됨: 다음 보어는 표시된 이송 계획으로 가공합니다.</translation>
+        </message>
+        <message>
+            <source>Refine the learned trim: %1 mm expected instead of %2 mm.</source>
+            <translation>학습한 보정을 다듬습니다: %2 mm 대신 %1 mm 예상.</translation>
+        </message>
+        <message>
+            <source>Sampling is uneven: %1 ms between samples %2 and the next, %3 ms elsewhere.</source>
+            <translation>샘플 간격이 고르지 않습니다: %2번 샘플과 다음 사이 %1 ms, 다른 곳은 %3 ms.</translation>
+        </message>
+        <message>
+            <source>Schedule %1 of this lot is not stored.</source>
+            <translation>이 로트의 이송 계획 %1번이 저장되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Set the feed knob to 100 %, or accept the deviation.</source>
+            <translation>이송 오버라이드를 100 %에 맞추거나 편차를 받아들이십시오.</translation>
+        </message>
+        <message>
+            <source>Sign on first: a measurement needs a name.</source>
+            <translation>먼저 로그인하십시오. 측정값에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Sign on first: the audit log needs a name.</source>
+            <translation>먼저 로그인하십시오. 감사 기록에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Simulation speed must be from 1 to 1000, or 0 for as fast as possible.</source>
+            <translation>시뮬레이션 속도는 1에서 1000, 또는 최대 속도인 0이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown</source>
+            <translation>주축 돌출 길이를 알 수 없음</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: the feed stays where it is.</source>
+            <translation>주축 돌출 길이를 알 수 없어 이송을 그대로 둡니다.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown</source>
+            <translation>주축 회전수를 알 수 없음</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: the feed stays where it is.</source>
+            <translation>주축 회전수를 알 수 없거나 0이어서 이송을 그대로 둡니다.</translation>
+        </message>
+        <message>
+            <source>Sum of errors changed by %1 mm: gain from %2 to %3 1/s.</source>
+            <translation>오차 합이 %1 mm 바뀌었습니다: 게인을 %2에서 %3 1/s로 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>Switched off.</source>
+            <translation>꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>The audit log is broken before entry %1: entries are missing.</source>
+            <translation>감사 기록이 %1번 앞에서 끊겼습니다. 빠진 기록이 있습니다.</translation>
+        </message>
+        <message>
+            <source>The backup %1 could not be written completely.</source>
+            <translation>백업 %1을(를) 끝까지 쓰지 못했습니다.</translation>
+        </message>
+        <message>
+            <source>The best feed at %1 mm overhang lies outside %2 to %3 mm/rev; it sits at the limit.</source>
+            <translation>돌출 %1 mm에서 가장 좋은 이송이 %2~%3 mm/rev를 벗어나 한계에 머뭅니다.</translation>
+        </message>
+        <message>
+            <source>The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit.</source>
+            <translation>가장 좋은 이송이 %1~%2 mm/rev를 벗어나 한계에 머뭅니다.</translation>
+        </message>
+        <message>
+            <source>The best gain no longer moves: %1 1/s.</source>
+            <translation>최적 게인이 더 움직이지 않습니다: %1 1/s.</translation>
+        </message>
+        <message>
+            <source>The bore is cut with another feed than planned. The estimate uses the feed really cut.</source>
+            <translation>보어가 계획과 다른 이송으로 가공됩니다. 추정에는 실제 가공 이송을 씁니다.</translation>
+        </message>
+        <message>
+            <source>The boring loop does not know this command.</source>
+            <translation>보링 루프가 모르는 명령입니다.</translation>
+        </message>
+        <message>
+            <source>The boring program needs feed, speed and overhangs above zero, the end deeper than the start.</source>
+            <translation>보링 프로그램에는 0보다 큰 이송, 회전수, 돌출 길이가 필요하고 끝은 시작보다 깊어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The command was not sent: the engine has not taken the earlier ones yet. Try again.</source>
+            <translation>명령을 보내지 못했습니다. 엔진이 앞선 명령을 아직 받지 않았습니다. 다시 해 보십시오.</translation>
+        </message>
+        <message>
+            <source>The control has stopped the machine. All loops are held.</source>
+            <translation>컨트롤러가 기계를 세웠습니다. 모든 루프가 홀드되었습니다.</translation>
+        </message>
+        <message>
+            <source>The control is still busy with earlier commands.</source>
+            <translation>컨트롤러가 아직 앞선 명령을 처리하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The control no longer answers: cable, network or the control itself.</source>
+            <translation>컨트롤러가 응답하지 않습니다: 케이블, 네트워크 또는 컨트롤러 자체.</translation>
+        </message>
+        <message>
+            <source>The control refused the command: is it switched on, homed and idle?</source>
+            <translation>컨트롤러가 명령을 거부했습니다. 전원이 켜져 있고 원점 복귀를 마쳤으며 대기 중입니까?</translation>
+        </message>
+        <message>
+            <source>The control takes no commands: linuxcncrsh does not answer.</source>
+            <translation>컨트롤러가 명령을 받지 않습니다. linuxcncrsh가 응답하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The data file %1 cannot be read: check its permissions.</source>
+            <translation>데이터 파일 %1을(를) 읽을 수 없습니다. 권한을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The data file %1 has version %2, written by a newer Kerf; this one knows up to %3. Install the newer program; the file was left as it is.</source>
+            <translation>데이터 파일 %1은(는) 더 새로운 Kerf가 쓴 버전 %2입니다. 이 프로그램은 %3까지 압니다. 새 프로그램을 설치하십시오. 파일은 그대로 두었습니다.</translation>
+        </message>
+        <message>
+            <source>The data file %1 is damaged; it was left as it is. Go on with the newest backup.</source>
+            <translation>데이터 파일 %1이(가) 손상되어 그대로 두었습니다. 가장 새로운 백업으로 계속하십시오.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be opened: check the folder and its permissions.</source>
+            <translation>데이터 파일을 열 수 없습니다. 폴더와 권한을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be written: it, or its folder, is read-only.</source>
+            <translation>데이터 파일에 쓸 수 없습니다. 파일이나 폴더가 읽기 전용입니다.</translation>
+        </message>
+        <message>
+            <source>The data file is damaged: go on with the newest backup and keep this file.</source>
+            <translation>데이터 파일이 손상되었습니다. 가장 새로운 백업으로 계속하고 이 파일은 보관하십시오.</translation>
+        </message>
+        <message>
+            <source>The data file is in use by another program; try again in a moment.</source>
+            <translation>다른 프로그램이 데이터 파일을 쓰고 있습니다. 잠시 뒤 다시 해 보십시오.</translation>
+        </message>
+        <message>
+            <source>The data file is not a Kerf database.</source>
+            <translation>데이터 파일이 Kerf 데이터베이스가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The data file refused the entry: it contradicts what is already stored.</source>
+            <translation>데이터 파일이 입력을 거부했습니다. 이미 저장된 것과 맞지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The data file refused the request (code %1).</source>
+            <translation>데이터 파일이 요청을 거부했습니다(코드 %1).</translation>
+        </message>
+        <message>
+            <source>The data folder cannot be made; choose another one with --data.</source>
+            <translation>데이터 폴더를 만들 수 없습니다. --data로 다른 폴더를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>The database does not take records: disk full, or the file is locked.</source>
+            <translation>데이터베이스가 기록을 받지 않습니다. 디스크가 가득 찼거나 파일이 잠겨 있습니다.</translation>
+        </message>
+        <message>
+            <source>The depth of cut is %1 um; expected above 0, at most the tool radius %2 um.</source>
+            <translation>절삭 깊이가 %1 um입니다. 0보다 크고 공구 반경 %2 um 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The disk is full: nothing can be stored until space is made.</source>
+            <translation>디스크가 가득 찼습니다. 공간을 비울 때까지 저장할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The emergency stop of the machine is pressed.</source>
+            <translation>기계의 비상정지가 눌려 있습니다.</translation>
+        </message>
+        <message>
+            <source>The engine misses its deadlines</source>
+            <translation>엔진이 제때 돌지 못함</translation>
+        </message>
+        <message>
+            <source>The entry is not a number.</source>
+            <translation>입력이 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The estimate differs from the stored one</source>
+            <translation>추정값이 저장된 것과 다름</translation>
+        </message>
+        <message>
+            <source>The estimated exponent α = %1 is outside %2 to %3 and was clipped.</source>
+            <translation>추정한 지수 α = %1이(가) %2~%3을 벗어나 잘라 냈습니다.</translation>
+        </message>
+        <message>
+            <source>The extra delay is %1 samples; expected 0 or 1.</source>
+            <translation>추가 지연이 %1샘플입니다. 0 또는 1이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The feed does not follow the schedule</source>
+            <translation>이송이 계획을 따르지 않음</translation>
+        </message>
+        <message>
+            <source>The feed follows the schedule along the bore.</source>
+            <translation>보어를 따라 이송이 계획대로 움직입니다.</translation>
+        </message>
+        <message>
+            <source>The feed schedule has a value outside its range; the last one stays.</source>
+            <translation>이송 계획에 범위를 벗어난 값이 있어 앞선 계획을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>The feed stays where it is; it does not follow the schedule, so the bore may taper.</source>
+            <translation>이송이 계획을 따르지 않고 그대로여서 보어에 테이퍼가 생길 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The file %1 exists already; a backup never overwrites.</source>
+            <translation>파일 %1이(가) 이미 있습니다. 백업은 덮어쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The file %1 is a database of another program; it was left as it is.</source>
+            <translation>파일 %1은(는) 다른 프로그램의 데이터베이스여서 그대로 두었습니다.</translation>
+        </message>
+        <message>
+            <source>The file %1 is not a database; it was left as it is.</source>
+            <translation>파일 %1은(는) 데이터베이스가 아니어서 그대로 두었습니다.</translation>
+        </message>
+        <message>
+            <source>The finished part is kept in memory. No new part can be started.</source>
+            <translation>끝난 공작물의 기록은 메모리에 남아 있습니다. 새 공작물을 시작할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The forgetting factor is %1; expected 0.5 to 1.</source>
+            <translation>망각 계수가 %1입니다. 0.5에서 1 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The gain error is %1; expected above 0, at most 10.</source>
+            <translation>게인 오차가 %1입니다. 0보다 크고 10 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The infeed is %1 um per revolution; expected 0 or more.</source>
+            <translation>회전당 이송이 %1 um입니다. 0 이상이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The initial covariance is %1; expected above 0, at most 1e9.</source>
+            <translation>초기 공분산이 %1입니다. 0보다 크고 1e9 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The last part is not stored yet: no new part until it is.</source>
+            <translation>마지막 공작물이 아직 저장되지 않았습니다. 저장될 때까지 새 공작물을 시작할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The length of a blank segment must be above 0 and at most %1 mm.</source>
+            <translation>소재 구간의 길이는 0보다 크고 %1 mm 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The limit of the forgetting is %1; expected 0 or more.</source>
+            <translation>망각 한계가 %1입니다. 0 이상이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The lot was computed again from its stored measurements and gave another state than the one stored with the last of them: another version of the program, or a changed file.</source>
+            <translation>저장된 측정값으로 로트를 다시 계산했더니 마지막 측정값과 함께 저장된 상태와 다릅니다. 프로그램 버전이 다르거나 파일이 바뀌었습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is not ready.</source>
+            <translation>기계가 준비되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is switched off.</source>
+            <translation>기계 전원이 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>The measurement to be replaced is not stored.</source>
+            <translation>대체할 측정값이 저장되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The newly computed estimate and feed schedule are used.</source>
+            <translation>새로 계산한 추정값과 이송 계획을 씁니다.</translation>
+        </message>
+        <message>
+            <source>The operator's feed knob, a limit of the control, or its acceleration keeps the feed away from the schedule.</source>
+            <translation>작업자의 이송 오버라이드, 컨트롤러의 한계 또는 가속도 때문에 이송이 계획에서 벗어납니다.</translation>
+        </message>
+        <message>
+            <source>The part belongs to no lot: no estimator can learn from it.</source>
+            <translation>공작물이 어느 로트에도 속하지 않아 추정에 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The part of this measurement is not stored.</source>
+            <translation>이 측정값의 공작물이 저장되어 있지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The position of the boring spindle is missing, old or not a number.</source>
+            <translation>보링 주축의 위치가 없거나 오래되었거나 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The recipe has no revision %1.</source>
+            <translation>레시피에 개정 %1번이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The record has %1 samples; at least %2 are needed.</source>
+            <translation>기록에 샘플이 %1개입니다. 적어도 %2개가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The schedule wants %1 of the programmed feed; this control allows %2.</source>
+            <translation>계획은 프로그램 이송의 %1배를 원하지만 이 컨트롤러는 %2배까지 허용합니다.</translation>
+        </message>
+        <message>
+            <source>The spindle cannot bend by %1 mm; its deflection must be above 0. Measure again.</source>
+            <translation>주축이 %1 mm 휠 수는 없습니다. 처짐은 0보다 커야 합니다. 다시 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>The spindle position jumps by no whole number of revolutions: counts are lost or the column is not in revolutions.</source>
+            <translation>주축 위치가 정수가 아닌 회전만큼 건너뜁니다. 펄스를 놓쳤거나 열의 단위가 회전이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The spindle speed is %1 rev/s; expected %2 to %3.</source>
+            <translation>주축 회전수가 %1 rev/s입니다. %2에서 %3 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The spindle turns %1 rev in the whole record; a tap needs at least one.</source>
+            <translation>전체 기록에서 주축이 %1회전합니다. 탭에는 적어도 1회전이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The spindle turns up to %1 rev between two samples; at most %2 rev: sample faster.</source>
+            <translation>두 샘플 사이에 주축이 최대 %1회전합니다. %2회전 이하여야 하니 더 빠르게 샘플링하십시오.</translation>
+        </message>
+        <message>
+            <source>The spindle's speed signal is missing, old or not a number.</source>
+            <translation>주축 회전수 신호가 없거나 오래되었거나 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The tool radius is %1 um; expected above 0, at most 1000000 um.</source>
+            <translation>공구 반경이 %1 um입니다. 0보다 크고 1000000 um 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>There is no such alarm.</source>
+            <translation>그런 알람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>There is no such part.</source>
+            <translation>그런 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no such signal over HAL.</source>
+            <translation>이 LinuxCNC는 HAL로 그런 신호를 주지 않습니다.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC has no external offsets: set OFFSET_AV_RATIO in its ini.</source>
+            <translation>이 LinuxCNC에는 외부 오프셋이 없습니다. ini에 OFFSET_AV_RATIO를 설정하십시오.</translation>
+        </message>
+        <message>
+            <source>This computer is too busy, or real-time scheduling is not allowed.</source>
+            <translation>컴퓨터가 너무 바쁘거나 실시간 스케줄링이 허용되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>This control cannot do that.</source>
+            <translation>이 컨트롤러는 할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>This control has no program for that process.</source>
+            <translation>이 컨트롤러에는 그 공정의 프로그램이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This loop does not run on LinuxCNC yet.</source>
+            <translation>이 루프는 아직 LinuxCNC에서 돌지 않습니다.</translation>
+        </message>
+        <message>
+            <source>This lot is closed already, or there is none of that number.</source>
+            <translation>이 로트는 이미 닫혔거나 그 번호가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This machine cannot host this loop.</source>
+            <translation>이 기계에서는 이 루프를 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>This measurement was replaced meanwhile: look at the newest value first.</source>
+            <translation>이 측정값은 그사이 바뀌었습니다. 먼저 최신 값을 보십시오.</translation>
+        </message>
+        <message>
+            <source>This simulated machine does not have it.</source>
+            <translation>이 시뮬레이션 기계에는 없습니다.</translation>
+        </message>
+        <message>
+            <source>Time does not rise at sample %1; expected one row per sample, oldest first.</source>
+            <translation>%1번 샘플에서 시간이 늘지 않습니다. 오래된 것부터 샘플마다 한 행이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Too many entries are waiting to be stored; try again in a moment.</source>
+            <translation>저장을 기다리는 입력이 너무 많습니다. 잠시 뒤 다시 해 보십시오.</translation>
+        </message>
+        <message>
+            <source>What is left (%1 mm) is noise and scatter: further taps would not help.</source>
+            <translation>남은 오차(%1 mm)는 잡음과 산포입니다. 더 탭을 내도 나아지지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Worse than before (%1 mm against %2 mm): back half way.</source>
+            <translation>전보다 나빠졌습니다(%1 mm, 전에는 %2 mm). 절반만 되돌립니다.</translation>
+        </message>
+        <message>
+            <source>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</source>
+            <translation>Z가 회전당 %1 mm 움직입니다. 피치 %2 mm와 맞지 않습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmBar</name>
+        <message>
+            <source>No alarms.</source>
+            <translation>알람이 없습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1  (and %n more)</source>
+            <translation>
+                <numerusform>%1  (외 %n건)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>보기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmModel</name>
+        <message>
+            <source>stands, seen by %1</source>
+            <translation>발생 중, %1 확인</translation>
+        </message>
+        <message>
+            <source>stands</source>
+            <translation>발생 중</translation>
+        </message>
+        <message>
+            <source>stood at the last restart</source>
+            <translation>지난 재시작 때 발생 중</translation>
+        </message>
+        <message>
+            <source>gone %1, seen by %2</source>
+            <translation>%1 해소, %2 확인</translation>
+        </message>
+        <message>
+            <source>gone %1</source>
+            <translation>%1 해소</translation>
+        </message>
+        <message>
+            <source>%1, first</source>
+            <translation>%1, 최초</translation>
+        </message>
+        <message>
+            <source>Prio.</source>
+            <translation>순위</translation>
+        </message>
+        <message>
+            <source>Alarm</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Since</source>
+            <translation>발생</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::AlarmsPage</name>
+        <message>
+            <source>That is all.</source>
+            <translation>이것이 전부입니다.</translation>
+        </message>
+        <message>
+            <source>No database is connected: only the alarms since the start are known.</source>
+            <translation>데이터베이스가 연결되지 않아 시작한 뒤의 알람만 알 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>No alarm has been recorded yet.</source>
+            <translation>아직 기록된 알람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>No alarms stand. One that comes up appears here until it has gone and been seen.</source>
+            <translation>발생 중인 알람이 없습니다. 알람이 생기면 해소되고 확인될 때까지 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Choose an alarm.</source>
+            <translation>알람을 고르십시오.</translation>
+        </message>
+        <message>
+            <source>Seen by %1.</source>
+            <translation>%1 확인함.</translation>
+        </message>
+        <message>
+            <source>It is from an earlier run.</source>
+            <translation>이전 실행의 알람입니다.</translation>
+        </message>
+        <message>
+            <source>Standing or unseen</source>
+            <translation>발생 중·미확인</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>이력</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>더 이전</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>원인</translation>
+        </message>
+        <message>
+            <source>Consequence</source>
+            <translation>영향</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>조치</translation>
+        </message>
+        <message>
+            <source>Seen</source>
+            <translation>확인</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::BoreChart</name>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>bore ⌀</source>
+            <translation>보어 ⌀</translation>
+        </message>
+        <message>
+            <source>The bore of each part appears here once its diameter is entered.</source>
+            <translation>지름을 입력하면 공작물마다 보어가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>상한</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>하한</translation>
+        </message>
+        <message>
+            <source>Bore against its tolerance, last 25 parts</source>
+            <translation>공차 대비 보어, 최근 25개</translation>
+        </message>
+        <message>
+            <source>expected</source>
+            <translation>예상</translation>
+        </message>
+        <message>
+            <source>process changed</source>
+            <translation>공정 변화</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::BoringPage</name>
+        <message>
+            <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
+            <translation>이 기계에 열린 보링 로트가 없습니다. 로트를 열면 이 화면이 채워집니다.</translation>
+        </message>
+        <message>
+            <source>Bore ⌀, %1 – last 25 parts of lot %2</source>
+            <comment>unit, lot</comment>
+            <translation>보어 ⌀, %1 – 로트 %2의 최근 25개</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>지금은 저장할 수 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>%1 (corrected)</source>
+            <translation>%1 (수정됨)</translation>
+        </message>
+        <message>
+            <source>%1, expected %2 ± %3</source>
+            <comment>diameter, prediction, half interval</comment>
+            <translation>%1, 예상 %2 ± %3</translation>
+        </message>
+        <message>
+            <source>Part %1: %2 %3.</source>
+            <comment>number, diameters, unit</comment>
+            <translation>%1번 공작물: %2 %3.</translation>
+        </message>
+        <message>
+            <source>Diameters of this lot</source>
+            <translation>이 로트의 지름</translation>
+        </message>
+        <message>
+            <source>Touch a value to correct or take it out, an empty place to enter it.</source>
+            <translation>값을 누르면 수정하거나 뺄 수 있고, 빈 곳을 누르면 입력합니다.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Chart</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>axis title, unit</comment>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::DiagnosticsPage</name>
+        <message>
+            <source>%1 (%2 %)</source>
+            <translation>%1 (%2 %)</translation>
+        </message>
+        <message>
+            <source>Real-time scheduling is granted: the cycle goes before all other work of this computer.</source>
+            <translation>실시간 스케줄링이 허용되었습니다. 사이클이 이 컴퓨터의 다른 모든 일보다 먼저 돕니다.</translation>
+        </message>
+        <message>
+            <source>Real-time scheduling is not granted: other programs can delay the cycle. Allow it with “rtprio” in /etc/security/limits.conf.</source>
+            <translation>실시간 스케줄링이 허용되지 않아 다른 프로그램이 사이클을 늦출 수 있습니다. /etc/security/limits.conf의 “rtprio”로 허용하십시오.</translation>
+        </message>
+        <message>
+            <source>up</source>
+            <translation>연결됨</translation>
+        </message>
+        <message>
+            <source>connecting</source>
+            <translation>연결 중</translation>
+        </message>
+        <message>
+            <source>down</source>
+            <translation>끊김</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Work in one cycle</source>
+            <translation>한 사이클의 처리 시간</translation>
+        </message>
+        <message>
+            <source>Start after the deadline</source>
+            <translation>기한 뒤의 시작 지연</translation>
+        </message>
+        <message>
+            <source>time per cycle; height: share of all cycles</source>
+            <translation>사이클당 시간; 높이: 전체 사이클 중 비율</translation>
+        </message>
+        <message>
+            <source>lateness; height: share of all cycles</source>
+            <translation>지연; 높이: 전체 사이클 중 비율</translation>
+        </message>
+        <message>
+            <source>Engine</source>
+            <translation>엔진</translation>
+        </message>
+        <message>
+            <source>Machine and versions</source>
+            <translation>기계와 버전</translation>
+        </message>
+        <message>
+            <source>Cycles</source>
+            <translation>사이클</translation>
+        </message>
+        <message>
+            <source>Overruns</source>
+            <translation>시간 초과</translation>
+        </message>
+        <message>
+            <source>Chart samples dropped</source>
+            <translation>버린 차트 샘플</translation>
+        </message>
+        <message>
+            <source>Machine time per second</source>
+            <translation>초당 기계 시간</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>기계</translation>
+        </message>
+        <message>
+            <source>Link</source>
+            <translation>연결</translation>
+        </message>
+        <message>
+            <source>Machine time</source>
+            <translation>기계 시간</translation>
+        </message>
+        <message>
+            <source>Versions</source>
+            <translation>버전</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EntryPanel</name>
+        <message>
+            <source>no part waits</source>
+            <translation>기다리는 공작물 없음</translation>
+        </message>
+        <message>
+            <source>none fitted</source>
+            <translation>장착 안 됨</translation>
+        </message>
+        <message>
+            <source>nothing entered</source>
+            <translation>입력 없음</translation>
+        </message>
+        <message>
+            <source>Enter the bore</source>
+            <translation>보어 입력</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>마지막 취소</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>Measure again</source>
+            <translation>다시 측정</translation>
+        </message>
+        <message>
+            <source>⌀ of %1</source>
+            <comment>part and depth</comment>
+            <translation>%1의 ⌀</translation>
+        </message>
+        <message>
+            <source>No part waits for a diameter</source>
+            <translation>지름을 기다리는 공작물이 없습니다</translation>
+        </message>
+        <message>
+            <source>For %1 type all figures.</source>
+            <translation>%1: 모든 자리를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>Type the last two figures, or the whole diameter.</source>
+            <translation>마지막 두 자리 또는 지름 전체를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>The first part is not cut yet. Its diameters are asked for here.</source>
+            <translation>첫 공작물을 아직 가공하지 않았습니다. 지름은 여기서 묻습니다.</translation>
+        </message>
+        <message>
+            <source>All parts cut so far are measured.</source>
+            <translation>지금까지 가공한 공작물은 모두 측정했습니다.</translation>
+        </message>
+        <message>
+            <source>Please answer: measure again, or confirm the value.</source>
+            <translation>답해 주십시오: 다시 측정하거나 값을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing typed for %1: type its last two figures.</source>
+            <translation>%1: 입력이 없습니다. 마지막 두 자리를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” for %2 is one figure short: type the last two, or the whole diameter.</source>
+            <translation>%2의 “%1”은(는) 한 자리가 모자랍니다. 마지막 두 자리 또는 지름 전체를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” for %2 is not a number: type a diameter such as %3.</source>
+            <translation>%2의 “%1”은(는) 숫자가 아닙니다. %3처럼 지름을 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>Not taken for %1: %2</source>
+            <translation>%1: 받지 않았습니다. %2</translation>
+        </message>
+        <message>
+            <source>Yes, %1</source>
+            <translation>예, %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: being stored …</source>
+            <translation>%1: 저장하는 중 …</translation>
+        </message>
+        <message>
+            <source>Not stored, %1 is kept here: %2 Enter tries again.</source>
+            <translation>저장되지 않아 %1을(를) 여기에 두었습니다: %2 입력 키를 누르면 다시 시도합니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2 from the gauge, stored.</source>
+            <translation>%1: 게이지 값 %2 저장됨.</translation>
+        </message>
+        <message>
+            <source>%1: %2 stored.</source>
+            <translation>%1: %2 저장됨.</translation>
+        </message>
+        <message>
+            <source>The gauge was too early: the value before is being stored. Send it again.</source>
+            <translation>게이지가 너무 빨랐습니다. 앞선 값을 저장하는 중이니 다시 보내십시오.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but no part waits for a diameter: left out.</source>
+            <translation>게이지가 %1을(를) 보냈으나 지름을 기다리는 공작물이 없어 버렸습니다.</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: that fits only in inch. Set the gauge to mm.</source>
+            <translation>게이지가 %1을(를) 보냈는데 인치로만 맞습니다. 게이지를 mm로 맞추십시오.</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: that fits only in mm. Set the gauge to inch.</source>
+            <translation>게이지가 %1을(를) 보냈는데 mm로만 맞습니다. 게이지를 인치로 맞추십시오.</translation>
+        </message>
+        <message>
+            <source>Take %1</source>
+            <translation>%1 받기</translation>
+        </message>
+        <message>
+            <source>the gauge sent %1: its decimal point seems to have slipped.</source>
+            <translation>게이지가 %1을(를) 보냈는데 소수점이 밀린 것 같습니다.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 twice at once: the second one is left out.</source>
+            <translation>게이지가 %1을(를) 한꺼번에 두 번 보내 두 번째는 버렸습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EstimatePanel</name>
+        <message>
+            <source>Estimated law, 95 % intervals</source>
+            <translation>추정한 법칙, 95 % 구간</translation>
+        </message>
+        <message>
+            <source>Estimated law (%1), 95 % intervals</source>
+            <translation>추정한 법칙 (%1), 95 % 구간</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::EstimateStrips</name>
+        <message>
+            <source>The estimated constants of the law appear here after the first measured part.</source>
+            <translation>첫 공작물을 측정하면 추정한 상수가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::FeedPanel</name>
+        <message>
+            <source>Feed along the bore, %1</source>
+            <comment>unit</comment>
+            <translation>보어를 따른 이송, %1</translation>
+        </message>
+        <message>
+            <source>overhang</source>
+            <translation>돌출 길이</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>schedule</source>
+            <translation>계획</translation>
+        </message>
+        <message>
+            <source>last part</source>
+            <translation>앞 공작물</translation>
+        </message>
+        <message>
+            <source>The feed schedule appears here as soon as a lot is running.</source>
+            <translation>로트가 돌기 시작하면 이송 계획이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Feed along the bore: schedule, last part, live cut</source>
+            <translation>보어를 따른 이송: 계획, 앞 공작물, 현재 가공</translation>
+        </message>
+        <message>
+            <source>live %1</source>
+            <translation>현재 %1</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>가공 안 함</translation>
+        </message>
+        <message>
+            <source>feed not known</source>
+            <translation>이송을 알 수 없음</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HeaderBar</name>
+        <message>
+            <source>lot %1</source>
+            <translation>로트 %1</translation>
+        </message>
+        <message>
+            <source>part %1/%2</source>
+            <translation>공작물 %1/%2</translation>
+        </message>
+        <message>
+            <source>emergency stop</source>
+            <translation>비상정지</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>연결됨</translation>
+        </message>
+        <message>
+            <source>machine off</source>
+            <translation>기계 꺼짐</translation>
+        </message>
+        <message>
+            <source>connecting</source>
+            <translation>연결 중</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>연결 없음</translation>
+        </message>
+        <message>
+            <source>simulator ×%1</source>
+            <translation>시뮬레이터 ×%1</translation>
+        </message>
+        <message>
+            <source>simulator, free run</source>
+            <translation>시뮬레이터, 최대 속도</translation>
+        </message>
+        <message>
+            <source>Sign on</source>
+            <translation>로그인</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>언어</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>설정</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HistogramChart</name>
+        <message>
+            <source>Appears as soon as the engine cycles.</source>
+            <translation>엔진이 돌기 시작하면 나타납니다.</translation>
+        </message>
+        <message>
+            <source>cycle</source>
+            <translation>주기</translation>
+        </message>
+        <message>
+            <source>median %1</source>
+            <translation>중앙값 %1</translation>
+        </message>
+        <message>
+            <source>99.9 % %1</source>
+            <translation>99.9 % %1</translation>
+        </message>
+        <message>
+            <source>worst %1</source>
+            <translation>최악 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HoldAllButton</name>
+        <message>
+            <source>HELD – all loops off</source>
+            <translation>홀드됨 – 모든 루프 꺼짐</translation>
+        </message>
+        <message>
+            <source>HOLD ALL</source>
+            <translation>전체 홀드</translation>
+        </message>
+        <message>
+            <source>All loops off, last offset held (Pause key). This is not an emergency stop.</source>
+            <translation>모든 루프를 끄고 마지막 보정값을 유지합니다(Pause 키). 비상정지가 아닙니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Keypad</name>
+        <message>
+            <source>Enter</source>
+            <translation>입력</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>지우기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LoopCard</name>
+        <message>
+            <source>not fitted</source>
+            <translation>미장착</translation>
+        </message>
+        <message>
+            <source>Not fitted yet.</source>
+            <translation>아직 장착되지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MainWindow</name>
+        <message>
+            <source>Not done: %1</source>
+            <translation>실행되지 않음: %1</translation>
+        </message>
+        <message>
+            <source>Kerf – operator console</source>
+            <translation>Kerf – 작업자 콘솔</translation>
+        </message>
+        <message>
+            <source>Simulator speed</source>
+            <translation>시뮬레이터 속도</translation>
+        </message>
+        <message>
+            <source>Machine time per second on the clock.</source>
+            <translation>시계 1초에 흐르는 기계 시간입니다.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MeasurementForm</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>part and depth, diameter</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The old value stays on record. The law and all later parts are computed again without it.</source>
+            <translation>옛 값은 기록에 남습니다. 법칙과 뒤의 모든 공작물은 이 값 없이 다시 계산합니다.</translation>
+        </message>
+        <message>
+            <source>Correct the value</source>
+            <translation>값 수정</translation>
+        </message>
+        <message>
+            <source>Take it out</source>
+            <translation>값 빼기</translation>
+        </message>
+        <message>
+            <source>typed wrong</source>
+            <translation>입력 실수</translation>
+        </message>
+        <message>
+            <source>measured wrong</source>
+            <translation>측정 실수</translation>
+        </message>
+        <message>
+            <source>wrong part or depth</source>
+            <translation>공작물이나 깊이가 틀림</translation>
+        </message>
+        <message>
+            <source>gauge not set</source>
+            <translation>게이지 설정 안 됨</translation>
+        </message>
+        <message>
+            <source>Why?</source>
+            <translation>이유</translation>
+        </message>
+        <message>
+            <source>or in your own words</source>
+            <translation>또는 직접 쓰기</translation>
+        </message>
+        <message>
+            <source>signed by %1</source>
+            <translation>서명: %1</translation>
+        </message>
+        <message>
+            <source>Leave as it is</source>
+            <translation>그대로 두기</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장하는 중</translation>
+        </message>
+        <message>
+            <source>nobody is signed on</source>
+            <translation>로그인한 사람이 없음</translation>
+        </message>
+        <message>
+            <source>the right diameter is missing</source>
+            <translation>올바른 지름이 없음</translation>
+        </message>
+        <message>
+            <source>a reason is missing</source>
+            <translation>이유가 없음</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>빼기</translation>
+        </message>
+        <message>
+            <source>Not changed: %1</source>
+            <translation>바뀌지 않음: %1</translation>
+        </message>
+        <message>
+            <source>This bore then waits for a diameter again.</source>
+            <translation>그러면 이 보어는 다시 지름을 기다립니다.</translation>
+        </message>
+        <message>
+            <source>%1 becomes %2.</source>
+            <comment>diameters</comment>
+            <translation>%1을(를) %2(으)로 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>Type the right diameter: its last two figures, or the whole.</source>
+            <translation>올바른 지름을 입력하십시오: 마지막 두 자리 또는 전체.</translation>
+        </message>
+        <message>
+            <source>%1: %2 corrected to %3.</source>
+            <translation>%1: %2을(를) %3(으)로 수정했습니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2 taken out.</source>
+            <translation>%1: %2을(를) 뺐습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MeasurementList</name>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>⌀ %1</source>
+            <translation>⌀ %1</translation>
+        </message>
+        <message>
+            <source>enter</source>
+            <translation>입력</translation>
+        </message>
+        <message>
+            <source>%1 (corrected)</source>
+            <translation>%1 (수정됨)</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::NextPartPanel</name>
+        <message>
+            <source>feed, top to bottom of the bore</source>
+            <translation>이송, 보어 위에서 아래로</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>수락</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>Next part: the lot is complete</source>
+            <translation>다음 공작물: 로트가 끝났습니다</translation>
+        </message>
+        <message>
+            <source>Next part: %1</source>
+            <translation>다음 공작물: %1</translation>
+        </message>
+        <message>
+            <source>⌀ %1, expected</source>
+            <translation>⌀ %1, 예상</translation>
+        </message>
+        <message>
+            <source>%1 → %2</source>
+            <comment>feed at the top and at the bottom of the bore</comment>
+            <translation>%1 → %2</translation>
+        </message>
+        <message>
+            <source>This machine has no boring loop: %1</source>
+            <translation>이 기계에는 보링 루프가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장하는 중</translation>
+        </message>
+        <message>
+            <source>no schedule yet</source>
+            <translation>아직 계획이 없음</translation>
+        </message>
+        <message>
+            <source>the loop is off</source>
+            <translation>루프가 꺼져 있음</translation>
+        </message>
+        <message>
+            <source>in control, every schedule is used by itself</source>
+            <translation>제어 중에는 모든 계획이 저절로 쓰입니다</translation>
+        </message>
+        <message>
+            <source>this schedule is accepted</source>
+            <translation>이 계획은 수락되었습니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::NumberDisplay</name>
+        <message>
+            <source>%1 s old</source>
+            <translation>%1 s 전</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>한계</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OverviewPage</name>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>기계와 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>기계가 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>홀드 상태입니다.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is held.</source>
+            <translation>홀드된 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>비상정지가 눌려 있습니다.</translation>
+        </message>
+        <message>
+            <source>All loops are held with their last offset.</source>
+            <translation>모든 루프가 마지막 보정값으로 홀드되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>Ready for the next part.</source>
+            <translation>다음 공작물을 가공할 준비가 되었습니다.</translation>
+        </message>
+        <message>
+            <source>Cutting, %1 s to go.</source>
+            <translation>가공 중, %1 s 남음.</translation>
+        </message>
+        <message>
+            <source>The program is running.</source>
+            <translation>프로그램이 돌고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The program is paused.</source>
+            <translation>프로그램이 멈춰 있습니다.</translation>
+        </message>
+        <message>
+            <source>Part finished.</source>
+            <translation>공작물을 끝냈습니다.</translation>
+        </message>
+        <message>
+            <source>The last part was aborted.</source>
+            <translation>앞 공작물은 중단되었습니다.</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>가공 중</translation>
+        </message>
+        <message>
+            <source>ready</source>
+            <translation>준비</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>꺼짐</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>기계</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>Parts since start</source>
+            <translation>시작 후 공작물</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>가공 시작</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>홀드 해제</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SheetHost</name>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ValueField</name>
+        <message>
+            <source>Enter a number.</source>
+            <translation>숫자를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>“%1”은(는) 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Must be from %1 to %2.</source>
+            <translation>%1에서 %2 사이여야 합니다.</translation>
+        </message>
+    </context>
+</TS>
