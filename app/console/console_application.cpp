@@ -112,6 +112,7 @@ Result<void> ConsoleApplication::openMachine() {
     }
     Simulator::Params params;
     params.seed = m_options.seed;
+    params.changeAtPart = m_options.changeAtPart;
     PartQuery newest;
     newest.process = ProcessId::Boring;
     newest.limit = 1;

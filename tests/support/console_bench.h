@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "app/console/console_application.h"
+
+namespace kerf::test {
+
+/// The real console on a scratch data folder, driven through its widgets by object name.
+class ConsoleBench {
+ public:
+    /// The same folder again: a restart.
+    void start(const console::Options& options) {
+        m_options = options;
+        m_options.dataDir = m_folder.path().toStdString();
+        m_console = std::make_unique<console::ConsoleApplication>(m_options);
+        m_failure.clear();
+        QObject::connect(m_console.get(), &console::ConsoleApplication::ready, m_console.get(), [this] {
+            m_console->window()->resize(1280, 800);
+            m_console->window()->show();
+        });
+        QObject::connect(m_console.get(), &console::ConsoleApplication::failed, m_console.get(),
+                         [this](const QString& sentence) { m_failure = sentence; });
+        if (const auto started = m_console->start(); !started) {
+            m_failure = QString::fromStdString(started.error().english());
+        }
+    }
+    void stop() { m_console.reset(); }
+
+    [[nodiscard]] bool up() const { return m_console && m_console->window() != nullptr; }
+    [[nodiscard]] const QString& failure() const { return m_failure; }
+    [[nodiscard]] console::ConsoleApplication& console() { return *m_console; }
+    [[nodiscard]] const BoringDeskView& desk() { return m_console->boringDesk().view(); }
+    [[nodiscard]] const Status& status() { return m_console->window()->client().status(); }
+    [[nodiscard]] QString folder() const { return m_folder.path(); }
+
+    /// The widget of that name that the operator can see; null when there is none.
+    template <class Widget = QWidget>
+    [[nodiscard]] Widget* find(const char* name) {
+        for (Widget* widget : m_console->window()->findChildren<Widget*>(QLatin1String(name))) {
+            if (widget->isVisibleTo(m_console->window())) {
+                return widget;
+            }
+        }
+        return nullptr;
+    }
+    /// Touch a button; false when it is not there or cannot be pressed.
+    [[nodiscard]] bool press(const char* name) {
+        auto* button = find<QAbstractButton>(name);
+        if (button == nullptr || !button->isEnabled()) {
+            return false;
+        }
+        QTest::mouseClick(button, Qt::LeftButton);
+        return true;
+    }
+    [[nodiscard]] QString text(const char* name) {
+        const auto* label = find<QLabel>(name);
+        return label != nullptr ? label->text() : QString();
+    }
+    /// The keys of a number on the gloves keypad, then Enter.
+    [[nodiscard]] bool keyIn(const QString& number) {
+        for (const QChar c : number) {
+            const QByteArray key = c == QLatin1Char('.') ? QByteArray("keyPoint") : QByteArray("key") + c.toLatin1();
+            if (!press(key.constData())) {
+                return false;
+            }
+        }
+        return press("keyEnter");
+    }
+
+ private:
+    QTemporaryDir m_folder;
+    console::Options m_options;
+    QString m_failure;
+    std::unique_ptr<console::ConsoleApplication> m_console;
+};
+
+}  // namespace kerf::test
