@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     kerf::headless::addMillingCommands(kerf);
     kerf::headless::addTurningCommands(kerf);
     kerf::headless::addTappingCommands(kerf);
+    kerf::headless::addThermalCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 namespace kerf::headless {
@@ -45,7 +46,7 @@ std::string readFile(const std::string& path) {
     return std::move(text).str();
 }
 
-Table Table::read(const std::string& path) {
+Table Table::read(const std::string& path, Gaps gaps) {
     const std::string text = readFile(path);
     Table table;
     table.m_path = path;
@@ -79,6 +80,10 @@ Table Table::read(const std::string& path) {
                                        cells.size(), table.m_names.size()));
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (gaps == Gaps::Allowed && (cells[i].empty() || cells[i] == "nan")) {
+                table.m_columns[i].push_back(std::numeric_limits<double>::quiet_NaN());
+                continue;
+            }
             double value = 0.0;
             const auto [stop, error] = std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
             if (error != std::errc{} || stop != cells[i].data() + cells[i].size() || !std::isfinite(value)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,9 +21,11 @@ class BadInput : public std::runtime_error {
 /// Comma-separated, '.' decimal point, optional UTF-8 byte order mark, empty lines skipped, '#' comment lines skipped.
 class Table {
  public:
+    /// Allowed: an empty field or "nan" is read as not-a-number, for the caller to turn into a missing reading.
+    enum class Gaps : std::uint8_t { Refused, Allowed };
     /// @throws BadInput when the file cannot be read, a row has the wrong number of fields, or a field is no finite
     /// number.
-    [[nodiscard]] static Table read(const std::string& path);
+    [[nodiscard]] static Table read(const std::string& path, Gaps gaps = Gaps::Refused);
 
     [[nodiscard]] std::size_t rows() const noexcept { return m_lines.size(); }
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return m_names; }

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "app/formats/thermal_model_json.h"
+#include "app/headless/commands.h"
+#include "app/headless/output.h"
+#include "app/headless/thermal_commands.h"
+#include "app/headless/thermal_files.h"
+#include "engine/thermal/replay.h"
+#include "engine/thermal/training.h"
+
+namespace kerf::headless {
+namespace {
+
+using namespace thermal;
+using Json = nlohmann::ordered_json;
+
+Json axes(const PerAxis& values) { return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}}; }
+
+/// "240-359": minutes from … to, both included.
+std::pair<double, double> minutesFrom(const std::string& text) {
+    double from = 0.0;
+    double to = 0.0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, from);
+    if (first.ec == std::errc{} && first.ptr != end && *first.ptr == '-') {
+        const auto second = std::from_chars(first.ptr + 1, end, to);
+        if (second.ec == std::errc{} && second.ptr == end && from >= 0.0 && to > from) {
+            return {from, to};
+        }
+    }
+    throw BadInput(fmt::format("--check-rows: '{}' is no range; expected FROM-TO in minutes, 0 <= FROM < TO, as 240-359.", text));
+}
+
+void printJudgement(const char* kind, std::size_t sensors, const Judgement& judgement) {
+    fmt::print(stderr, "{:<11} {:>2} sensors  rms {:.3g} {:.3g} {:.3g} um  worst {:.3g} {:.3g} {:.3g} um  ({})\n", kind, sensors,
+               judgement.rms_um[0], judgement.rms_um[1], judgement.rms_um[2], judgement.worst_um[0], judgement.worst_um[1],
+               judgement.worst_um[2], judgement.heldOut ? "each day judged by the others" : "own check rows: not held out");
+}
+
+struct TrainArguments {
+    std::vector<std::string> histories{};
+    std::string kind{"auto"};
+    std::string criterion{"combined"};
+    std::string checkRows{};
+    std::string output{};
+    int maxSensors{TrainingOptions{}.maxSensors};
+    bool report{false};
+};
+
+ThermalModel checked(Result<ThermalModel> model) {
+    if (!model) {
+        throw BadInput(model.error().english());
+    }
+    return std::move(*model);
+}
+
+void train(const TrainArguments& arguments) {
+    TrainingOptions options;
+    options.maxSensors = arguments.maxSensors;
+    options.criterion = arguments.criterion == "regularity" ? GmdhCriterion::Regularity
+                        : arguments.criterion == "unbiased" ? GmdhCriterion::Unbiased
+                                                            : GmdhCriterion::Combined;
+    if (!arguments.checkRows.empty()) {
+        options.check_min = minutesFrom(arguments.checkRows);
+    }
+    const std::vector<ThermalHistory> days = readThermalHistories(arguments.histories);
+    ThermalModel model;
+    std::vector<Candidate> compared;
+    if (arguments.kind == "auto") {
+        auto trained = trainAuto(days, options);
+        if (!trained) {
+            throw BadInput(trained.error().english());
+        }
+        compared = std::move(trained->compared);
+        model = std::move(trained->best);
+    } else if (arguments.kind == "regression") {
+        model = checked(trainRegression(days, options));
+    } else {
+        model = checked(trainNetwork(arguments.kind == "gmdh" ? ModelKind::Gmdh : ModelKind::GmdhPaper, days, options));
+    }
+    std::ofstream file(arguments.output, std::ios::binary);
+    file << formats::thermalModelToJson(model);
+    if (!file.flush()) {
+        throw BadInput(fmt::format("{}: cannot be written.", arguments.output));
+    }
+    for (const Candidate& candidate : compared) {
+        printJudgement(modelKindKey(candidate.kind), candidate.sensors, candidate.judgement);
+    }
+    if (!arguments.report) {
+        return;
+    }
+    Json report;
+    report["model"] = modelKindKey(model.kind);
+    report["trained_on"] = model.trainedOn;
+    report["rows"] = model.trainingRows;
+    Json sensors = Json::array();
+    for (const ModelSensor& sensor : model.sensors) {
+        sensors.push_back(sensor.name);
+    }
+    report["sensors"] = std::move(sensors);
+    report["held_out"] = model.judgement.heldOut;
+    report["rms_um"] = axes(model.judgement.rms_um);
+    report["worst_um"] = axes(model.judgement.worst_um);
+    if (!compared.empty()) {
+        Json table = Json::array();
+        for (const Candidate& candidate : compared) {
+            table.push_back({{"model", modelKindKey(candidate.kind)},
+                             {"sensors", candidate.sensors},
+                             {"held_out", candidate.judgement.heldOut},
+                             {"rms_um", axes(candidate.judgement.rms_um)},
+                             {"worst_um", axes(candidate.judgement.worst_um)}});
+        }
+        report["compared"] = std::move(table);
+    }
+    report["formula"] = formulaLines(model);
+    printJson(report);
+}
+
+/// A model sensor without a column is taken as open, up to the number the model can lose.
+void requireSensors(const ThermalModel& model, const ThermalHistory& history, const std::string& path) {
+    std::vector<std::string> missing;
+    for (const ModelSensor& sensor : model.sensors) {
+        if (!history.sensorIndex(sensor.name)) {
+            missing.push_back(sensor.name);
+        }
+    }
+    if (missing.size() > static_cast<std::size_t>(ThermalEstimator::kMaxLost)) {
+        throw BadInput(fmt::format("{}, line 1: columns {} of the model are missing; expected all but two at most.", path,
+                                   fmt::join(missing, ",")));
+    }
+    if (!missing.empty()) {
+        fmt::print(stderr, "kerf: {}: no column {}; taken as open thermocouples.\n", path, fmt::join(missing, ","));
+    }
+}
+
+void tellSensors(const ThermalModel& model, const Replay& replay) {
+    constexpr std::array<const char*, 8> kStates{"healthy", "suspect", "open",   "short",
+                                                 "stuck",   "noisy",   "offset", "disagrees with its neighbours"};
+    for (std::size_t i = 0; i < replay.sensors.size(); ++i) {
+        if (replay.sensors[i] != SensorState::Healthy) {
+            fmt::print(stderr, "kerf: thermocouple {}: {}; left out.\n", model.sensors[i].name,
+                       kStates[static_cast<std::size_t>(replay.sensors[i])]);
+        }
+    }
+    const auto unusable = std::ranges::find_if(replay.minutes, [](const auto& m) { return !m.prediction.usable; });
+    if (unusable != replay.minutes.end()) {
+        fmt::print(stderr, "kerf: more than two sensors lost from minute {}: the last prediction is held.\n", unusable->time_min);
+    }
+}
+
+Replay replayOf(const std::string& modelPath, const ThermalHistory& history, const std::string& historyPath) {
+    const ThermalModel model = readThermalModel(modelPath);
+    requireSensors(model, history, historyPath);
+    Replay out = replay(model, history);
+    tellSensors(model, out);
+    return out;
+}
+
+void predict(const std::string& modelPath, const std::string& historyPath) {
+    const ThermalHistory history = readThermalHistory(historyPath, HistoryUse::Prediction);
+    const Replay replayed = replayOf(modelPath, history, historyPath);
+    CsvOutput out("t_min,x_um,y_um,z_um,x_half_um,y_half_um,z_half_um");
+    for (const ReplayedMinute& minute : replayed.minutes) {
+        const ThermalPrediction& p = minute.prediction;
+        out.row(minute.time_min, p.drift_um[0], p.drift_um[1], p.drift_um[2], p.half_um[0], p.half_um[1], p.half_um[2]);
+    }
+    out.flush();
+}
+
+struct CompensateArguments {
+    std::string model{};
+    std::string history{};
+    CompensationOptions options{};
+    bool summary{false};
+};
+
+void compensateHistory(const CompensateArguments& arguments) {
+    const ThermalHistory history = readThermalHistory(arguments.history, HistoryUse::Prediction);
+    if (history.trueDrift_um.size() == 0 && history.drift_um.size() == 0) {
+        throw BadInput(fmt::format("{}, line 1: columns yx_true or yx_meas (and y, z) are missing; needed for the residual.",
+                                   arguments.history));
+    }
+    if (arguments.options.limits.maxShift_um < arguments.options.limits.quantum_um ||
+        arguments.options.limits.maxStep_um < arguments.options.limits.quantum_um) {
+        throw BadInput("--max-shift-um and --max-step-um must be at least --quantum-um.");
+    }
+    const Replay replayed = replayOf(arguments.model, history, arguments.history);
+    const std::vector<CompensatedMinute> minutes = compensate(replayed, history, arguments.options);
+    if (arguments.summary) {
+        Eigen::MatrixXd residuals(static_cast<Eigen::Index>(minutes.size()), 3);
+        for (std::size_t k = 0; k < minutes.size(); ++k) {
+            residuals.row(static_cast<Eigen::Index>(k)) = Eigen::RowVector3d::Map(minutes[k].residual_um.data());
+        }
+        const ErrorSummary summary = summaryOf(residuals);
+        printJson({{"period_min", arguments.options.period_min},
+                   {"minutes", minutes.size()},
+                   {"limited_minutes", std::ranges::count_if(minutes, [](const auto& m) { return m.limited; })},
+                   {"max_um", axes(summary.worst_um)},
+                   {"p95_um", axes(summary.p95_um)},
+                   {"rms_um", axes(summary.rms_um)}});
+        return;
+    }
+    CsvOutput out("t_min,shift_x_um,shift_y_um,shift_z_um,residual_x_um,residual_y_um,residual_z_um");
+    for (const CompensatedMinute& m : minutes) {
+        out.row(m.time_min, m.shift_um[0], m.shift_um[1], m.shift_um[2], m.residual_um[0], m.residual_um[1], m.residual_um[2]);
+    }
+    out.flush();
+}
+
+void addTrain(CLI::App& thermal) {
+    auto* command = thermal.add_subcommand("train", "Train a model from recorded days and write it as JSON.");
+    auto arguments = std::make_shared<TrainArguments>();
+    command->add_option("--history", arguments->histories, "CSV of one day; repeat for more days")->required();
+    command->add_option("--model", arguments->kind, "auto compares all on days left out")
+        ->check(CLI::IsMember({"gmdh-paper", "gmdh", "regression", "auto"}))
+        ->capture_default_str();
+    command->add_option("--criterion", arguments->criterion, "What a network is grown by")
+        ->check(CLI::IsMember({"combined", "regularity", "unbiased"}))
+        ->capture_default_str();
+    command->add_option("--check-rows", arguments->checkRows, "Check minutes of every day for networks, as 240-359 (default: last third)");
+    command->add_option("--max-sensors", arguments->maxSensors, "Sensors a regression may use")
+        ->check(CLI::Range(2, static_cast<int>(kMaxRegressionSensors)))
+        ->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "Model file to write")->required();
+    command->add_flag("--report", arguments->report, "Print sensors, errors and formula as JSON");
+    command->callback([arguments] { train(*arguments); });
+}
+
+void addPredict(CLI::App& thermal) {
+    auto* command = thermal.add_subcommand("predict", "Drift minute by minute with the half width of its 95 % interval, as CSV.");
+    auto paths = std::make_shared<std::array<std::string, 2>>();
+    command->add_option("--model", (*paths)[0], "Model file")->required();
+    command->add_option("--history", (*paths)[1], "CSV of one day")->required();
+    command->callback([paths] { predict((*paths)[0], (*paths)[1]); });
+}
+
+void addCompensate(CLI::App& thermal) {
+    auto* command = thermal.add_subcommand("compensate", "Shift the work origin over a recorded day: shifts and residuals as CSV.");
+    auto arguments = std::make_shared<CompensateArguments>();
+    command->add_option("--model", arguments->model, "Model file")->required();
+    command->add_option("--history", arguments->history, "CSV of one day with measured or true drift")->required();
+    command->add_option("--period-min", arguments->options.period_min, "Time between shifts, min")
+        ->check(CLI::Range(0.1, 1440.0))
+        ->capture_default_str();
+    command->add_option("--quantum-um", arguments->options.limits.quantum_um, "Smallest shift, um")
+        ->check(CLI::Range(0.01, 100.0))
+        ->capture_default_str();
+    command->add_option("--max-shift-um", arguments->options.limits.maxShift_um, "Largest total shift, um")
+        ->check(CLI::Range(1.0, 4095.0))
+        ->capture_default_str();
+    command->add_option("--max-step-um", arguments->options.limits.maxStep_um, "Largest change in one update, um")
+        ->check(CLI::Range(1.0, 4095.0))
+        ->capture_default_str();
+    command->add_flag("--summary", arguments->summary, "Only the residuals' max, 95 % and rms, as JSON");
+    command->callback([arguments] { compensateHistory(*arguments); });
+}
+
+}  // namespace
+
+void addThermalCommands(CLI::App& kerf) {
+    auto* thermal = kerf.add_subcommand("thermal", "Thermal drift of the machine origin: train, predict, compensate, simulate.");
+    thermal->require_subcommand(1);
+    addTrain(*thermal);
+    addPredict(*thermal);
+    addCompensate(*thermal);
+    addThermalVolumetric(*thermal);
+    addThermalSimulate(*thermal);
+    addThermalTable(*thermal);
+}
+
+}  // namespace kerf::headless
