@@ -17,7 +17,9 @@ constexpr const char* kFormat = "kerf-thermal-model";
 struct Refused {
     Sentence reason;
 };
-[[noreturn]] void refuse(const char* text, std::string_view field) { throw Refused{Sentence(text, SentenceArg(field))}; }
+[[noreturn]] void refuse(const char* text, std::string_view field) {
+    throw Refused{Sentence(text, SentenceArg(field))};
+}
 
 const Json& field(const Json& parent, const char* key) {
     const auto found = parent.find(key);
@@ -52,7 +54,9 @@ const Json& list(const Json& value, const char* key, std::size_t size) {
     return value;
 }
 
-Json toJson(const Range& range) { return Json::array({range.low, range.high}); }
+Json toJson(const Range& range) {
+    return Json::array({range.low, range.high});
+}
 Range rangeFrom(const Json& value, const char* key) {
     const Json& pair = list(value, key, 2);
     const Range range{number(pair[0], key), number(pair[1], key)};
@@ -62,7 +66,9 @@ Range rangeFrom(const Json& value, const char* key) {
     return range;
 }
 
-Json toJson(const PerAxis& values) { return Json::array({values[0], values[1], values[2]}); }
+Json toJson(const PerAxis& values) {
+    return Json::array({values[0], values[1], values[2]});
+}
 PerAxis perAxisFrom(const Json& value, const char* key) {
     const Json& three = list(value, key, kAxes);
     return {number(three[0], key), number(three[1], key), number(three[2], key)};
@@ -225,15 +231,16 @@ ThermalModel read(const Json& file) {
     }
     const int version = wholeNumber(field(file, "version"), "version", 1, 1'000'000);
     if (version > kModelVersion) {
-        throw Refused{Sentence(KERF_TEXT("The model file has version %1; this program reads up to version %2. Use a newer program."),
-                               SentenceArg(version, 0), SentenceArg(kModelVersion, 0))};
+        throw Refused{Sentence(
+            KERF_TEXT("The model file has version %1; this program reads up to version %2. Use a newer program."),
+            SentenceArg(version, 0), SentenceArg(kModelVersion, 0))};
     }
     const Json& units = field(file, "units");
-    for (const auto& [quantity, unit] : {std::pair("temperature", "degC"), std::pair("drift", "um"), std::pair("time", "min"),
-                                         std::pair("speed", "rpm")}) {
+    for (const auto& [quantity, unit] : {std::pair("temperature", "degC"), std::pair("drift", "um"),
+                                         std::pair("time", "min"), std::pair("speed", "rpm")}) {
         if (field(units, quantity) != unit) {
-            throw Refused{Sentence(KERF_TEXT("The model file has another unit of %1; expected %2."), SentenceArg(quantity),
-                                   SentenceArg(unit))};
+            throw Refused{Sentence(KERF_TEXT("The model file has another unit of %1; expected %2."),
+                                   SentenceArg(quantity), SentenceArg(unit))};
         }
     }
     ThermalModel model;
@@ -250,7 +257,8 @@ ThermalModel read(const Json& file) {
     }
     const Json& trained = field(file, "trained_on");
     const std::string fingerprint = text(field(trained, "fingerprint"), "fingerprint");
-    const auto parsed = std::from_chars(fingerprint.data(), fingerprint.data() + fingerprint.size(), model.fingerprint, 16);
+    const auto parsed =
+        std::from_chars(fingerprint.data(), fingerprint.data() + fingerprint.size(), model.fingerprint, 16);
     if (parsed.ec != std::errc{} || parsed.ptr != fingerprint.data() + fingerprint.size()) {
         refuse(KERF_TEXT("Field %1 of the model file has an unknown value."), "fingerprint");
     }
@@ -273,7 +281,8 @@ ThermalModel read(const Json& file) {
     model.features.speedLeak_min = perAxisFrom(field(features, "speed_leak_min"), "speed_leak_min");
     model.features.speedExponent = number(field(features, "speed_exponent"), "speed_exponent");
     if (std::ranges::any_of(model.features.leak_min, [](double tau) { return tau <= 0.0; }) ||
-        std::ranges::any_of(model.features.speedLeak_min, [](double tau) { return tau <= 0.0; }) || model.period_min <= 0.0) {
+        std::ranges::any_of(model.features.speedLeak_min, [](double tau) { return tau <= 0.0; }) ||
+        model.period_min <= 0.0) {
         refuse(KERF_TEXT("Field %1 of the model file is out of range."), "features");
     }
 

@@ -21,7 +21,9 @@ namespace {
 using namespace thermal;
 using Json = nlohmann::ordered_json;
 
-Json axes(const PerAxis& values) { return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}}; }
+Json axes(const PerAxis& values) {
+    return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
+}
 
 /// "240-359": minutes from … to, both included.
 std::pair<double, double> minutesFrom(const std::string& text) {
@@ -35,13 +37,15 @@ std::pair<double, double> minutesFrom(const std::string& text) {
             return {from, to};
         }
     }
-    throw BadInput(fmt::format("--check-rows: '{}' is no range; expected FROM-TO in minutes, 0 <= FROM < TO, as 240-359.", text));
+    throw BadInput(
+        fmt::format("--check-rows: '{}' is no range; expected FROM-TO in minutes, 0 <= FROM < TO, as 240-359.", text));
 }
 
 void printJudgement(const char* kind, std::size_t sensors, const Judgement& judgement) {
-    fmt::print(stderr, "{:<11} {:>2} sensors  rms {:.3g} {:.3g} {:.3g} um  worst {:.3g} {:.3g} {:.3g} um  ({})\n", kind, sensors,
-               judgement.rms_um[0], judgement.rms_um[1], judgement.rms_um[2], judgement.worst_um[0], judgement.worst_um[1],
-               judgement.worst_um[2], judgement.heldOut ? "each day judged by the others" : "own check rows: not held out");
+    fmt::print(stderr, "{:<11} {:>2} sensors  rms {:.3g} {:.3g} {:.3g} um  worst {:.3g} {:.3g} {:.3g} um  ({})\n", kind,
+               sensors, judgement.rms_um[0], judgement.rms_um[1], judgement.rms_um[2], judgement.worst_um[0],
+               judgement.worst_um[1], judgement.worst_um[2],
+               judgement.heldOut ? "each day judged by the others" : "own check rows: not held out");
 }
 
 struct TrainArguments {
@@ -132,8 +136,8 @@ void requireSensors(const ThermalModel& model, const ThermalHistory& history, co
         }
     }
     if (missing.size() > static_cast<std::size_t>(ThermalEstimator::kMaxLost)) {
-        throw BadInput(fmt::format("{}, line 1: columns {} of the model are missing; expected all but two at most.", path,
-                                   fmt::join(missing, ",")));
+        throw BadInput(fmt::format("{}, line 1: columns {} of the model are missing; expected all but two at most.",
+                                   path, fmt::join(missing, ",")));
     }
     if (!missing.empty()) {
         fmt::print(stderr, "kerf: {}: no column {}; taken as open thermocouples.\n", path, fmt::join(missing, ","));
@@ -151,7 +155,8 @@ void tellSensors(const ThermalModel& model, const Replay& replay) {
     }
     const auto unusable = std::ranges::find_if(replay.minutes, [](const auto& m) { return !m.prediction.usable; });
     if (unusable != replay.minutes.end()) {
-        fmt::print(stderr, "kerf: more than two sensors lost from minute {}: the last prediction is held.\n", unusable->time_min);
+        fmt::print(stderr, "kerf: more than two sensors lost from minute {}: the last prediction is held.\n",
+                   unusable->time_min);
     }
 }
 
@@ -184,8 +189,9 @@ struct CompensateArguments {
 void compensateHistory(const CompensateArguments& arguments) {
     const ThermalHistory history = readThermalHistory(arguments.history, HistoryUse::Prediction);
     if (history.trueDrift_um.size() == 0 && history.drift_um.size() == 0) {
-        throw BadInput(fmt::format("{}, line 1: columns yx_true or yx_meas (and y, z) are missing; needed for the residual.",
-                                   arguments.history));
+        throw BadInput(
+            fmt::format("{}, line 1: columns yx_true or yx_meas (and y, z) are missing; needed for the residual.",
+                        arguments.history));
     }
     if (arguments.options.limits.maxShift_um < arguments.options.limits.quantum_um ||
         arguments.options.limits.maxStep_um < arguments.options.limits.quantum_um) {
@@ -209,7 +215,8 @@ void compensateHistory(const CompensateArguments& arguments) {
     }
     CsvOutput out("t_min,shift_x_um,shift_y_um,shift_z_um,residual_x_um,residual_y_um,residual_z_um");
     for (const CompensatedMinute& m : minutes) {
-        out.row(m.time_min, m.shift_um[0], m.shift_um[1], m.shift_um[2], m.residual_um[0], m.residual_um[1], m.residual_um[2]);
+        out.row(m.time_min, m.shift_um[0], m.shift_um[1], m.shift_um[2], m.residual_um[0], m.residual_um[1],
+                m.residual_um[2]);
     }
     out.flush();
 }
@@ -224,7 +231,8 @@ void addTrain(CLI::App& thermal) {
     command->add_option("--criterion", arguments->criterion, "What a network is grown by")
         ->check(CLI::IsMember({"combined", "regularity", "unbiased"}))
         ->capture_default_str();
-    command->add_option("--check-rows", arguments->checkRows, "Check minutes of every day for networks, as 240-359 (default: last third)");
+    command->add_option("--check-rows", arguments->checkRows,
+                        "Check minutes of every day for networks, as 240-359 (default: last third)");
     command->add_option("--max-sensors", arguments->maxSensors, "Sensors a regression may use")
         ->check(CLI::Range(2, static_cast<int>(kMaxRegressionSensors)))
         ->capture_default_str();
@@ -234,7 +242,8 @@ void addTrain(CLI::App& thermal) {
 }
 
 void addPredict(CLI::App& thermal) {
-    auto* command = thermal.add_subcommand("predict", "Drift minute by minute with the half width of its 95 % interval, as CSV.");
+    auto* command =
+        thermal.add_subcommand("predict", "Drift minute by minute with the half width of its 95 % interval, as CSV.");
     auto paths = std::make_shared<std::array<std::string, 2>>();
     command->add_option("--model", (*paths)[0], "Model file")->required();
     command->add_option("--history", (*paths)[1], "CSV of one day")->required();
@@ -242,7 +251,8 @@ void addPredict(CLI::App& thermal) {
 }
 
 void addCompensate(CLI::App& thermal) {
-    auto* command = thermal.add_subcommand("compensate", "Shift the work origin over a recorded day: shifts and residuals as CSV.");
+    auto* command =
+        thermal.add_subcommand("compensate", "Shift the work origin over a recorded day: shifts and residuals as CSV.");
     auto arguments = std::make_shared<CompensateArguments>();
     command->add_option("--model", arguments->model, "Model file")->required();
     command->add_option("--history", arguments->history, "CSV of one day with measured or true drift")->required();
@@ -265,7 +275,8 @@ void addCompensate(CLI::App& thermal) {
 }  // namespace
 
 void addThermalCommands(CLI::App& kerf) {
-    auto* thermal = kerf.add_subcommand("thermal", "Thermal drift of the machine origin: train, predict, compensate, simulate.");
+    auto* thermal =
+        kerf.add_subcommand("thermal", "Thermal drift of the machine origin: train, predict, compensate, simulate.");
     thermal->require_subcommand(1);
     addTrain(*thermal);
     addPredict(*thermal);

@@ -2,4 +2,4 @@
 #include "app/headless/thermal_commands.h"
 namespace kerf::headless {
 void addThermalSimulate(CLI::App&) {}
-}
+}  // namespace kerf::headless

@@ -24,7 +24,8 @@ struct TableArguments {
 /// Files of the folder that are days to judge by, in the order of their names.
 std::vector<std::string> judgedDays(const TableArguments& arguments) {
     if (!std::filesystem::is_directory(arguments.folder)) {
-        throw BadInput(fmt::format("{}: not a folder; expected one with training days and days to judge by.", arguments.folder));
+        throw BadInput(
+            fmt::format("{}: not a folder; expected one with training days and days to judge by.", arguments.folder));
     }
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(arguments.folder)) {
@@ -46,11 +47,14 @@ class Report {
         for (const std::string& name : judgedDays(arguments)) {
             m_days.push_back(readThermalHistory(arguments.folder + "/" + name, HistoryUse::Prediction));
             if (m_days.back().trueDrift_um.size() == 0) {
-                throw BadInput(fmt::format("{}/{}, line 1: columns y?_true are missing; the table compares with the true drift.",
-                                           arguments.folder, name));
+                throw BadInput(
+                    fmt::format("{}/{}, line 1: columns y?_true are missing; the table compares with the true drift.",
+                                arguments.folder, name));
             }
         }
-        fmt::print("| model | sensors | X | Y | Z | inside the interval | warm start, worst |\n|---|---|---|---|---|---|---|\n");
+        fmt::print(
+            "| model | sensors | X | Y | Z | inside the interval | warm start, worst "
+            "|\n|---|---|---|---|---|---|---|\n");
     }
     /// `model` null: uncompensated.
     void row(const std::string& name, const ThermalModel* model, bool perfect = false) const {
@@ -75,7 +79,8 @@ class Report {
             }
             if (isWarmStart(day)) {
                 for (std::size_t axis = 0; axis < kAxes; ++axis) {
-                    warmWorst_um[axis] = std::max(warmWorst_um[axis], errors.col(static_cast<Eigen::Index>(axis)).cwiseAbs().maxCoeff());
+                    warmWorst_um[axis] =
+                        std::max(warmWorst_um[axis], errors.col(static_cast<Eigen::Index>(axis)).cwiseAbs().maxCoeff());
                 }
             } else {
                 cold.push_back(std::move(errors));
@@ -96,8 +101,9 @@ class Report {
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
             fmt::print(" {:.2f}/{:.1f} |", s.rms_um[axis], s.worst_um[axis]);
         }
-        fmt::print(" {} | {:.1f} {:.1f} {:.1f} |\n", model != nullptr ? fmt::format("{:.0f} %", 100.0 * inside / values) : "-",
-                   warmWorst_um[0], warmWorst_um[1], warmWorst_um[2]);
+        fmt::print(" {} | {:.1f} {:.1f} {:.1f} |\n",
+                   model != nullptr ? fmt::format("{:.0f} %", 100.0 * inside / values) : "-", warmWorst_um[0],
+                   warmWorst_um[1], warmWorst_um[2]);
     }
     /// Residual after compensation on the first day.
     void compensation(const ThermalModel& model) const {
@@ -110,7 +116,8 @@ class Report {
                 const auto minutes = compensate(perfect ? perfectReplay(day) : replay(model, day), day, options);
                 Eigen::MatrixXd residuals(static_cast<Eigen::Index>(minutes.size()), 3);
                 for (std::size_t k = 0; k < minutes.size(); ++k) {
-                    residuals.row(static_cast<Eigen::Index>(k)) = Eigen::RowVector3d::Map(minutes[k].residual_um.data());
+                    residuals.row(static_cast<Eigen::Index>(k)) =
+                        Eigen::RowVector3d::Map(minutes[k].residual_um.data());
                 }
                 const ErrorSummary s = summaryOf(residuals);
                 fmt::print("| {} min, {} |", period_min, perfect ? "perfect predictor" : "default model");
@@ -164,10 +171,13 @@ void printTable(const TableArguments& arguments) {
 
 void addThermalTable(CLI::App& thermal) {
     auto* command = thermal.add_subcommand(
-        "table", "The comparison of docs/thermal.md: rms/worst error in um on every day of a folder that is not trained on.");
+        "table",
+        "The comparison of docs/thermal.md: rms/worst error in um on every day of a folder that is not trained on.");
     auto arguments = std::make_shared<TableArguments>();
     command->add_option("--data", arguments->folder, "Folder with the days as CSV")->required();
-    command->add_option("--train", arguments->training, "Training days in that folder; the first alone trains the networks")
+    command
+        ->add_option("--train", arguments->training,
+                     "Training days in that folder; the first alone trains the networks")
         ->capture_default_str();
     command->callback([arguments] { printTable(*arguments); });
 }

@@ -75,7 +75,8 @@ void volumetric(const std::string& path, const std::string& mode) {
     const char* key = file.is_object() && file.contains("cases") ? "cases" : "random_cases";
     const bool bare = file.is_array();
     if (!bare && (!file.is_object() || !file.contains(key) || !file[key].is_array())) {
-        throw BadInput(fmt::format("{}: expected a list of cases, or an object with the list 'cases' or 'random_cases'.", path));
+        throw BadInput(
+            fmt::format("{}: expected a list of cases, or an object with the list 'cases' or 'random_cases'.", path));
     }
     const Json& cases = bare ? file : file[key];
     const CaseReader reader(path);
@@ -93,10 +94,12 @@ void volumetric(const std::string& path, const std::string& mode) {
 }  // namespace
 
 void addThermalVolumetric(CLI::App& thermal) {
-    auto* command = thermal.add_subcommand("volumetric", "Error of the cutting point from error elements of the axes, as JSON.");
+    auto* command =
+        thermal.add_subcommand("volumetric", "Error of the cutting point from error elements of the axes, as JSON.");
     auto arguments = std::make_shared<std::array<std::string, 2>>();
     (*arguments)[1] = "exact";
-    command->add_option("--cases", (*arguments)[0], "JSON: list of {xyz, shape[4]{d,e,w}, joint[3]{e,w}} in mm and rad")->required();
+    command->add_option("--cases", (*arguments)[0], "JSON: list of {xyz, shape[4]{d,e,w}, joint[3]{e,w}} in mm and rad")
+        ->required();
     command->add_option("--mode", (*arguments)[1], "exact transforms, or first order in the errors")
         ->check(CLI::IsMember({"exact", "first-order"}))
         ->capture_default_str();

@@ -95,9 +95,9 @@ std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std:
         const auto& own = days.back().sensors;
         for (std::size_t k = 0; k < std::max(first.size(), own.size()); ++k) {
             if (k >= first.size() || k >= own.size() || first[k] != own[k]) {
-                throw BadInput(fmt::format("{}, line 1, column {}: expected {} as in {}; train with days of one machine.", path,
-                                           k < own.size() ? own[k] : "(none)", k < first.size() ? first[k] : "(none)",
-                                           paths.front()));
+                throw BadInput(fmt::format(
+                    "{}, line 1, column {}: expected {} as in {}; train with days of one machine.", path,
+                    k < own.size() ? own[k] : "(none)", k < first.size() ? first[k] : "(none)", paths.front()));
             }
         }
     }

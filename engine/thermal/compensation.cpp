@@ -6,7 +6,9 @@
 
 namespace kerf::thermal {
 
-double roundHalfEven(double value) noexcept { return value - std::remainder(value, 1.0); }
+double roundHalfEven(double value) noexcept {
+    return value - std::remainder(value, 1.0);
+}
 
 ShiftCommand nextShift(double drift_um, double applied_um, const ShiftLimits& limits) noexcept {
     ShiftCommand command;
@@ -32,7 +34,9 @@ ShiftCommand nextShift(double drift_um, double applied_um, const ShiftLimits& li
     return command;
 }
 
-double holdShare(double outsideSpans) noexcept { return std::clamp(1.0 - outsideSpans, 0.0, 1.0); }
+double holdShare(double outsideSpans) noexcept {
+    return std::clamp(1.0 - outsideSpans, 0.0, 1.0);
+}
 
 namespace {
 constexpr std::uint16_t kAliveBit = 1U << 15U;

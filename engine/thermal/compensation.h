@@ -15,7 +15,7 @@ inline constexpr std::size_t kAxes = 3;  ///< X, Y, Z
 
 /// How far and how fast one update may move the origin.
 struct ShiftLimits {
-    double quantum_um{1.0};    ///< > 0; the control moves in whole steps of this
+    double quantum_um{1.0};     ///< > 0; the control moves in whole steps of this
     double maxShift_um{100.0};  ///< |total shift| ≤ this, ≥ quantum
     double maxStep_um{15.0};    ///< |change in one update| ≤ this, ≥ quantum
 };
@@ -64,9 +64,10 @@ struct RequestWord {
 /// Bits other than 4, 1 and 0 are ignored; empty for the reserved axis 3.
 [[nodiscard]] std::optional<RequestWord> decodeRequestWord(std::uint8_t word) noexcept;
 
-/// What the CNC does with the alive bit: no living word within `timeout_s` means the console is gone, hold the last shift.
+/// What the CNC does with the alive bit: no living word within `timeout_s` means the console is gone, hold the last
+/// shift.
 class AliveWatch {
-   public:
+ public:
     explicit constexpr AliveWatch(double timeout_s) noexcept : m_timeout_s(timeout_s) {}
     /// A word arrived at `now_s`.
     void seen(const ShiftWord& word, double now_s) noexcept {
@@ -76,7 +77,7 @@ class AliveWatch {
     }
     [[nodiscard]] bool alive(double now_s) const noexcept { return m_last_s && now_s - *m_last_s <= m_timeout_s; }
 
-   private:
+ private:
     double m_timeout_s;
     std::optional<double> m_last_s{};
 };

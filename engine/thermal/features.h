@@ -14,9 +14,10 @@
 ///   leaky     m += (1 − exp(−dt/τ))·(r − m)            τ = 4 and 15 min
 ///   heat      h += (1 − exp(−dt/τ))·((n/1000)^1.5 − h)  τ = 4, 12 and 40 min, n in rpm
 ///
-/// The leaky means say how fast a part warms, which "one step before" drowns in noise. The heat terms stand for the shaft,
-/// whose temperature no thermocouple sees; 1.5 is the usual speed exponent of bearing friction power. All terms are zero at
-/// the baseline, so an absolute temperature never enters. One code computes them for training and for the cycle.
+/// The leaky means say how fast a part warms, which "one step before" drowns in noise. The heat terms stand for the
+/// shaft, whose temperature no thermocouple sees; 1.5 is the usual speed exponent of bearing friction power. All terms
+/// are zero at the baseline, so an absolute temperature never enters. One code computes them for training and for the
+/// cycle.
 namespace kerf::thermal {
 
 inline constexpr int kTermsPerSensor = 3;
@@ -30,7 +31,9 @@ struct FeatureSpec {
 };
 
 /// Share of the way a leaky mean goes in dt.
-[[nodiscard]] inline double leakShare(double dt_min, double tau_min) noexcept { return -std::expm1(-dt_min / tau_min); }
+[[nodiscard]] inline double leakShare(double dt_min, double tau_min) noexcept {
+    return -std::expm1(-dt_min / tau_min);
+}
 
 /// Features of one sensor over time.
 struct SensorTerms {

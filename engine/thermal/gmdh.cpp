@@ -16,7 +16,9 @@ namespace {
 /// Below this the criterion is rounding error: the model is exact and growth ends.
 constexpr double kExact = 1e-12;
 
-Eigen::MatrixXd rowsOf(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows) { return all(rows, Eigen::all); }
+Eigen::MatrixXd rowsOf(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows) {
+    return all(rows, Eigen::all);
+}
 
 double criterionOf(double r2, double u2, GmdhCriterion criterion) {
     switch (criterion) {
@@ -78,8 +80,9 @@ struct Norms {
 
 /// Fits every pair for every output from moments. `best[output]` gets all candidates, unsorted.
 template <int K>
-void fitAllPairs(const PairMoments& mA, const PairMoments& mB, const PairMoments& mC, double ridge, GmdhCriterion criterion,
-                 const std::vector<Norms>& norms, std::vector<std::vector<GmdhCandidate>>& candidates) {
+void fitAllPairs(const PairMoments& mA, const PairMoments& mB, const PairMoments& mC, double ridge,
+                 GmdhCriterion criterion, const std::vector<Norms>& norms,
+                 std::vector<std::vector<GmdhCandidate>>& candidates) {
     using Basis = PairBasis<K>;
     PairMoments mAB = mA;
     mAB += mB;
@@ -115,8 +118,9 @@ void fitAllPairs(const PairMoments& mA, const PairMoments& mB, const PairMoments
                 const double residual = mC.yy[column] - 2.0 * dot + Basis::quadraticForm(gC, ab);
                 const double r2 = std::max(residual, 0.0) / norms[output].check;
                 const double u2 = std::max(Basis::quadraticForm(gAll, difference), 0.0) / norms[output].all;
-                candidates[output].push_back({static_cast<int>(i), static_cast<int>(j), widen<K>(ab), widen<K>(a), widen<K>(b),
-                                              std::sqrt(r2), std::sqrt(u2), criterionOf(r2, u2, criterion)});
+                candidates[output].push_back({static_cast<int>(i), static_cast<int>(j), widen<K>(ab), widen<K>(a),
+                                              widen<K>(b), std::sqrt(r2), std::sqrt(u2),
+                                              criterionOf(r2, u2, criterion)});
             }
         }
     }
@@ -171,7 +175,8 @@ Problem prepare(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const GmdhRo
     const auto meanOf = [training](const auto& a, const auto& b) -> Eigen::RowVectorXd {
         return (a.colwise().sum() + b.colwise().sum()) / training;
     };
-    const auto deviationOf = [training](const auto& a, const auto& b, const Eigen::RowVectorXd& mean) -> Eigen::RowVectorXd {
+    const auto deviationOf = [training](const auto& a, const auto& b,
+                                        const Eigen::RowVectorXd& mean) -> Eigen::RowVectorXd {
         const Eigen::RowVectorXd sum =
             (a.rowwise() - mean).colwise().squaredNorm() + (b.rowwise() - mean).colwise().squaredNorm();
         Eigen::RowVectorXd deviation = (sum / training).cwiseSqrt();
@@ -238,7 +243,8 @@ void keepBest(std::vector<GmdhCandidate>& candidates, const LayerData& data, con
     const bool exact = options.ridge == 0.0;
     // A few more than are kept: exact digits may change the order at the edge.
     const auto look = exact ? std::min(candidates.size(), keep + keep / 2 + 2) : keep;
-    std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(look), candidates.end(), better);
+    std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(look), candidates.end(),
+                      better);
     candidates.resize(look);
     if (exact) {
         for (GmdhCandidate& candidate : candidates) {
@@ -316,11 +322,12 @@ void dropUnused(GmdhModel& model) {
 
 std::optional<Sentence> whyUntrainable(const Eigen::MatrixXd& x, const GmdhRows& rows, const GmdhOptions& options) {
     if (x.cols() < 2) {
-        return Sentence(KERF_TEXT("A network of pairs needs at least 2 inputs; got %1."), {static_cast<double>(x.cols()), 0});
+        return Sentence(KERF_TEXT("A network of pairs needs at least 2 inputs; got %1."),
+                        {static_cast<double>(x.cols()), 0});
     }
     if (options.width < 1 || options.width > kMaxGmdhWidth || options.maxLayers < 1 || !(options.ridge >= 0.0)) {
-        return Sentence(KERF_TEXT("Network width %1 is out of range; expected 1 to %2."), {static_cast<double>(options.width), 0},
-                        {static_cast<double>(kMaxGmdhWidth), 0});
+        return Sentence(KERF_TEXT("Network width %1 is out of range; expected 1 to %2."),
+                        {static_cast<double>(options.width), 0}, {static_cast<double>(kMaxGmdhWidth), 0});
     }
     const auto smallest = std::min({rows.a.size(), rows.b.size(), rows.check.size()});
     if (smallest < 8) {
@@ -332,8 +339,8 @@ std::optional<Sentence> whyUntrainable(const Eigen::MatrixXd& x, const GmdhRows&
 
 }  // namespace
 
-std::vector<GmdhCandidate> firstLayerCandidates(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const GmdhRows& rows,
-                                                const GmdhOptions& options) {
+std::vector<GmdhCandidate> firstLayerCandidates(const Eigen::MatrixXd& x, const Eigen::VectorXd& y,
+                                                const GmdhRows& rows, const GmdhOptions& options) {
     const Problem p = prepare(x, y, rows, options);
     auto candidates = candidatesOf(p.first, p.yA, p.yB, p.yC, p.norms, options);
     std::ranges::sort(candidates.front(), {}, [](const GmdhCandidate& c) { return std::pair(c.i, c.j); });
@@ -360,10 +367,11 @@ Result<std::vector<GmdhModel>> trainGmdh(const Eigen::MatrixXd& x, const Eigen::
         LayerData data = p.first;
         double best = std::numeric_limits<double>::max();
         for (int layer = 0; layer < options.maxLayers && data.xA.cols() >= 2 && best > kExact; ++layer) {
-            auto candidates = layer == 0 ? std::move(firstLayer[static_cast<std::size_t>(output)])
-                                         : std::move(candidatesOf(data, p.yA.col(output), p.yB.col(output), p.yC.col(output),
-                                                                  norms, options)
-                                                         .front());
+            auto candidates =
+                layer == 0
+                    ? std::move(firstLayer[static_cast<std::size_t>(output)])
+                    : std::move(candidatesOf(data, p.yA.col(output), p.yB.col(output), p.yC.col(output), norms, options)
+                                    .front());
             const int count = static_cast<int>(candidates.size());
             keepBest(candidates, data, p, output, options);
             if (!(candidates.front().c < best * (1.0 - options.minFall))) {

@@ -16,19 +16,19 @@
 ///   neuron     z = A + B·xi + C·xj + D·xi² + E·xj² + F·xi·xj        for every pair of inputs (Quadratic)
 ///              z = A + B·xi + C·xj + F·xi·xj                        (Bilinear: D = E = 0)
 ///   regularity r² = Σ_C (y − z)² / Σ_C y²                           eq. 10, on the check rows C
-///   unbiased   u² = Σ_all (z_A − z_B)² / Σ_all y²                   eq. 11, z_A and z_B fitted on training sets A and B
-///   combined   c  = √(r² + u²)                                      eq. 12
+///   unbiased   u² = Σ_all (z_A − z_B)² / Σ_all y²                   eq. 11, z_A and z_B fitted on training sets A and
+///   B combined   c  = √(r² + u²)                                      eq. 12
 ///
-/// The neuron itself is fitted on A and B together. The best `width` neurons of a layer are the inputs of the next; a layer
-/// whose best criterion does not fall is dropped and the best neuron before it is the model.
+/// The neuron itself is fitted on A and B together. The best `width` neurons of a layer are the inputs of the next; a
+/// layer whose best criterion does not fall is dropped and the best neuron before it is the model.
 ///
 /// Source: Ivakhnenko; Ahn & Chung eqs. 9-12. Guards against what goes wrong as printed: standardised inputs, ridge
-/// (λ·rows on the diagonal but the constant), every neuron clamped to its training range ± clampSpans spans, few layers,
-/// and A and B as blocks (the caller's rows).
+/// (λ·rows on the diagonal but the constant), every neuron clamped to its training range ± clampSpans spans, few
+/// layers, and A and B as blocks (the caller's rows).
 ///
 /// How all pairs are fitted: the normal equations of every pair are entries of X'X, (X²)'X, (X²)'(X²), (X³)'X and
-/// X'·diag(y)·X, five matrix products per row set; r and u follow from the same products. Without ridge the best candidates
-/// are fitted again by QR from the rows, because normal equations of nearly equal inputs lose digits.
+/// X'·diag(y)·X, five matrix products per row set; r and u follow from the same products. Without ridge the best
+/// candidates are fitted again by QR from the rows, because normal equations of nearly equal inputs lose digits.
 namespace kerf::thermal {
 
 enum class GmdhBasis : std::uint8_t { Quadratic, Bilinear };

@@ -21,7 +21,9 @@ std::optional<HistoryFault> timeFault(const ThermalHistory& h) {
         }
     }
     if (h.baselineRows() == 0) {
-        return HistoryFault{0, "t_min", Sentence(KERF_TEXT("no row before time 0; expected at least one baseline row with t_min < 0."))};
+        return HistoryFault{
+            0, "t_min",
+            Sentence(KERF_TEXT("no row before time 0; expected at least one baseline row with t_min < 0."))};
     }
     return std::nullopt;
 }
@@ -37,8 +39,8 @@ std::optional<HistoryFault> gapFault(const ThermalHistory& h) {
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (steps[k] > 1.5 * usual_min) {
             return HistoryFault{static_cast<Eigen::Index>(k + 1), "t_min",
-                                Sentence(KERF_TEXT("gap of %1 min; expected an even step of %2 min without gaps."), {steps[k], 3},
-                                         {usual_min, 3})};
+                                Sentence(KERF_TEXT("gap of %1 min; expected an even step of %2 min without gaps."),
+                                         {steps[k], 3}, {usual_min, 3})};
         }
     }
     return std::nullopt;
@@ -61,14 +63,17 @@ std::optional<HistoryFault> temperatureFault(const ThermalHistory& h) {
         }
         const auto column = h.temp_degC.col(s);
         if (column.maxCoeff() == column.minCoeff()) {
-            return HistoryFault{0, name,
-                                Sentence(KERF_TEXT("constant at %1 in every row; expected a temperature that moves. Leave the column out."),
-                                         {column[0], 3})};
+            return HistoryFault{
+                0, name,
+                Sentence(
+                    KERF_TEXT("constant at %1 in every row; expected a temperature that moves. Leave the column out."),
+                    {column[0], 3})};
         }
         const double start_degC = column.head(baseline).mean();
         if (start_degC > kHottestBaseline_degC) {
-            return HistoryFault{0, name,
-                                Sentence(KERF_TEXT("baseline of %1 looks like degrees Fahrenheit; expected degC."), {start_degC, 1})};
+            return HistoryFault{
+                0, name,
+                Sentence(KERF_TEXT("baseline of %1 looks like degrees Fahrenheit; expected degC."), {start_degC, 1})};
         }
     }
     return std::nullopt;
@@ -77,7 +82,8 @@ std::optional<HistoryFault> temperatureFault(const ThermalHistory& h) {
 std::optional<HistoryFault> driftFault(const ThermalHistory& h) {
     static const std::array<const char*, 3> names{"yx_meas", "yy_meas", "yz_meas"};
     if (h.drift_um.cols() != 3) {
-        return HistoryFault{0, "yx_meas", Sentence(KERF_TEXT("no measured drift; training needs yx_meas, yy_meas and yz_meas."))};
+        return HistoryFault{0, "yx_meas",
+                            Sentence(KERF_TEXT("no measured drift; training needs yx_meas, yy_meas and yz_meas."))};
     }
     const Eigen::Index first = h.baselineRows();
     double largest_um = 0.0;
@@ -96,9 +102,10 @@ std::optional<HistoryFault> driftFault(const ThermalHistory& h) {
         largestRise_K = std::max(largestRise_K, h.temp_degC.col(s).maxCoeff() - h.temp_degC(0, s));
     }
     if (largest_um < kSmallestDrift && largestRise_K > 1.0) {
-        return HistoryFault{first, names[0],
-                            Sentence(KERF_TEXT("largest drift is %1 while the machine warms by %2 K; expected um, not mm."),
-                                     {largest_um, 4}, {largestRise_K, 1})};
+        return HistoryFault{
+            first, names[0],
+            Sentence(KERF_TEXT("largest drift is %1 while the machine warms by %2 K; expected um, not mm."),
+                     {largest_um, 4}, {largestRise_K, 1})};
     }
     return std::nullopt;
 }
@@ -119,7 +126,8 @@ std::optional<Eigen::Index> ThermalHistory::sensorIndex(const std::string& name)
 
 std::optional<HistoryFault> whyNotUsable(const ThermalHistory& history) {
     if (history.rows() < 2) {
-        return HistoryFault{0, "t_min", Sentence(KERF_TEXT("too short; expected baseline rows and at least one row from time 0."))};
+        return HistoryFault{0, "t_min",
+                            Sentence(KERF_TEXT("too short; expected baseline rows and at least one row from time 0."))};
     }
     if (auto fault = timeFault(history)) {
         return fault;
@@ -176,7 +184,8 @@ std::uint64_t fingerprintOf(const std::vector<ThermalHistory>& histories) {
         for (const double value : h.temp_degC.reshaped()) {
             number(value);
         }
-        const Eigen::MatrixXd measured = h.drift_um.size() > 0 ? h.drift_um.bottomRows(h.workRows()).eval() : h.drift_um;
+        const Eigen::MatrixXd measured =
+            h.drift_um.size() > 0 ? h.drift_um.bottomRows(h.workRows()).eval() : h.drift_um;
         for (const double value : measured.reshaped()) {
             number(value);
         }

@@ -46,7 +46,7 @@ struct HistoryFault {
 /// FNV-1a over names and numbers of the training days: the same data give the same fingerprint.
 [[nodiscard]] std::uint64_t fingerprintOf(const std::vector<ThermalHistory>& histories);
 
-inline constexpr double kLowestTemp_degC = -30.0;   ///< of a shop-floor thermocouple; beyond: open or shorted
+inline constexpr double kLowestTemp_degC = -30.0;  ///< of a shop-floor thermocouple; beyond: open or shorted
 inline constexpr double kHighestTemp_degC = 150.0;
 
 }  // namespace kerf::thermal

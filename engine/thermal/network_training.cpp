@@ -25,7 +25,8 @@ Eigen::MatrixXd inputsOf(ModelKind kind, const ThermalHistory& day, const Featur
 
 GmdhInput inputMeaning(ModelKind kind, int column, int sensors) {
     if (kind == ModelKind::GmdhPaper) {
-        return column < sensors ? GmdhInput{column, InputKind::Now, 0} : GmdhInput{column - sensors, InputKind::Before, 0};
+        return column < sensors ? GmdhInput{column, InputKind::Now, 0}
+                                : GmdhInput{column - sensors, InputKind::Before, 0};
     }
     return {column / kTermsPerSensor, InputKind::Term, column % kTermsPerSensor};
 }
@@ -49,8 +50,9 @@ Stacked stack(ModelKind kind, const std::vector<const ThermalHistory*>& days, co
         out.y.bottomRows(x.rows()) = detail::measuredDrift(*day);
         for (Index row = 0; row < x.rows(); ++row) {
             const double t_min = day->time_min[static_cast<std::size_t>(row + day->baselineRows())];
-            const bool check = options.check_min ? t_min >= options.check_min->first && t_min <= options.check_min->second
-                                                 : row >= x.rows() * 2 / 3;
+            const bool check = options.check_min
+                                   ? t_min >= options.check_min->first && t_min <= options.check_min->second
+                                   : row >= x.rows() * 2 / 3;
             (check ? out.rows.check : training).push_back(begin + row);
         }
         begin += x.rows();
@@ -81,8 +83,8 @@ Eigen::MatrixXd errorsOf(const std::vector<GmdhModel>& networks, const Eigen::Ma
 
 }  // namespace
 
-Result<ThermalModel> trainNetwork(ModelKind kind, const std::vector<ThermalHistory>& days, const TrainingOptions& options,
-                                  const TrainingProgress& progress) {
+Result<ThermalModel> trainNetwork(ModelKind kind, const std::vector<ThermalHistory>& days,
+                                  const TrainingOptions& options, const TrainingProgress& progress) {
     if (const auto why = detail::whyNotTogether(days)) {
         return tl::unexpected(*why);
     }
@@ -136,7 +138,8 @@ Result<ThermalModel> trainNetwork(ModelKind kind, const std::vector<ThermalHisto
     const std::vector<Index> sensors(used.begin(), used.end());
     if (sensors.size() > kMaxModelSensors) {
         return fail(KERF_TEXT("The network reads %1 sensors; at most %2 are supported."),
-                    SentenceArg(static_cast<double>(sensors.size()), 0), SentenceArg(static_cast<double>(kMaxModelSensors), 0));
+                    SentenceArg(static_cast<double>(sensors.size()), 0),
+                    SentenceArg(static_cast<double>(kMaxModelSensors), 0));
     }
     ThermalModel model = detail::modelFrame(kind, days, sensors, options.features);
     GmdhPart part;
@@ -179,7 +182,8 @@ Result<AutoTraining> trainAuto(const std::vector<ThermalHistory>& days, const Tr
             score += std::log(rms_um);
         }
         out.compared.push_back({kKinds[k], model->judgement, model->sensors.size()});
-        if (score < bestScore) {
+        const bool only = days.size() == 1;
+        if (only ? kKinds[k] == ModelKind::Gmdh : score < bestScore) {
             bestScore = score;
             out.best = std::move(*model);
         }

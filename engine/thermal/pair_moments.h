@@ -12,12 +12,12 @@ namespace kerf::thermal {
 
 struct PairMoments {
     double rows{0.0};
-    Eigen::VectorXd x;                 ///< Σ xi
-    Eigen::MatrixXd xx;                ///< Σ xi xj
-    Eigen::MatrixXd xxx;               ///< (i,j): Σ xi² xj
-    Eigen::MatrixXd xxxT;              ///< its transpose, for walking down columns
-    Eigen::MatrixXd x2x2;              ///< Σ xi² xj²
-    Eigen::MatrixXd x3x;               ///< (i,j): Σ xi³ xj; empty for the bilinear basis
+    Eigen::VectorXd x;     ///< Σ xi
+    Eigen::MatrixXd xx;    ///< Σ xi xj
+    Eigen::MatrixXd xxx;   ///< (i,j): Σ xi² xj
+    Eigen::MatrixXd xxxT;  ///< its transpose, for walking down columns
+    Eigen::MatrixXd x2x2;  ///< Σ xi² xj²
+    Eigen::MatrixXd x3x;   ///< (i,j): Σ xi³ xj; empty for the bilinear basis
     Eigen::MatrixXd x3xT;
     Eigen::RowVectorXd y;              ///< Σ y, per output
     Eigen::RowVectorXd yy;             ///< Σ y²
@@ -34,7 +34,7 @@ struct PairMoments {
 template <int K>
 struct PairBasis {
     static_assert(K == 4 || K == 6);
-    using Gram = std::array<double, static_cast<std::size_t>(K * K)>;  ///< lower triangle used
+    using Gram = std::array<double, static_cast<std::size_t>(K* K)>;  ///< lower triangle used
     using Vector = std::array<double, static_cast<std::size_t>(K)>;
 
     static void gram(const PairMoments& m, Eigen::Index i, Eigen::Index j, Gram& g) noexcept {
@@ -75,7 +75,8 @@ struct PairBasis {
             b[4] = m.x2y(j, output);
         }
     }
-    /// In-place L·D·Lᵀ of the lower triangle. A pivot that vanishes against its diagonal drops its term (coefficient 0).
+    /// In-place L·D·Lᵀ of the lower triangle. A pivot that vanishes against its diagonal drops its term (coefficient
+    /// 0).
     static void factor(Gram& g, double ridgeTimesRows) noexcept {
         const auto at = [&g](int row, int col) -> double& { return g[static_cast<std::size_t>(row * K + col)]; };
         std::array<double, static_cast<std::size_t>(K)> diagonal{};

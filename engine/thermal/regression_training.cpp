@@ -17,6 +17,7 @@ constexpr std::array<double, 6> kRidges{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
 constexpr std::size_t kBlocksOfOneDay = 4;
 /// µm²: an improvement below this mean square error cannot be told from luck.
 constexpr double kScoreFloor_um2 = 0.02;
+/// Below the 1.96 of a normal error: the days left out leave fewer to train on, so the rms is pessimistic.
 constexpr double kIntervalFactor = 1.7;
 /// Judged on its own blocks, or without a second choice of sensors, a model looks better than it is.
 constexpr double kNotNested = 1.5;
@@ -96,8 +97,9 @@ using FoldSet = std::vector<const Fold*>;
 
 /// One of the two regressions: which folds and which terms it uses.
 class Variant {
-   public:
-    Variant(FoldSet folds, Index sensors, bool withSpeed) : m_folds(std::move(folds)), m_sensors(sensors), m_speed(withSpeed) {
+ public:
+    Variant(FoldSet folds, Index sensors, bool withSpeed)
+        : m_folds(std::move(folds)), m_sensors(sensors), m_speed(withSpeed) {
         m_gram = Eigen::MatrixXd::Zero(m_folds.front()->gram.rows(), m_folds.front()->gram.cols());
         m_moment = Eigen::MatrixXd::Zero(m_gram.rows(), static_cast<Index>(kAxes));
         for (const Fold* fold : m_folds) {
@@ -121,7 +123,8 @@ class Variant {
     }
 
     /// Mean square error per axis on each fold by the others, at each ridge: [ridge][axis].
-    [[nodiscard]] std::vector<PerAxis> leaveOneOut(const std::vector<Index>& sensors, std::span<const double> ridges) const {
+    [[nodiscard]] std::vector<PerAxis> leaveOneOut(const std::vector<Index>& sensors,
+                                                   std::span<const double> ridges) const {
         const std::vector<Index> t = terms(sensors);
         const auto heatBegin = static_cast<Index>(sensors.size()) * kTermsPerSensor;
         const Eigen::MatrixXd all = m_gram(t, t);
@@ -160,7 +163,7 @@ class Variant {
     }
     [[nodiscard]] const FoldSet& folds() const noexcept { return m_folds; }
 
-   private:
+ private:
     FoldSet m_folds;
     Index m_sensors;
     bool m_speed;
@@ -218,7 +221,7 @@ Variants variantsOf(const AllFolds& folds, std::size_t leftOut, Index sensors, b
 struct Cancelled {};
 
 class Work {
-   public:
+ public:
     Work(const TrainingProgress& progress, double total) : m_progress(progress), m_total(total) {}
     void step() {
         m_done += 1.0;
@@ -227,7 +230,7 @@ class Work {
         }
     }
 
-   private:
+ private:
     const TrainingProgress& m_progress;
     double m_total;
     double m_done{0.0};
@@ -284,8 +287,8 @@ BestRidge fineRidge(const Variant& variant, const std::vector<Index>& sensors, c
 }
 
 /// Interval for every lost set: the honest rms, scaled by how much the loss costs in leave-one-out.
-void fillIntervals(const Variant& variant, const std::vector<Index>& sensors, const PerAxis& noise_um2, const PerAxis& rms_um,
-                   NormalEquations& equations) {
+void fillIntervals(const Variant& variant, const std::vector<Index>& sensors, const PerAxis& noise_um2,
+                   const PerAxis& rms_um, NormalEquations& equations) {
     const auto excessWithout = [&](const std::vector<std::size_t>& lost) {
         std::vector<Index> left;
         for (std::size_t k = 0; k < sensors.size(); ++k) {
@@ -320,9 +323,10 @@ void fillIntervals(const Variant& variant, const std::vector<Index>& sensors, co
     }
 }
 
-/// Errors of a variant on a fold that took no part, one entry per uninterrupted series.
-void collectErrors(const Fold& fold, const Variant& variant, const std::vector<Index>& sensors, const PerAxis& ridge,
-                   std::vector<Eigen::MatrixXd>& errors) {
+/// Errors of a variant on folds that took no part, one entry per uninterrupted series.
+using Errors = std::vector<Eigen::MatrixXd>;
+void collect(const Fold& fold, const Variant& variant, const std::vector<Index>& sensors, const PerAxis& ridge,
+             Errors& errors) {
     const Eigen::MatrixXd w = solveWithout(variant.equations(sensors, ridge), {});
     const Eigen::MatrixXd all = fold.y - fold.x(Eigen::all, variant.terms(sensors)) * w;
     for (std::size_t k = 0; k < fold.seriesBegin.size(); ++k) {
@@ -332,8 +336,8 @@ void collectErrors(const Fold& fold, const Variant& variant, const std::vector<I
 }
 
 struct Honest {
-    std::vector<Eigen::MatrixXd> temperatures{};
-    std::vector<Eigen::MatrixXd> withSpeed{};
+    Errors temperatures{};
+    Errors withSpeed{};
 };
 
 /// Leave each fold out of everything, choose and train on the rest, and collect the errors on it.
@@ -343,11 +347,11 @@ Honest nestedErrors(const AllFolds& folds, Index available, bool hasSpeed, const
     for (std::size_t left = 0; left < folds.anyStart.size(); ++left) {
         const Variants variants = variantsOf(folds, left, available, hasSpeed);
         const std::vector<Index> sensors = chooseSensors(variants, available, options, noise_um2, work);
-        collectErrors(folds.anyStart[left], variants.temperatures, sensors,
-                      fineRidge(variants.temperatures, sensors, noise_um2).ridge, out.temperatures);
+        collect(folds.anyStart[left], variants.temperatures, sensors,
+                fineRidge(variants.temperatures, sensors, noise_um2).ridge, out.temperatures);
         if (variants.withSpeed && folds.asRecorded[left].atRest) {
-            collectErrors(folds.asRecorded[left], *variants.withSpeed, sensors,
-                          fineRidge(*variants.withSpeed, sensors, noise_um2).ridge, out.withSpeed);
+            collect(folds.asRecorded[left], *variants.withSpeed, sensors,
+                    fineRidge(*variants.withSpeed, sensors, noise_um2).ridge, out.withSpeed);
         }
     }
     return out;
@@ -356,18 +360,18 @@ Honest nestedErrors(const AllFolds& folds, Index available, bool hasSpeed, const
 /// With two folds nothing is left to choose by: errors of the chosen sensors, trained on the other fold.
 Honest plainErrors(const Variants& variants, const std::vector<Index>& sensors, const PerAxis& noise_um2) {
     Honest out;
-    const auto collect = [&](const Variant& variant, std::vector<Eigen::MatrixXd>& errors, bool speed) {
+    const auto judge = [&](const Variant& variant, Errors& errors, bool speed) {
         const PerAxis ridge = fineRidge(variant, sensors, noise_um2).ridge;
-        for (const Fold* judge : variant.folds()) {
+        for (const Fold* left : variant.folds()) {
             FoldSet rest = variant.folds();
-            std::erase(rest, judge);
-            const Index available = (judge->x.cols() - kSpeedTerms) / kTermsPerSensor;
-            collectErrors(*judge, Variant(rest, available, speed), sensors, ridge, errors);
+            std::erase(rest, left);
+            const Index available = (left->x.cols() - kSpeedTerms) / kTermsPerSensor;
+            collect(*left, Variant(rest, available, speed), sensors, ridge, errors);
         }
     };
-    collect(variants.temperatures, out.temperatures, false);
+    judge(variants.temperatures, out.temperatures, false);
     if (variants.withSpeed) {
-        collect(*variants.withSpeed, out.withSpeed, true);
+        judge(*variants.withSpeed, out.withSpeed, true);
     }
     return out;
 }
@@ -385,7 +389,8 @@ Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, co
     const PerAxis noise_um2 = measurementVariance_um2(days);
     const std::size_t foldCount = folds.anyStart.size();
     const bool nested = foldCount >= 3;
-    Work work(progress, static_cast<double>(options.maxSensors) * (nested ? 1.0 + static_cast<double>(foldCount) : 1.0));
+    Work work(progress,
+              static_cast<double>(options.maxSensors) * (nested ? 1.0 + static_cast<double>(foldCount) : 1.0));
     try {
         const Variants variants = variantsOf(folds, foldCount, available, hasSpeed);
         const std::vector<Index> sensors = chooseSensors(variants, available, options, noise_um2, work);
@@ -401,13 +406,13 @@ Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, co
         };
         ThermalModel model = detail::modelFrame(ModelKind::Regression, days, sensors, options.features);
         RegressionPart part;
-        const auto finish = [&](const Variant& variant, const std::vector<Eigen::MatrixXd>& errors) {
+        const auto finish = [&](const Variant& variant, const Errors& errors) {
             NormalEquations equations = variant.equations(sensors, fineRidge(variant, sensors, noise_um2).ridge);
             fillIntervals(variant, sensors, noise_um2, rmsOf(errors), equations);
             return equations;
         };
         part.temperatures = finish(variants.temperatures, honest.temperatures);
-        const std::vector<Eigen::MatrixXd>* judged = &honest.temperatures;
+        const Errors* judged = &honest.temperatures;
         if (variants.withSpeed && !honest.withSpeed.empty()) {
             part.withSpeed = finish(*variants.withSpeed, honest.withSpeed);
             judged = &honest.withSpeed;

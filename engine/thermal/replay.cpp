@@ -79,7 +79,8 @@ std::vector<CompensatedMinute> compensate(const Replay& replay, const ThermalHis
         }
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
             if (due && minute.prediction.usable) {
-                trusted_um[axis] += holdShare(minute.prediction.outside) * (minute.prediction.drift_um[axis] - trusted_um[axis]);
+                trusted_um[axis] +=
+                    holdShare(minute.prediction.outside) * (minute.prediction.drift_um[axis] - trusted_um[axis]);
                 const ShiftCommand command = nextShift(trusted_um[axis], shift_um[axis], options.limits);
                 shift_um[axis] = command.total_um;
                 row.limited = row.limited || command.sizeLimited || command.rateLimited;

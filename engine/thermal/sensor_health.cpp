@@ -81,8 +81,10 @@ void SensorHealth::observe(std::size_t sensor, const Reading& reading, double dt
     }
     if (s.readings > 1) {
         const double second_K = reading.value - 2.0 * s.last_degC + s.beforeLast_degC;
-        s.curvature_K2 += leakShare(dt_min, kNoiseMemory_min) * (second_K * second_K / 6.0 - s.curvature_K2);
         const double limit_K = std::max(m_params.noiseFactor * s.noise_K, m_params.noiseFloor_K);
+        // One jump is an offset, not noise: its share is capped.
+        const double curvature_K2 = std::min(second_K * second_K / 6.0, 4.0 * limit_K * limit_K);
+        s.curvature_K2 += leakShare(dt_min, kNoiseMemory_min) * (curvature_K2 - s.curvature_K2);
         if (s.curvature_K2 > limit_K * limit_K && s.readings > static_cast<int>(kNoiseMemory_min / 2.0)) {
             s.state = SensorState::Noisy;
             return;

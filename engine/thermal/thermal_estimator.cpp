@@ -11,8 +11,6 @@ namespace {
 constexpr double kAtRest_K = 0.5;         // deviation up to which the heat terms count fully
 constexpr double kWarm_K = 1.5;           // and from which they do not count
 constexpr double kShareLossPerMin = 0.1;  // heat terms leave slowly when the speed signal is lost
-constexpr double kFreeMargin = 0.1;       // spans outside the training range that cost nothing
-constexpr double kWidenPerSpan = 3.0;
 
 }  // namespace
 
@@ -25,7 +23,8 @@ ThermalEstimator::Solved ThermalEstimator::solveAll(const NormalEquations& equat
         const Eigen::MatrixXd weights = solveWithout(equations, lost);
         for (Eigen::Index term = 0; term < weights.rows(); ++term) {
             for (std::size_t axis = 0; axis < kAxes; ++axis) {
-                solved.weights[set][static_cast<std::size_t>(term)][axis] = weights(term, static_cast<Eigen::Index>(axis));
+                solved.weights[set][static_cast<std::size_t>(term)][axis] =
+                    weights(term, static_cast<Eigen::Index>(axis));
             }
         }
     };
@@ -106,7 +105,8 @@ void ThermalEstimator::finishBaseline() noexcept {
         }
     }
     m_restDeviation_K = healthy > 0 ? std::sqrt(sum / healthy) : 0.0;
-    m_speedShare = m_withSpeed && healthy > 0 ? std::clamp((kWarm_K - m_restDeviation_K) / (kWarm_K - kAtRest_K), 0.0, 1.0) : 0.0;
+    m_speedShare =
+        m_withSpeed && healthy > 0 ? std::clamp((kWarm_K - m_restDeviation_K) / (kWarm_K - kAtRest_K), 0.0, 1.0) : 0.0;
     m_started = true;
 }
 
@@ -118,16 +118,13 @@ double ThermalEstimator::clampedTerm(std::size_t sensor, std::size_t term, bool&
     return inside;
 }
 
-double ThermalEstimator::outsideSpans() const noexcept {
+double ThermalEstimator::outside() const noexcept {
     double worst = 0.0;
     for (std::size_t i = 0; i < m_count; ++i) {
-        if (m_health.leftOut(i)) {
-            continue;
+        if (!m_health.leftOut(i)) {
+            // The leaky mean: one noisy reading is not a new regime.
+            worst = std::max(worst, outsideSpans(m_sensors[i].range[1], m_terms[i].value[1]));
         }
-        const Range& range = m_sensors[i].range[1];  // the leaky mean: one noisy reading is not a new regime
-        const double span_K = std::max(range.span(), 0.5);
-        const double value = m_terms[i].value[1];
-        worst = std::max({worst, (value - range.high) / span_K - kFreeMargin, (range.low - value) / span_K - kFreeMargin});
     }
     return worst;
 }
@@ -246,7 +243,7 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
                                                        : lostSetIndex(m_count, lost[0], lost[1]);
         predictRegression(set, out);
     }
-    out.outside = outsideSpans();
+    out.outside = outside();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const Range& range = m_driftRange[axis];
         const double low = range.low - range.span();
@@ -255,7 +252,7 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
         const double inside = std::isfinite(out.drift_um[axis]) ? std::clamp(out.drift_um[axis], low, high) : 0.0;
         out.bounded = out.bounded || inside != out.drift_um[axis];
         out.drift_um[axis] = inside;
-        out.half_um[axis] *= 1.0 + kWidenPerSpan * out.outside;
+        out.half_um[axis] *= intervalWidening(out.outside);
     }
     return out;
 }

@@ -11,10 +11,10 @@
 
 /// Runs a thermal model minute by minute: baseline, sensor health, terms, prediction with its interval.
 ///
-/// Bounded on any input: every term is clamped to its training range ± 1 span, the drift to the training drift ± 1 span.
-/// Outside the training range the interval widens and `outside` says by how many spans; who compensates fades to hold.
-/// With one or two of its sensors lost a regression goes on with coefficients solved without them, a network with the
-/// neighbours' expectation; with more the prediction is not usable.
+/// Bounded on any input: every term is clamped to its training range ± 1 span, the drift to the training drift ± 1
+/// span. Outside the training range the interval widens and `outside` says by how many spans; who compensates fades to
+/// hold. With one or two of its sensors lost a regression goes on with coefficients solved without them, a network with
+/// the neighbours' expectation; with more the prediction is not usable.
 ///
 /// The heat terms need to know the spindle's past. They count fully when the machine was at rest at the baseline (its
 /// temperature pattern is that of a cold machine) and not at all after a warm start, where the coefficients from
@@ -24,17 +24,17 @@
 namespace kerf::thermal {
 
 struct ThermalPrediction {
-    PerAxis drift_um{};       ///< > 0: the cutting point has moved along +axis
-    PerAxis half_um{};        ///< half width of the 95 % interval
-    double outside{0.0};      ///< spans beyond the training range, 0 inside
-    double speedShare{0.0};   ///< 0…1: share of the coefficients with heat terms
-    int lostSensors{0};       ///< of the model's own
-    bool usable{false};       ///< false: no baseline, or more than two sensors lost
-    bool bounded{false};      ///< a clamp was in force
+    PerAxis drift_um{};      ///< > 0: the cutting point has moved along +axis
+    PerAxis half_um{};       ///< half width of the 95 % interval
+    double outside{0.0};     ///< spans beyond the training range, 0 inside
+    double speedShare{0.0};  ///< 0…1: share of the coefficients with heat terms
+    int lostSensors{0};      ///< of the model's own
+    bool usable{false};      ///< false: no baseline, or more than two sensors lost
+    bool bounded{false};     ///< a clamp was in force
 };
 
 class ThermalEstimator {
-   public:
+ public:
     static constexpr int kMaxLost = 2;
 
     explicit ThermalEstimator(const ThermalModel& model, const HealthParams& health = {});
@@ -44,7 +44,8 @@ class ThermalEstimator {
     /// One reading of the machine as it stands while the origin is measured. `readings` in the model's sensor order.
     void baseline(double time_min, std::span<const Reading> readings) noexcept;
     /// One step. @pre readings.size() == sensors()
-    ThermalPrediction update(double time_min, std::optional<double> speed_rpm, std::span<const Reading> readings) noexcept;
+    ThermalPrediction update(double time_min, std::optional<double> speed_rpm,
+                             std::span<const Reading> readings) noexcept;
 
     [[nodiscard]] std::size_t sensors() const noexcept { return m_count; }
     [[nodiscard]] const SensorHealth& health() const noexcept { return m_health; }
@@ -53,7 +54,7 @@ class ThermalEstimator {
     /// RMS deviation of the baseline from the pattern of a machine at rest, K; valid after the first update().
     [[nodiscard]] double restDeviation_K() const noexcept { return m_restDeviation_K; }
 
-   private:
+ private:
     static constexpr std::size_t kMaxTerms = kMaxRegressionSensors * kTermsPerSensor + kSpeedTerms;
     using Weights = std::array<PerAxis, kMaxTerms>;
     struct Solved {
@@ -65,7 +66,7 @@ class ThermalEstimator {
     double clampedTerm(std::size_t sensor, std::size_t term, bool& bounded) const noexcept;
     void predictRegression(std::size_t lostSet, ThermalPrediction& out) const noexcept;
     void predictNetworks(ThermalPrediction& out) const noexcept;
-    [[nodiscard]] double outsideSpans() const noexcept;
+    [[nodiscard]] double outside() const noexcept;
 
     std::size_t m_count;
     FeatureSpec m_spec;

@@ -75,7 +75,8 @@ void appendNetwork(const ThermalModel& model, int axis, std::vector<std::string>
             const std::string a = input(neuron.i);
             const std::string b = input(neuron.j);
             std::string line = axisName + std::to_string(layer + 1) + "." + std::to_string(n) + " =";
-            line += signedFactor(neuron.coef[0]) + signedFactor(neuron.coef[1]) + "·" + a + signedFactor(neuron.coef[2]) + "·" + b;
+            line += signedFactor(neuron.coef[0]) + signedFactor(neuron.coef[1]) + "·" + a +
+                    signedFactor(neuron.coef[2]) + "·" + b;
             if (neuron.coef[3] != 0.0 || neuron.coef[4] != 0.0) {
                 line += signedFactor(neuron.coef[3]) + "·" + a + "²" + signedFactor(neuron.coef[4]) + "·" + b + "²";
             }
@@ -83,14 +84,27 @@ void appendNetwork(const ThermalModel& model, int axis, std::vector<std::string>
             lines.push_back(std::move(line));
         }
     }
-    lines.push_back(axisName + "_um = " + printed(network.outputMean, 4) + " + " + printed(network.outputScale, 4) + "·" +
-                    axisName + std::to_string(network.layers.size()) + ".0   ([..]: minus its mean, over its deviation)");
+    lines.push_back(axisName + "_um = " + printed(network.outputMean, 4) + " + " + printed(network.outputScale, 4) +
+                    "·" + axisName + std::to_string(network.layers.size()) +
+                    ".0   ([..]: minus its mean, over its deviation)");
 }
 
 }  // namespace
 
-std::size_t lostSetIndex(std::size_t /*sensors*/) noexcept { return 0; }
-std::size_t lostSetIndex(std::size_t /*sensors*/, std::size_t i) noexcept { return 1 + i; }
+double outsideSpans(const Range& trained_K, double leaky_K) noexcept {
+    constexpr double kFreeMargin = 0.1;
+    constexpr double kSmallestSpan_K = 0.5;
+    const double span_K = std::max(trained_K.span(), kSmallestSpan_K);
+    return std::max(
+        {0.0, (leaky_K - trained_K.high) / span_K - kFreeMargin, (trained_K.low - leaky_K) / span_K - kFreeMargin});
+}
+
+std::size_t lostSetIndex(std::size_t /*sensors*/) noexcept {
+    return 0;
+}
+std::size_t lostSetIndex(std::size_t /*sensors*/, std::size_t i) noexcept {
+    return 1 + i;
+}
 std::size_t lostSetIndex(std::size_t sensors, std::size_t i, std::size_t j) noexcept {
     assert(i < j && j < sensors);
     return 1 + sensors + i * (2 * sensors - i - 1) / 2 + (j - i - 1);
@@ -148,7 +162,8 @@ std::vector<std::string> formulaLines(const ThermalModel& model) {
         for (int axis = 0; axis < static_cast<int>(kAxes); ++axis) {
             const std::string name = std::string(1, "xyz"[axis]) + "_um";
             if (assisted) {
-                lines.push_back(name + " =" + regressionLine(model, *part.withSpeed, *assisted, axis) + "   (start at rest)");
+                lines.push_back(name + " =" + regressionLine(model, *part.withSpeed, *assisted, axis) +
+                                "   (start at rest)");
             }
             lines.push_back(name + " =" + regressionLine(model, part.temperatures, plain, axis) +
                             (assisted ? "   (start warm, or speed unknown)" : ""));

@@ -28,6 +28,13 @@ struct Range {
     [[nodiscard]] double span() const noexcept { return high - low; }
 };
 
+/// How far a sensor's leaky mean is beyond its training range, in spans; 0 inside and up to a tenth of a span outside.
+[[nodiscard]] double outsideSpans(const Range& trained_K, double leaky_K) noexcept;
+/// The interval outside the training range: × (1 + 3 · spans).
+[[nodiscard]] constexpr double intervalWidening(double outside) noexcept {
+    return 1.0 + 3.0 * outside;
+}
+
 /// One sensor the model reads, with what its health is judged by.
 struct ModelSensor {
     std::string name{};
@@ -41,11 +48,11 @@ struct ModelSensor {
 ///
 ///   (G + λ_axis·rows·diag(s²))·w = g_axis       G = XᵀX, g = Xᵀy, s² = mean square of each term
 struct NormalEquations {
-    int sensors{0};           ///< terms beyond 3 · sensors are heat terms
-    Eigen::MatrixXd gram{};   ///< terms × terms
-    Eigen::MatrixXd moment{}; ///< terms × axes
+    int sensors{0};            ///< terms beyond 3 · sensors are heat terms
+    Eigen::MatrixXd gram{};    ///< terms × terms
+    Eigen::MatrixXd moment{};  ///< terms × axes
     double rows{0.0};
-    PerAxis ridge{};          ///< λ of temperature terms per axis; heat terms have kSpeedRidge
+    PerAxis ridge{};  ///< λ of temperature terms per axis; heat terms have kSpeedRidge
     /// Half width of the 95 % interval per lost set (see lostSetIndex), µm.
     std::vector<PerAxis> half_um{};
 };
@@ -67,14 +74,18 @@ struct RegressionPart {
     std::optional<NormalEquations> withSpeed{};  ///< 3 terms per sensor and 3 heat terms; only for a start at rest
 };
 
-enum class InputKind : std::uint8_t { Term, Now, Before };  ///< Term: one of a sensor's three; Now, Before: absolute degC
+enum class InputKind : std::uint8_t {
+    Term,
+    Now,
+    Before
+};  ///< Term: one of a sensor's three; Now, Before: absolute degC
 struct GmdhInput {
     int sensor{0};
     InputKind kind{InputKind::Term};
     int term{0};
 };
 struct GmdhPart {
-    std::array<GmdhModel, kAxes> network{};             ///< pruned
+    std::array<GmdhModel, kAxes> network{};              ///< pruned
     std::array<std::vector<GmdhInput>, kAxes> inputs{};  ///< what each network's inputs are
     PerAxis half_um{};
 };

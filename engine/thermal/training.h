@@ -31,10 +31,11 @@ struct TrainingOptions {
 /// averaged over the two sets of coefficients (temperatures alone; with heat terms). The ridge of each axis is chosen
 /// from a grid by the same error. With one day, four blocks of it stand in for days.
 ///
-/// The judgement and the interval come from days that took no part in anything: sensors and ridge are chosen again without
-/// the day they are judged on. Measurement noise is taken off by using products of errors 1…5 min apart; the interval
-/// is 1.7 × that rms, which is wide enough because days left out leave fewer to train on.
-[[nodiscard]] Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
+/// The judgement and the interval come from days that took no part in anything: sensors and ridge are chosen again
+/// without the day they are judged on. Measurement noise is taken off by using products of errors 1…5 min apart; the
+/// interval is 1.7 × that rms: days left out leave fewer to train on, which makes the rms itself pessimistic.
+[[nodiscard]] Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days,
+                                                   const TrainingOptions& options,
                                                    const TrainingProgress& progress = {});
 
 /// The paper's network (GmdhPaper: absolute temperatures now and one step before, as printed) or the guarded one (Gmdh:
@@ -53,7 +54,8 @@ struct AutoTraining {
     std::vector<Candidate> compared{};
 };
 /// Trains the network as printed, the guarded one and the regression, and keeps the one with the smallest
-/// Σ_axes log(rms on days it has not seen).
+/// Σ_axes log(rms on days it has not seen). With a single day no day can be left out: the guarded network, the most
+/// cautious of them outside its range, is kept.
 [[nodiscard]] Result<AutoTraining> trainAuto(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
                                              const TrainingProgress& progress = {});
 

@@ -42,7 +42,9 @@ std::optional<Sentence> whyNotTogether(const std::vector<ThermalHistory>& days) 
     return std::nullopt;
 }
 
-Eigen::MatrixXd measuredDrift(const ThermalHistory& day) { return day.drift_um.bottomRows(day.workRows()); }
+Eigen::MatrixXd measuredDrift(const ThermalHistory& day) {
+    return day.drift_um.bottomRows(day.workRows());
+}
 
 RestPattern restPatternOf(const std::vector<ThermalHistory>& days) {
     constexpr double kSameState_K = 0.5;
@@ -71,8 +73,8 @@ RestPattern restPatternOf(const std::vector<ThermalHistory>& days) {
     return rest;
 }
 
-ThermalModel modelFrame(ModelKind kind, const std::vector<ThermalHistory>& days, const std::vector<Eigen::Index>& sensors,
-                        const FeatureSpec& spec) {
+ThermalModel modelFrame(ModelKind kind, const std::vector<ThermalHistory>& days,
+                        const std::vector<Eigen::Index>& sensors, const FeatureSpec& spec) {
     ThermalModel model;
     model.kind = kind;
     model.features = spec;

@@ -16,7 +16,8 @@ namespace kerf::thermal::detail {
 /// Measured drift from time 0 on.
 [[nodiscard]] Eigen::MatrixXd measuredDrift(const ThermalHistory& day);
 
-/// Baseline pattern of a machine at rest: what each sensor reads against the mean of all, over the days that began at rest.
+/// Baseline pattern of a machine at rest: what each sensor reads against the mean of all, over the days that began at
+/// rest.
 struct RestPattern {
     Eigen::VectorXd pattern_K{};
     std::vector<bool> atRest{};  ///< per day

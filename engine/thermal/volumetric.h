@@ -42,8 +42,8 @@ struct VolumetricChain {
 /// H with errors, for comparison and drawing.
 [[nodiscard]] Eigen::Matrix4d actualTransform(const VolumetricChain& chain) noexcept;
 
-/// Error elements of a machine over its work space: each element is a constant plus a part linear in the position of its
-/// own axis (the paper's finding). Shape links have no axis; their elements are constants.
+/// Error elements of a machine over its work space: each element is a constant plus a part linear in the position of
+/// its own axis (the paper's finding). Shape links have no axis; their elements are constants.
 struct ErrorElements {
     std::array<Eigen::Vector3d, 4> shape_mm{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                             Eigen::Vector3d::Zero()};
