@@ -806,6 +806,174 @@
             <source>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</source>
             <translation>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</translation>
         </message>
+        <message>
+            <source>%1 mm is far from the %2 mm expected here. Measure again, or confirm that it is so.</source>
+            <translation>%1 mm is far from the %2 mm expected here. Measure again, or confirm that it is so.</translation>
+        </message>
+        <message>
+            <source>A bore is measured at 1 to %1 depths.</source>
+            <translation>A bore is measured at 1 to %1 depths.</translation>
+        </message>
+        <message>
+            <source>A bore of %1 mm cannot be: without any bending it would be %2 mm. Measure again.</source>
+            <translation>A bore of %1 mm cannot be: without any bending it would be %2 mm. Measure again.</translation>
+        </message>
+        <message>
+            <source>A bore of part %1 was corrected; everything after it was computed again.</source>
+            <translation>A bore of part %1 was corrected; everything after it was computed again.</translation>
+        </message>
+        <message>
+            <source>A bore of part %1 was taken out; everything after it was computed again.</source>
+            <translation>A bore of part %1 was taken out; everything after it was computed again.</translation>
+        </message>
+        <message>
+            <source>A value is being stored; try again in a moment.</source>
+            <translation>A value is being stored; try again in a moment.</translation>
+        </message>
+        <message>
+            <source>Angle of the deflection</source>
+            <translation>Angle of the deflection</translation>
+        </message>
+        <message>
+            <source>Depths must differ and lie inside the bore; %1 mm does not.</source>
+            <translation>Depths must differ and lie inside the bore; %1 mm does not.</translation>
+        </message>
+        <message>
+            <source>Feed exponent by experience</source>
+            <translation>Feed exponent by experience</translation>
+        </message>
+        <message>
+            <source>Feed of the first part</source>
+            <translation>Feed of the first part</translation>
+        </message>
+        <message>
+            <source>Highest feed</source>
+            <translation>Highest feed</translation>
+        </message>
+        <message>
+            <source>Largest diameter</source>
+            <translation>Largest diameter</translation>
+        </message>
+        <message>
+            <source>Lot %1 was computed again from its measurements and differs from the stored state.</source>
+            <translation>Lot %1 was computed again from its measurements and differs from the stored state.</translation>
+        </message>
+        <message>
+            <source>Lowest feed</source>
+            <translation>Lowest feed</translation>
+        </message>
+        <message>
+            <source>Nothing is measured yet: the part is cut at the constant feed of %1 mm/rev.</source>
+            <translation>Nothing is measured yet: the part is cut at the constant feed of %1 mm/rev.</translation>
+        </message>
+        <message>
+            <source>Overhang at the bottom</source>
+            <translation>Overhang at the bottom</translation>
+        </message>
+        <message>
+            <source>Overhang at the top</source>
+            <translation>Overhang at the top</translation>
+        </message>
+        <message>
+            <source>Part %1 came out %2 µm larger than its target on average.</source>
+            <translation>Part %1 came out %2 µm larger than its target on average.</translation>
+        </message>
+        <message>
+            <source>Part %1 came out %2 µm smaller than its target on average.</source>
+            <translation>Part %1 came out %2 µm smaller than its target on average.</translation>
+        </message>
+        <message>
+            <source>Part %1 came out on its target.</source>
+            <translation>Part %1 came out on its target.</translation>
+        </message>
+        <message>
+            <source>Smallest diameter</source>
+            <translation>Smallest diameter</translation>
+        </message>
+        <message>
+            <source>Spindle speed</source>
+            <translation>Spindle speed</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the gauge</source>
+            <translation>Standard deviation of the gauge</translation>
+        </message>
+        <message>
+            <source>Target deflection</source>
+            <translation>Target deflection</translation>
+        </message>
+        <message>
+            <source>Target diameter</source>
+            <translation>Target diameter</translation>
+        </message>
+        <message>
+            <source>The bores differ from their prediction by more than chance: T² %1, limit %2.</source>
+            <translation>The bores differ from their prediction by more than chance: T² %1, limit %2.</translation>
+        </message>
+        <message>
+            <source>The lot asks for an estimator that this program does not have.</source>
+            <translation>The lot asks for an estimator that this program does not have.</translation>
+        </message>
+        <message>
+            <source>The lowest feed must be below the highest one.</source>
+            <translation>The lowest feed must be below the highest one.</translation>
+        </message>
+        <message>
+            <source>The overhang at the top must be below the one at the bottom.</source>
+            <translation>The overhang at the top must be below the one at the bottom.</translation>
+        </message>
+        <message>
+            <source>The part type has no such depth.</source>
+            <translation>The part type has no such depth.</translation>
+        </message>
+        <message>
+            <source>The part type's parameters cannot be read; they need numbers under their keys.</source>
+            <translation>The part type's parameters cannot be read; they need numbers under their keys.</translation>
+        </message>
+        <message>
+            <source>The process changed with part %1: the law is learned anew from there.</source>
+            <translation>The process changed with part %1: the law is learned anew from there.</translation>
+        </message>
+        <message>
+            <source>The target diameter must lie between the smallest and the largest one.</source>
+            <translation>The target diameter must lie between the smallest and the largest one.</translation>
+        </message>
+        <message>
+            <source>There is no measurement to undo.</source>
+            <translation>There is no measurement to undo.</translation>
+        </message>
+        <message>
+            <source>There is no such lot.</source>
+            <translation>There is no such lot.</translation>
+        </message>
+        <message>
+            <source>This bore has a value already; correct that one instead.</source>
+            <translation>This bore has a value already; correct that one instead.</translation>
+        </message>
+        <message>
+            <source>This part has no finished bore to measure.</source>
+            <translation>This part has no finished bore to measure.</translation>
+        </message>
+        <message>
+            <source>This value was replaced or taken out meanwhile; look at the newest one first.</source>
+            <translation>This value was replaced or taken out meanwhile; look at the newest one first.</translation>
+        </message>
+        <message>
+            <source>Three measurements in a row lie more than 3σ off the target deflection.</source>
+            <translation>Three measurements in a row lie more than 3σ off the target deflection.</translation>
+        </message>
+        <message>
+            <source>drawing of the part</source>
+            <translation>drawing of the part</translation>
+        </message>
+        <message>
+            <source>set up with the machine</source>
+            <translation>set up with the machine</translation>
+        </message>
+        <message>
+            <source>table 1 of Lee (1983)</source>
+            <translation>table 1 of Lee (1983)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -806,6 +806,174 @@
             <source>Z moves %1 mm per revolution; that does not fit a pitch of %2 mm.</source>
             <translation>Z가 회전당 %1 mm 움직입니다. 피치 %2 mm와 맞지 않습니다.</translation>
         </message>
+        <message>
+            <source>%1 mm is far from the %2 mm expected here. Measure again, or confirm that it is so.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A bore is measured at 1 to %1 depths.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A bore of %1 mm cannot be: without any bending it would be %2 mm. Measure again.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A bore of part %1 was corrected; everything after it was computed again.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A bore of part %1 was taken out; everything after it was computed again.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A value is being stored; try again in a moment.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Angle of the deflection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Depths must differ and lie inside the bore; %1 mm does not.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Feed exponent by experience</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Feed of the first part</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Highest feed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Largest diameter</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lot %1 was computed again from its measurements and differs from the stored state.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Lowest feed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Nothing is measured yet: the part is cut at the constant feed of %1 mm/rev.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Overhang at the bottom</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Overhang at the top</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Part %1 came out %2 µm larger than its target on average.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Part %1 came out %2 µm smaller than its target on average.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Part %1 came out on its target.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Smallest diameter</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Spindle speed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Standard deviation of the gauge</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Target deflection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Target diameter</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The bores differ from their prediction by more than chance: T² %1, limit %2.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The lot asks for an estimator that this program does not have.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The lowest feed must be below the highest one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The overhang at the top must be below the one at the bottom.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The part type has no such depth.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The part type's parameters cannot be read; they need numbers under their keys.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The process changed with part %1: the law is learned anew from there.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The target diameter must lie between the smallest and the largest one.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is no measurement to undo.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is no such lot.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This bore has a value already; correct that one instead.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This part has no finished bore to measure.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This value was replaced or taken out meanwhile; look at the newest one first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Three measurements in a row lie more than 3σ off the target deflection.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>drawing of the part</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>set up with the machine</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>table 1 of Lee (1983)</source>
+            <translation type="unfinished" />
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QGridLayout>
 #include <QResizeEvent>
@@ -17,6 +18,9 @@
 #include "ui/widgets/hold_all_button.h"
 
 namespace kerf::ui {
+namespace {
+constexpr int kSettling_ms = 400;  // before a page is rendered to a file
+}
 
 MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* parent)
     : QMainWindow(parent),
@@ -170,7 +174,10 @@ QStringList MainWindow::renderPages(const QString& folder) {
     for (std::size_t i = 0; i < m_pages.size(); ++i) {
         showPage(m_pages[i].key);
         m_client.tick();
-        QCoreApplication::processEvents();  // layouts settle
+        QElapsedTimer settling;  // layouts, and numbers that show themselves five times a second
+        for (settling.start(); settling.elapsed() < kSettling_ms;) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents, kSettling_ms);
+        }
         const QString name =
             QStringLiteral("%1_%2.png").arg(i + 1, 2, 10, QLatin1Char('0')).arg(QLatin1String(m_pages[i].key));
         const QString path = QDir(folder).filePath(name);
