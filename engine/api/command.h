@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/api/boring_types.h"
+#include "engine/api/turning_types.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
 
@@ -34,9 +35,16 @@ struct LoadBoringSchedule {
     BoringSchedule schedule{};
 };
 
+/// Turning: the cut of the next part. A part being cut keeps the one it began with.
+struct LoadTurningSetup {
+    TurningSetup setup{};
+};
+
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
-    std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule> action{};
+    std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
+                 LoadTurningSetup>
+        action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);
 
@@ -47,6 +55,9 @@ static_assert(std::is_trivially_copyable_v<Command>);
     }
     if (const auto* start = std::get_if<StartPart>(&command.action)) {
         return start->process;
+    }
+    if (std::holds_alternative<LoadTurningSetup>(command.action)) {
+        return ProcessId::Turning;
     }
     return ProcessId::Boring;  // LoadBoringSchedule; later processes add theirs here
 }

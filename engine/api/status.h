@@ -7,6 +7,7 @@
 
 #include "engine/api/boring_types.h"
 #include "engine/api/command.h"
+#include "engine/api/turning_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/histogram.h"
 #include "engine/core/process.h"
@@ -58,6 +59,7 @@ struct Status {
     std::array<CommandResult, 8> recentCommands{};  ///< newest first; lastCommand is the first of them
     std::array<LoopStatus, kProcessCount> loops{};
     BoringStatus boring{};
+    TurningStatus turning{};
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);
@@ -71,6 +73,8 @@ struct Sample {
     float wantedFeed_mmPerRev{0.0F};
     float overhang_mm{0.0F};
     float force_N{0.0F};
+    float depthError_um{0.0F};  ///< turning: tool motion about its level, as the force shows it
+    float trim_um{0.0F};        ///< turning: applied
     bool cutting{false};
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
@@ -86,6 +90,7 @@ struct PartRecord {
     FeedTrace feed{};
     double forceMean_N{0.0};  ///< of processes that measure force
     double forcePeak_N{0.0};
+    TurningRecord turning{};
 };
 static_assert(std::is_trivially_copyable_v<PartRecord>);
 

@@ -18,7 +18,7 @@ struct OutputLimits {
     double workOffsetMax_um{200.0};        ///< size of the whole shift per axis, ≥ 0
     double workOffsetRate_umPerS{1.0};     ///< > 0
     double toolTrimMax_um{2.0};            ///< ≥ 0
-    double toolTrimRate_umPerS{20'000.0};  ///< > 0
+    double toolTrimRate_umPerS{1'000.0};   ///< > 0: from the end of its range to zero in 2 ms
     double servoGainMin_perS{5.0};         ///< > 0
     double servoGainMax_perS{200.0};       ///< ≥ min
 };

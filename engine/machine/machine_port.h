@@ -119,6 +119,7 @@ struct StartProgram {
     double pitch_mm{0.0};     ///< tapping
     double revolutions{0.0};  ///< tapping: depth in revolutions
     bool air{false};          ///< tapping: air tap
+    double depth_um{0.0};     ///< turning: depth of cut
 };
 struct AbortProgram {};
 struct SetServoGains {

@@ -73,10 +73,26 @@ class DepthControl {
 
     double update(const Input& input) noexcept;
     void reset() noexcept;
+    /// Out of the cut, force only (B2); then the touch.
+    void idle(double force_N) noexcept { m_observer.idle(force_N); }
+    void beginCut() noexcept {
+        m_observer.beginCut();
+        m_canceller.reset();
+    }
 
+    /// The command that really acts in the sample to come (limits, a held output). Default law only.
+    void setApplied(double command_um) noexcept { m_canceller.setApplied(command_um); }
+    /// No trim but keep listening; back in, the law ramps itself. Default law only.
+    void setSilent(bool silent) noexcept { m_canceller.setSilent(silent); }
+    /// False while x_i is not known yet: the first revolution of B2.
+    [[nodiscard]] bool ready() const noexcept { return m_params.plant != PlantKind::B2 || m_observer.ready(); }
+    /// û of the last sample (B2).
+    [[nodiscard]] double chip_um() const noexcept { return m_observer.chip_um(); }
     /// x_i about its level as the law sees it.
     [[nodiscard]] double error_um() const noexcept { return m_error_um; }
-    /// The default law's inside; null for the others.
+    /// The default law's inside, at rest with another law.
+    [[nodiscard]] const ToneCanceller& tones() const noexcept { return m_canceller; }
+    /// The same; null for the other laws.
     [[nodiscard]] const ToneCanceller* canceller() const noexcept {
         return m_params.kind == ControllerKind::Default ? &m_canceller : nullptr;
     }

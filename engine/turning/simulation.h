@@ -9,17 +9,9 @@
 #include "engine/core/result.h"
 #include "engine/turning/depth_control.h"
 #include "engine/turning/plant.h"
+#include "engine/turning/tones.h"
 
 namespace kerf::turning {
-
-struct ToneSpec {
-    double frequency_Hz{0.0};
-    double amplitude_um{0.0};
-    double phase_rad{0.0};
-};
-/// The paper's disturbance at the slide, phases 0.
-inline constexpr std::array<ToneSpec, 5> kPaperTones{
-    {{17.0, 0.5}, {52.0, 0.4}, {86.0, 0.25}, {113.0, 0.25}, {120.0, 0.6}}};
 
 /// Sum of sines plus white noise: d(k) = Σ A·sin(2πf·k/f_s + φ) + σ·gauss.
 [[nodiscard]] std::vector<double> makeDisturbance(std::span<const ToneSpec> tones, double white_um, std::size_t samples,

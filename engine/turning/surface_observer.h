@@ -48,11 +48,12 @@ class SurfaceObserver {
     [[nodiscard]] double chip_um() const noexcept { return m_chip_um; }
     [[nodiscard]] double meanChip_um() const noexcept { return m_mean_um; }
     void setProcess(const ProcessParams& process) noexcept { m_process.setParams(process); }
-    /// A new cut begins.
-    void clear() noexcept {
+    /// Out of the cut: keeps the process's memory going, nothing else.
+    void idle(double force_N) noexcept { m_chip_um = m_process.invert(force_N); }
+    /// A new cut begins with the next sample; the process's memory stays.
+    void beginCut() noexcept {
         m_surface.clear();
-        m_process = CuttingProcess(m_process.params());
-        m_sum_um = m_mean_um = m_chip_um = 0.0;
+        m_sum_um = m_mean_um = 0.0;
         m_seen = 0;
     }
 

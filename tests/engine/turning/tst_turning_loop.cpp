@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/turning/turning_alarms.h"
+#include "tests/support/cycle_guard.h"
+#include "tests/support/turning_bench.h"
+
+using namespace kerf;
+
+namespace {
+
+/// Largest size and largest step of the trim the machine gets, over the next cycles.
+struct TrimWatch {
+    double size_um{0.0};
+    double step_um{0.0};
+    double last_um{0.0};
+};
+TrimWatch watchTrim(test::TurningBench& bench, int cycles) {
+    TrimWatch watch;
+    watch.last_um = bench.engine->cycle().outputs().toolTrim_um;
+    for (int i = 0; i < cycles; ++i) {
+        bench.engine->runCycles(1);
+        const double trim_um = bench.engine->cycle().outputs().toolTrim_um;
+        watch.size_um = std::max(watch.size_um, std::abs(trim_um));
+        watch.step_um = std::max(watch.step_um, std::abs(trim_um - watch.last_um));
+        watch.last_um = trim_um;
+    }
+    return watch;
+}
+constexpr int kFiveMilliseconds = 25;
+
+}  // namespace
+
+/// The turning loop on the simulated machine through the real cycle, with every fault it promises to meet.
+class TestTurningLoop : public QObject {
+    Q_OBJECT
+ private slots:
+    void cancelsTheDisturbanceAndLeavesTheCut() {
+        test::TurningBench open;
+        QVERIFY(open.start(LoopMode::Advise));
+        open.run(2.0);
+        const double untreated_um = open.motionRms_um(1.0);
+        const double openForce_N = open.status().forceMean_N;
+
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(2.0);
+        const double treated_um = bench.motionRms_um(1.0);
+        QVERIFY2(treated_um < 0.15 * untreated_um, qPrintable(QString::number(treated_um / untreated_um)));
+        QCOMPARE(bench.loop().state, LoopState::Controlling);
+        QVERIFY(bench.status().acting);
+        QVERIFY(std::abs(bench.status().forceMean_N - bench.status().forceTarget_N) < 0.03);
+        QVERIFY(std::abs(openForce_N - bench.status().forceMean_N) < 0.1);
+        QVERIFY2(std::abs(bench.status().surfaceRms_um / treated_um - 1.0) < 0.3,
+                 qPrintable(QStringLiteral("%1 %2").arg(bench.status().surfaceRms_um).arg(treated_um)));
+        QVERIFY(std::abs(bench.status().untreatedRms_um / untreated_um - 1.0) < 0.3);
+        QVERIFY(bench.status().toneCount >= 5);
+        QVERIFY(bench.alarms() == std::vector<AlarmCode>{turning_alarm::kBlindTone});
+    }
+    void findsZeroTouchAndEnd() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(0.25);
+        QCOMPARE(bench.status().stage, TurningStage::Air);
+        QVERIFY(std::abs(bench.status().forceZero_N - 0.08) < 0.003);
+        QVERIFY(std::abs(bench.engine->cycle().outputs().toolTrim_um) == 0.0);
+        bench.run(0.06);
+        QCOMPARE(bench.status().stage, TurningStage::Entry);
+        QVERIFY(std::abs(bench.status().touchOff_mm.value) < 0.001);
+        bench.run(5.1);
+        QCOMPARE(bench.status().stage, TurningStage::Air);
+        QCOMPARE(bench.engine->cycle().outputs().toolTrim_um, 0.0);
+        bench.run(0.5);
+        QCOMPARE(bench.engine->status().program, ProgramState::Finished);
+        PartRecord part;
+        QVERIFY(bench.engine->partRecords().tryPop(part));
+        QVERIFY(part.complete && part.turning.valid && !part.turning.leftLoop);
+        QVERIFY(std::abs(part.forceMean_N - 1.44) < 0.03);
+        QVERIFY2(part.turning.surfaceRms_um < 0.6 * part.turning.untreatedRms_um,
+                 qPrintable(QStringLiteral("%1 %2").arg(part.turning.surfaceRms_um).arg(part.turning.untreatedRms_um)));
+    }
+    void trimStaysInsideItsAuthority() {
+        test::TurningBench bench;
+        bench.turning->shake(4.0);
+        TurningSetup setup = test::shortCut();
+        setup.trimAuthority_um = 1.5;
+        QVERIFY(bench.start(LoopMode::Control, setup));
+        const TrimWatch watch = watchTrim(bench, 15000);
+        QVERIFY(watch.size_um > 1.0);
+        QVERIFY(watch.size_um <= 1.5 + 1e-12);
+        QVERIFY(watch.step_um <= 0.2 + 1e-12);  // 1000 µm/s
+        QVERIFY(bench.raised(turning_alarm::kTrimAtLimit));
+    }
+    void adviceNeverMovesTheTool() {
+        test::TurningBench bench;
+        QVERIFY(bench.start(LoopMode::Advise));
+        QCOMPARE(watchTrim(bench, 15000).size_um, 0.0);
+        QCOMPARE(bench.loop().state, LoopState::Advising);
+    }
+    void lostForceEndsTheTrimWithinFiveMilliseconds_data() {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<int>("alarm");
+        QTest::addColumn<int>("state");
+        const auto row = [](const char* name, SignalFault fault, AlarmCode alarm, LoopState state) {
+            QTest::newRow(name) << static_cast<int>(fault) << static_cast<int>(alarm) << static_cast<int>(state);
+        };
+        row("unplugged", SignalFault::Unplugged, turning_alarm::kForceLost, LoopState::Faulted);
+        row("stale", SignalFault::Stale, turning_alarm::kForceLost, LoopState::Faulted);
+        row("not a number", SignalFault::NotANumber, turning_alarm::kForceLost, LoopState::Faulted);
+        row("saturated", SignalFault::Saturated, turning_alarm::kForceSaturated, LoopState::Limited);
+    }
+    void lostForceEndsTheTrimWithinFiveMilliseconds() {
+        QFETCH(int, fault);
+        QFETCH(int, alarm);
+        QFETCH(int, state);
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(2.0);
+        QVERIFY(std::abs(watchTrim(bench, 300).size_um) > 0.5);
+        InjectedFaults faults;
+        faults.force = static_cast<SignalFault>(fault);
+        bench.machine->inject(faults);
+        const TrimWatch watch = watchTrim(bench, kFiveMilliseconds);
+        QCOMPARE(watch.last_um, 0.0);
+        QVERIFY2(watch.step_um <= 0.2 + 1e-12, qPrintable(QString::number(watch.step_um)));
+        QVERIFY(bench.raised(static_cast<AlarmCode>(alarm)));
+        QCOMPARE(static_cast<int>(bench.loop().state), state);
+        QVERIFY(!bench.loop().reason.empty());
+        bench.machine->inject({});
+        QCOMPARE(watchTrim(bench, 2000).size_um, 0.0);  // not again in this part
+    }
+    void stuckForceEndsTheTrimWithinEightMilliseconds() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(2.0);
+        InjectedFaults faults;
+        faults.force = SignalFault::Stuck;
+        bench.machine->inject(faults);
+        QCOMPARE(watchTrim(bench, 15 + kFiveMilliseconds).last_um, 0.0);  // 3 ms to be sure, then the ramp
+        QVERIFY(bench.raised(turning_alarm::kForceLost));
+    }
+    void faultWantsAPersonThenTheNextPartIsControlled() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(1.0);
+        InjectedFaults faults;
+        faults.force = SignalFault::Unplugged;
+        bench.machine->inject(faults);
+        bench.run(0.1);
+        QCOMPARE(bench.loop().state, LoopState::Faulted);
+        bench.machine->inject({});
+        bench.run(0.1);
+        QCOMPARE(bench.loop().state, LoopState::Faulted);
+        QVERIFY(bench.execute(ReleaseHold{}).done);
+        QCOMPARE(bench.loop().state, LoopState::Limited);
+        bench.run(6.0);
+        QVERIFY(bench.execute(StartPart{ProcessId::Turning}).done);
+        bench.run(2.0);
+        QCOMPARE(bench.loop().state, LoopState::Controlling);
+        QVERIFY(bench.status().acting);
+    }
+    void chippedToolIsSeenAndLeft() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(2.0);
+        (void)bench.alarms();
+        bench.turning->chipTool(1.6);
+        bench.run(0.2);
+        QVERIFY(bench.raised(turning_alarm::kToolChipped));
+        QCOMPARE(bench.loop().state, LoopState::Faulted);
+        QCOMPARE(bench.engine->cycle().outputs().toolTrim_um, 0.0);
+    }
+    void driftIsTakenOutBetweenParts() {
+        SimulatedTurning::Params params;
+        params.drift_NPerS = 0.02;
+        test::TurningBench bench(params);
+        QVERIFY(bench.start());
+        bench.run(7.0);
+        QVERIFY(bench.execute(StartPart{ProcessId::Turning}).done);
+        bench.run(2.0);
+        QVERIFY(bench.raised(turning_alarm::kZeroDrifted));
+        QVERIFY(bench.status().acting);
+        QVERIFY(std::abs(bench.status().forceMean_N - 1.44) < 0.08);
+    }
+    void holdAndOffAreBumplessWithinFiveMilliseconds() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(2.0);
+        bench.engine->holdAll();
+        TrimWatch watch = watchTrim(bench, kFiveMilliseconds);
+        QCOMPARE(watch.last_um, 0.0);
+        QVERIFY(watch.step_um <= 0.2 + 1e-12);
+        QVERIFY(bench.execute(ReleaseHold{}).done);
+        watch = watchTrim(bench, 3000);
+        QVERIFY(watch.size_um > 0.5);           // back in the loop
+        QVERIFY(watch.step_um <= 0.2 + 1e-12);  // and as softly
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Turning, LoopMode::Off}).done);
+        QCOMPARE(watchTrim(bench, kFiveMilliseconds).last_um, 0.0);
+    }
+    void slowMachineIsToldWhy() {
+        test::TurningBench bench({}, 1'000'000);
+        QVERIFY(bench.start());
+        bench.engine->runCycles(2000);
+        QCOMPARE(bench.loop().state, LoopState::Limited);
+        QCOMPARE(bench.engine->cycle().outputs().toolTrim_um, 0.0);
+    }
+    void withAMotionSensorTheProcessIsIdentified() {
+        SimulatedTurning::Params params;
+        params.motionSensorNoise_um = 0.005;
+        test::TurningBench bench(params);
+        QVERIFY(bench.start(LoopMode::Advise));
+        bench.run(3.0);
+        const TurningIdentification& found = bench.status().identification;
+        QVERIFY(found.available);
+        QVERIFY2(std::abs(found.value[1] - 0.747) < 0.04, qPrintable(QString::number(found.value[1])));
+        QVERIFY(found.excitation > 3.0);
+        QVERIFY(found.half95[1] > 0.0 && found.half95[1] < 0.05);
+    }
+    void unusableSetupsAreRefused() {
+        test::TurningBench bench;
+        QVERIFY(!bench.execute(StartPart{ProcessId::Turning}).done);
+        const auto refused = [&](auto change) {
+            TurningSetup setup = test::shortCut();
+            change(setup);
+            const CommandResult result = bench.execute(LoadTurningSetup{setup});
+            return !result.done && !result.reason.empty();
+        };
+        QVERIFY(refused([](TurningSetup& s) { s.depth_um = 0.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.depth_um = std::nan(""); }));
+        QVERIFY(refused([](TurningSetup& s) { s.spindleSpeed_rpm = 10.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.feed_umPerRev = -1.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.trimAuthority_um = 5.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.faceTo_mm = s.faceFrom_mm; }));
+        QVERIFY(refused([](TurningSetup& s) { s.toolRadius_um = 1.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.knownTones_Hz[0] = 1.0; }));
+        QVERIFY(bench.execute(LoadTurningSetup{test::shortCut()}).done);
+    }
+    void cycleNeitherAllocatesLocksNorThrows() {
+        if (!test::CycleGuard::available()) {
+            QSKIP("a sanitizer owns malloc in this build");
+        }
+        test::TurningBench bench;
+        std::uint64_t sins = 0;
+        {
+            const test::CycleGuard guard;
+            (void)bench.start();
+            bench.run(2.0);
+            InjectedFaults faults;
+            faults.force = SignalFault::NotANumber;
+            bench.machine->inject(faults);
+            bench.run(0.5);
+            bench.machine->inject({});
+            (void)bench.execute(ReleaseHold{});
+            bench.run(4.0);
+            sins = guard.allocations() + guard.locks() + guard.throws();
+        }
+        QCOMPARE(sins, std::uint64_t{0});
+    }
+};
+QTEST_APPLESS_MAIN(TestTurningLoop)
+#include "tst_turning_loop.moc"

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/loop/engine.h"
+#include "engine/machine/simulated_machine.h"
+#include "engine/machine/simulated_turning.h"
+#include "engine/turning/turning_loop.h"
+
+namespace kerf::test {
+
+/// About 5 s of cutting.
+inline TurningSetup shortCut(std::uint32_t revision = 1) {
+    TurningSetup setup;
+    setup.revision = revision;
+    setup.faceTo_mm = 0.5;
+    return setup;
+}
+
+/// Simulated diamond turning machine at 5 kHz, loop and engine, on the caller's thread.
+struct TurningBench {
+    explicit TurningBench(const SimulatedTurning::Params& params = {}, std::int64_t cycle_ns = 200'000) {
+        std::vector<std::unique_ptr<SimulatedProcess>> plants;
+        auto plant = std::make_unique<SimulatedTurning>(params);
+        turning = plant.get();
+        plants.push_back(std::move(plant));
+        SimulatedMachine::Params machineParams;
+        machineParams.cycle_ns = cycle_ns;
+        machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
+        (void)machine->connect();
+        std::vector<std::unique_ptr<ProcessLoop>> loops;
+        loops.push_back(std::make_unique<TurningLoop>());
+        engine = std::make_unique<Engine>(*machine, std::move(loops));
+    }
+    template <class Action>
+    CommandResult execute(const Action& action) {
+        Command command;
+        command.action = action;
+        (void)engine->send(command);
+        engine->runCycles(1);
+        return engine->status().lastCommand;
+    }
+    bool start(LoopMode mode = LoopMode::Control, const TurningSetup& setup = shortCut()) {
+        return execute(LoadTurningSetup{setup}).done && execute(SetLoopMode{ProcessId::Turning, mode}).done &&
+               execute(StartPart{ProcessId::Turning}).done;
+    }
+    void run(double seconds) { engine->runCycles(static_cast<std::uint64_t>(seconds * 5000.0)); }
+    [[nodiscard]] const TurningStatus& status() { return engine->status().turning; }
+    [[nodiscard]] const LoopStatus& loop() {
+        return engine->status().loops[static_cast<std::size_t>(ProcessId::Turning)];
+    }
+    /// RMS of the tool's true motion over the next seconds.
+    double motionRms_um(double seconds) {
+        double square_um2 = 0.0;
+        const int count = static_cast<int>(seconds * 5000.0);
+        for (int i = 0; i < count; ++i) {
+            engine->runCycles(1);
+            square_um2 += turning->inner_um() * turning->inner_um() / count;
+        }
+        return std::sqrt(square_um2);
+    }
+    /// All alarms raised since the last call.
+    std::vector<AlarmCode> alarms() {
+        std::vector<AlarmCode> codes;
+        AlarmEvent event;
+        while (engine->nextAlarm(event)) {
+            if (event.raised) {
+                codes.push_back(event.code);
+            }
+        }
+        return codes;
+    }
+    bool raised(AlarmCode code) {
+        const auto codes = alarms();
+        return std::find(codes.begin(), codes.end(), code) != codes.end();
+    }
+
+    SimulatedTurning* turning{nullptr};
+    std::unique_ptr<SimulatedMachine> machine;
+    std::unique_ptr<Engine> engine;
+};
+
+}  // namespace kerf::test
