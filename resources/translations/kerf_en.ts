@@ -974,6 +974,90 @@
             <source>table 1 of Lee (1983)</source>
             <translation>table 1 of Lee (1983)</translation>
         </message>
+        <message>
+            <source>%1 has other temperature columns than %2; train with days of one machine.</source>
+            <translation>%1 has other temperature columns than %2; train with days of one machine.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected %2 to %3 degC.</source>
+            <translation>%1 is out of range; expected %2 to %3 degC.</translation>
+        </message>
+        <message>
+            <source>%1 min does not follow %2 min; expected rising time.</source>
+            <translation>%1 min does not follow %2 min; expected rising time.</translation>
+        </message>
+        <message>
+            <source>A network of pairs needs at least 2 inputs; got %1.</source>
+            <translation>A network of pairs needs at least 2 inputs; got %1.</translation>
+        </message>
+        <message>
+            <source>A training or check set has only %1 rows; expected at least %2.</source>
+            <translation>A training or check set has only %1 rows; expected at least %2.</translation>
+        </message>
+        <message>
+            <source>Network width %1 is out of range; expected 1 to %2.</source>
+            <translation>Network width %1 is out of range; expected 1 to %2.</translation>
+        </message>
+        <message>
+            <source>No training day was given.</source>
+            <translation>No training day was given.</translation>
+        </message>
+        <message>
+            <source>The network reads %1 sensors; at most %2 are supported.</source>
+            <translation>The network reads %1 sensors; at most %2 are supported.</translation>
+        </message>
+        <message>
+            <source>Training was cancelled.</source>
+            <translation>Training was cancelled.</translation>
+        </message>
+        <message>
+            <source>baseline of %1 looks like degrees Fahrenheit; expected degC.</source>
+            <translation>baseline of %1 looks like degrees Fahrenheit; expected degC.</translation>
+        </message>
+        <message>
+            <source>constant at %1 in every row; expected a temperature that moves. Leave the column out.</source>
+            <translation>constant at %1 in every row; expected a temperature that moves. Leave the column out.</translation>
+        </message>
+        <message>
+            <source>fewer than two temperature columns.</source>
+            <translation>fewer than two temperature columns.</translation>
+        </message>
+        <message>
+            <source>gap of %1 min; expected an even step of %2 min without gaps.</source>
+            <translation>gap of %1 min; expected an even step of %2 min without gaps.</translation>
+        </message>
+        <message>
+            <source>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</source>
+            <translation>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</translation>
+        </message>
+        <message>
+            <source>no measured drift; training needs yx_meas, yy_meas and yz_meas.</source>
+            <translation>no measured drift; training needs yx_meas, yy_meas and yz_meas.</translation>
+        </message>
+        <message>
+            <source>no reading; training data must be without gaps.</source>
+            <translation>no reading; training data must be without gaps.</translation>
+        </message>
+        <message>
+            <source>no row at or after time 0.</source>
+            <translation>no row at or after time 0.</translation>
+        </message>
+        <message>
+            <source>no row before time 0; expected at least one baseline row with t_min &lt; 0.</source>
+            <translation>no row before time 0; expected at least one baseline row with t_min &lt; 0.</translation>
+        </message>
+        <message>
+            <source>no usable drift; expected a number from -1000 to 1000 um.</source>
+            <translation>no usable drift; expected a number from -1000 to 1000 um.</translation>
+        </message>
+        <message>
+            <source>only %1 rows from time 0; training needs at least %2.</source>
+            <translation>only %1 rows from time 0; training needs at least %2.</translation>
+        </message>
+        <message>
+            <source>too short; expected baseline rows and at least one row from time 0.</source>
+            <translation>too short; expected baseline rows and at least one row from time 0.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

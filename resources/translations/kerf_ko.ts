@@ -808,171 +808,255 @@
         </message>
         <message>
             <source>%1 mm is far from the %2 mm expected here. Measure again, or confirm that it is so.</source>
-            <translation type="unfinished" />
+            <translation>%1 mm는 여기서 예상한 %2 mm와 크게 다릅니다. 다시 측정하거나 맞는 값이라고 확인하십시오.</translation>
         </message>
         <message>
             <source>A bore is measured at 1 to %1 depths.</source>
-            <translation type="unfinished" />
+            <translation>보어는 1~%1개 깊이에서 측정합니다.</translation>
         </message>
         <message>
             <source>A bore of %1 mm cannot be: without any bending it would be %2 mm. Measure again.</source>
-            <translation type="unfinished" />
+            <translation>%1 mm 보어는 있을 수 없습니다. 휨이 전혀 없어도 %2 mm가 됩니다. 다시 측정하십시오.</translation>
         </message>
         <message>
             <source>A bore of part %1 was corrected; everything after it was computed again.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1의 보어 값이 수정되어 이후 값을 모두 다시 계산했습니다.</translation>
         </message>
         <message>
             <source>A bore of part %1 was taken out; everything after it was computed again.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1의 보어 값이 제외되어 이후 값을 모두 다시 계산했습니다.</translation>
         </message>
         <message>
             <source>A value is being stored; try again in a moment.</source>
-            <translation type="unfinished" />
+            <translation>값을 저장하는 중입니다. 잠시 후 다시 시도하십시오.</translation>
         </message>
         <message>
             <source>Angle of the deflection</source>
-            <translation type="unfinished" />
+            <translation>휨 각도</translation>
         </message>
         <message>
             <source>Depths must differ and lie inside the bore; %1 mm does not.</source>
-            <translation type="unfinished" />
+            <translation>측정 깊이는 서로 다르고 보어 안에 있어야 합니다. %1 mm는 맞지 않습니다.</translation>
         </message>
         <message>
             <source>Feed exponent by experience</source>
-            <translation type="unfinished" />
+            <translation>경험에 따른 이송 지수</translation>
         </message>
         <message>
             <source>Feed of the first part</source>
-            <translation type="unfinished" />
+            <translation>첫 공작물의 이송</translation>
         </message>
         <message>
             <source>Highest feed</source>
-            <translation type="unfinished" />
+            <translation>최대 이송</translation>
         </message>
         <message>
             <source>Largest diameter</source>
-            <translation type="unfinished" />
+            <translation>최대 지름</translation>
         </message>
         <message>
             <source>Lot %1 was computed again from its measurements and differs from the stored state.</source>
-            <translation type="unfinished" />
+            <translation>로트 %1을(를) 측정값으로 다시 계산한 결과가 저장된 상태와 다릅니다.</translation>
         </message>
         <message>
             <source>Lowest feed</source>
-            <translation type="unfinished" />
+            <translation>최소 이송</translation>
         </message>
         <message>
             <source>Nothing is measured yet: the part is cut at the constant feed of %1 mm/rev.</source>
-            <translation type="unfinished" />
+            <translation>아직 측정값이 없습니다. 공작물을 일정한 이송 %1 mm/rev로 가공합니다.</translation>
         </message>
         <message>
             <source>Overhang at the bottom</source>
-            <translation type="unfinished" />
+            <translation>아래쪽 돌출 길이</translation>
         </message>
         <message>
             <source>Overhang at the top</source>
-            <translation type="unfinished" />
+            <translation>위쪽 돌출 길이</translation>
         </message>
         <message>
             <source>Part %1 came out %2 µm larger than its target on average.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1이(가) 평균적으로 목표보다 %2 µm 크게 나왔습니다.</translation>
         </message>
         <message>
             <source>Part %1 came out %2 µm smaller than its target on average.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1이(가) 평균적으로 목표보다 %2 µm 작게 나왔습니다.</translation>
         </message>
         <message>
             <source>Part %1 came out on its target.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1이(가) 목표대로 나왔습니다.</translation>
         </message>
         <message>
             <source>Smallest diameter</source>
-            <translation type="unfinished" />
+            <translation>최소 지름</translation>
         </message>
         <message>
             <source>Spindle speed</source>
-            <translation type="unfinished" />
+            <translation>주축 회전수</translation>
         </message>
         <message>
             <source>Standard deviation of the gauge</source>
-            <translation type="unfinished" />
+            <translation>게이지의 표준편차</translation>
         </message>
         <message>
             <source>Target deflection</source>
-            <translation type="unfinished" />
+            <translation>목표 휨</translation>
         </message>
         <message>
             <source>Target diameter</source>
-            <translation type="unfinished" />
+            <translation>목표 지름</translation>
         </message>
         <message>
             <source>The bores differ from their prediction by more than chance: T² %1, limit %2.</source>
-            <translation type="unfinished" />
+            <translation>보어가 예측과 우연 이상으로 다릅니다: T² %1, 한계 %2.</translation>
         </message>
         <message>
             <source>The lot asks for an estimator that this program does not have.</source>
-            <translation type="unfinished" />
+            <translation>이 로트는 이 프로그램에 없는 추정기를 요구합니다.</translation>
         </message>
         <message>
             <source>The lowest feed must be below the highest one.</source>
-            <translation type="unfinished" />
+            <translation>최소 이송은 최대 이송보다 작아야 합니다.</translation>
         </message>
         <message>
             <source>The overhang at the top must be below the one at the bottom.</source>
-            <translation type="unfinished" />
+            <translation>위쪽 돌출 길이는 아래쪽보다 작아야 합니다.</translation>
         </message>
         <message>
             <source>The part type has no such depth.</source>
-            <translation type="unfinished" />
+            <translation>이 공작물 종류에는 그런 측정 깊이가 없습니다.</translation>
         </message>
         <message>
             <source>The part type's parameters cannot be read; they need numbers under their keys.</source>
-            <translation type="unfinished" />
+            <translation>공작물 종류의 파라미터를 읽을 수 없습니다. 각 항목에 숫자가 있어야 합니다.</translation>
         </message>
         <message>
             <source>The process changed with part %1: the law is learned anew from there.</source>
-            <translation type="unfinished" />
+            <translation>공작물 %1부터 공정이 바뀌었습니다. 그 지점부터 법칙을 새로 학습합니다.</translation>
         </message>
         <message>
             <source>The target diameter must lie between the smallest and the largest one.</source>
-            <translation type="unfinished" />
+            <translation>목표 지름은 최소와 최대 지름 사이에 있어야 합니다.</translation>
         </message>
         <message>
             <source>There is no measurement to undo.</source>
-            <translation type="unfinished" />
+            <translation>취소할 측정값이 없습니다.</translation>
         </message>
         <message>
             <source>There is no such lot.</source>
-            <translation type="unfinished" />
+            <translation>그런 로트가 없습니다.</translation>
         </message>
         <message>
             <source>This bore has a value already; correct that one instead.</source>
-            <translation type="unfinished" />
+            <translation>이 보어에는 이미 값이 있습니다. 그 값을 수정하십시오.</translation>
         </message>
         <message>
             <source>This part has no finished bore to measure.</source>
-            <translation type="unfinished" />
+            <translation>이 공작물에는 측정할 완성된 보어가 없습니다.</translation>
         </message>
         <message>
             <source>This value was replaced or taken out meanwhile; look at the newest one first.</source>
-            <translation type="unfinished" />
+            <translation>이 값은 그사이 바뀌었거나 제외되었습니다. 먼저 최신 값을 확인하십시오.</translation>
         </message>
         <message>
             <source>Three measurements in a row lie more than 3σ off the target deflection.</source>
-            <translation type="unfinished" />
+            <translation>연속한 세 측정값이 목표 휨에서 3σ 넘게 벗어났습니다.</translation>
         </message>
         <message>
             <source>drawing of the part</source>
-            <translation type="unfinished" />
+            <translation>공작물 도면</translation>
         </message>
         <message>
             <source>set up with the machine</source>
-            <translation type="unfinished" />
+            <translation>기계와 함께 설정</translation>
         </message>
         <message>
             <source>table 1 of Lee (1983)</source>
-            <translation type="unfinished" />
+            <translation>Lee(1983)의 표 1</translation>
+        </message>
+        <message>
+            <source>%1 has other temperature columns than %2; train with days of one machine.</source>
+            <translation>%1의 온도 열이 %2와 다릅니다. 같은 기계의 데이터로 학습하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected %2 to %3 degC.</source>
+            <translation>%1이(가) 범위를 벗어났습니다. %2~%3 degC여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 min does not follow %2 min; expected rising time.</source>
+            <translation>%1분이 %2분 다음에 올 수 없습니다. 시간은 증가해야 합니다.</translation>
+        </message>
+        <message>
+            <source>A network of pairs needs at least 2 inputs; got %1.</source>
+            <translation>쌍 네트워크에는 입력이 2개 이상 필요합니다. 현재 %1개입니다.</translation>
+        </message>
+        <message>
+            <source>A training or check set has only %1 rows; expected at least %2.</source>
+            <translation>학습 또는 검사 데이터가 %1행뿐입니다. %2행 이상이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Network width %1 is out of range; expected 1 to %2.</source>
+            <translation>네트워크 폭 %1이(가) 범위를 벗어났습니다. 1~%2여야 합니다.</translation>
+        </message>
+        <message>
+            <source>No training day was given.</source>
+            <translation>학습 데이터가 지정되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The network reads %1 sensors; at most %2 are supported.</source>
+            <translation>네트워크가 센서 %1개를 사용합니다. 최대 %2개까지 지원합니다.</translation>
+        </message>
+        <message>
+            <source>Training was cancelled.</source>
+            <translation>학습이 취소되었습니다.</translation>
+        </message>
+        <message>
+            <source>baseline of %1 looks like degrees Fahrenheit; expected degC.</source>
+            <translation>기준값 %1은(는) 화씨로 보입니다. degC여야 합니다.</translation>
+        </message>
+        <message>
+            <source>constant at %1 in every row; expected a temperature that moves. Leave the column out.</source>
+            <translation>모든 행에서 %1로 일정합니다. 변하는 온도여야 합니다. 이 열을 제외하십시오.</translation>
+        </message>
+        <message>
+            <source>fewer than two temperature columns.</source>
+            <translation>온도 열이 두 개보다 적습니다.</translation>
+        </message>
+        <message>
+            <source>gap of %1 min; expected an even step of %2 min without gaps.</source>
+            <translation>%1분의 빈틈이 있습니다. 빈틈 없이 %2분 간격이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</source>
+            <translation>기계가 %2 K 데워지는 동안 최대 변위가 %1입니다. mm가 아니라 um이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>no measured drift; training needs yx_meas, yy_meas and yz_meas.</source>
+            <translation>측정된 변위가 없습니다. 학습에는 yx_meas, yy_meas, yz_meas가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>no reading; training data must be without gaps.</source>
+            <translation>읽은 값이 없습니다. 학습 데이터에는 빈틈이 없어야 합니다.</translation>
+        </message>
+        <message>
+            <source>no row at or after time 0.</source>
+            <translation>시각 0 이후의 행이 없습니다.</translation>
+        </message>
+        <message>
+            <source>no row before time 0; expected at least one baseline row with t_min &lt; 0.</source>
+            <translation>시각 0 이전의 행이 없습니다. t_min &lt; 0인 기준 행이 하나 이상 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>no usable drift; expected a number from -1000 to 1000 um.</source>
+            <translation>쓸 수 있는 변위가 없습니다. -1000~1000 um의 숫자여야 합니다.</translation>
+        </message>
+        <message>
+            <source>only %1 rows from time 0; training needs at least %2.</source>
+            <translation>시각 0 이후 %1행뿐입니다. 학습에는 %2행 이상이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>too short; expected baseline rows and at least one row from time 0.</source>
+            <translation>너무 짧습니다. 기준 행과 시각 0 이후의 행이 하나 이상 있어야 합니다.</translation>
         </message>
     </context>
     <context>
