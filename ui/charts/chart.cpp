@@ -96,7 +96,7 @@ Chart::CurveId Chart::addCurve(const CurveStyle& style) {
     m_chart->addSeries(series);
     series->attachAxis(m_x);
     series->attachAxis(m_y);
-    m_curves.push_back({style, {}, {}, series});
+    m_curves.push_back({style, {}, {}, {}, series});
     restyle();
     return m_curves.size() - 1;
 }
@@ -143,7 +143,7 @@ void Chart::setEmptyText(const QString& sentence) {
 }
 
 QList<QPointF> Chart::drawn(CurveId curve) const {
-    return m_curves[curve].series->points();
+    return m_curves[curve].shown;
 }
 
 void Chart::resizeEvent(QResizeEvent* event) {
@@ -196,12 +196,13 @@ void Chart::retitle() {
 void Chart::rebuild() {
     const DisplayUnit x = m_look.units().of(m_xUnit);
     const DisplayUnit y = m_look.units().of(m_yUnit);
-    for (const Curve& curve : m_curves) {
+    for (Curve& curve : m_curves) {
         QList<QPointF> shown;
         shown.reserve(static_cast<qsizetype>(curve.points.size()));
         for (const QPointF& p : curve.points) {
             shown.append({x.toShown(p.x()), y.toShown(p.y())});
         }
+        curve.shown = shown;
         curve.series->replace(shown);
     }
     for (const Band& band : m_bands) {
@@ -315,8 +316,7 @@ void Chart::drawForeground(QPainter* painter, const QRectF&) {
     if (m_lowTitles) {
         paintLowTitle(*painter, plot);
     }
-    const bool empty =
-        std::all_of(m_curves.begin(), m_curves.end(), [](const Curve& c) { return c.series->count() == 0; });
+    const bool empty = std::all_of(m_curves.begin(), m_curves.end(), [](const Curve& c) { return c.shown.isEmpty(); });
     painter->setFont(m_look.font(TextSize::Label));
     if (empty && !m_emptyText.isEmpty()) {
         painter->setFont(m_look.font(TextSize::Body));
@@ -329,6 +329,7 @@ void Chart::drawForeground(QPainter* painter, const QRectF&) {
     std::vector<QRectF> taken;
     paintMarks(*painter, plot);
     paintLimits(*painter, plot, taken);
+    paintLines(*painter, plot);
     paintCurves(*painter, plot, taken);
     painter->restore();
 }
@@ -339,6 +340,8 @@ void Chart::paintLowTitle(QPainter& painter, const QRectF& plot) const {
     painter.drawText(QRectF(0.0, plot.bottom(), plot.right(), viewport()->height() - plot.bottom()),
                      Qt::AlignLeft | Qt::AlignVCenter, m_x->titleText());
 }
+
+void Chart::paintLines(QPainter&, const QRectF&) const {}
 
 void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
     const DisplayUnit unit = m_look.units().of(m_yUnit);
@@ -385,7 +388,7 @@ void Chart::paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRect
     const QFontMetrics metrics(m_look.font(TextSize::Label));
     const double r = m_look.metrics().stroke(Stroke::Bold) * 1.5;
     for (const Curve& curve : m_curves) {
-        const QList<QPointF> points = curve.series->points();
+        const QList<QPointF>& points = curve.shown;
         const QColor color = m_look.color(curve.style.token);
         if (curve.style.kind == Kind::Points || curve.style.kind == Kind::LineAndPoints) {
             painter.setPen(QPen(color, m_look.metrics().stroke(Stroke::Normal)));

@@ -86,14 +86,20 @@ class Chart : public QChartView {
         CurveStyle style;
         QString label;
         std::vector<QPointF> points;   ///< stored units
-        QLineSeries* series{nullptr};  ///< shown units
+        QList<QPointF> shown;          ///< shown units, as drawn
+        QLineSeries* series{nullptr};  ///< draws `shown`; empty where a derived chart draws it itself
     };
     void drawForeground(QPainter* painter, const QRectF& rect) override;
     void resizeEvent(QResizeEvent* event) override;
+    /// Lines that are not left to a series; called between limits and labels.
+    virtual void paintLines(QPainter& painter, const QRectF& plot) const;
+    /// Where a shown point stands on the widget.
+    [[nodiscard]] QPointF place(const QPointF& shown) const;
     /// Shown values and axes anew from the stored ones.
     virtual void rebuild();
     [[nodiscard]] Look& look() const { return m_look; }
     [[nodiscard]] std::vector<Curve>& curves() { return m_curves; }
+    [[nodiscard]] const std::vector<Curve>& curves() const { return m_curves; }
     [[nodiscard]] QValueAxis* xAxis() const { return m_x; }
     [[nodiscard]] QValueAxis* yAxis() const { return m_y; }
     [[nodiscard]] const char* yUnit() const { return m_yUnit; }
@@ -112,7 +118,6 @@ class Chart : public QChartView {
     void retitle();
     void paintLowTitle(QPainter& painter, const QRectF& plot) const;
     void fit();
-    [[nodiscard]] QPointF place(const QPointF& shown) const;
     void paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
     void paintMarks(QPainter& painter, const QRectF& plot) const;
     void paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;

@@ -73,7 +73,7 @@ void HistogramChart::paintEvent(QPaintEvent*) {
     const QFontMetrics metrics(small);
     painter.setFont(small);
     const int axis = 2 * metrics.height() + look().space(Space::Small);
-    const int names = 2 * metrics.height();
+    const int names = 3 * metrics.height() + look().space(Space::Small);
     const int scale = metrics.horizontalAdvance(QStringLiteral("0.0001 %")) + look().space(Space::Small);
     const QRectF plot = QRectF(rect()).adjusted(scale, names, -look().space(Space::Large), -axis);
     const auto x = [&plot](double time_ns) { return plot.left() + along(time_ns) * plot.width(); };
@@ -132,17 +132,17 @@ void HistogramChart::paintEvent(QPaintEvent*) {
         {{m_histogram.percentile_ns(0.5), tr("median %1").arg(timeText(m_histogram.percentile_ns(0.5)))},
          {m_histogram.percentile_ns(0.999), tr("99.9 % %1").arg(timeText(m_histogram.percentile_ns(0.999)))},
          {m_histogram.max_ns(), tr("worst %1").arg(timeText(m_histogram.max_ns()))}}};
-    double taken = 0.0;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
+    for (std::size_t i = 0; i < marks.size(); ++i) {  // each name on a line of its own: they stand close together
         const double at = x(static_cast<double>(marks[i].time_ns));
+        const double row = static_cast<double>(i) * metrics.height();
         painter.setPen(look().pen(Token::Text, Stroke::Thin));
-        painter.drawLine(QPointF(at, plot.top() - look().space(Space::Small)), QPointF(at, plot.bottom()));
+        painter.drawLine(QPointF(at, row + metrics.height()), QPointF(at, plot.bottom()));
         const double textWidth = metrics.horizontalAdvance(marks[i].name);
         const double left = std::clamp(at - textWidth / 2.0, 0.0, width() - textWidth);
-        const double row = i % 2 == 1 || left < taken ? 0.0 : metrics.height();
+        const QRectF box(left, row, textWidth, metrics.height());
+        painter.fillRect(box, look().color(Token::Panel));
         painter.setPen(look().color(Token::Text));
-        painter.drawText(QRectF(left, row, textWidth, metrics.height()), Qt::AlignCenter, marks[i].name);
-        taken = left + textWidth;
+        painter.drawText(box, Qt::AlignCenter, marks[i].name);
     }
 }
 

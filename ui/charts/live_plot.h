@@ -24,14 +24,15 @@ class LivePlot : public Chart {
 
  protected:
     void rebuild() override;
+    void paintLines(QPainter& painter, const QRectF& plot) const override;
     void showEvent(QShowEvent* event) override;
 
  private:
     void forget(Curve& curve) const;
+    void paintLine(QPainter& painter, const QRectF& plot, const Curve& curve) const;
 
     double m_window_s;
     double m_now_s{0.0};
-    QList<QPointF> m_scratch;
 };
 
 }  // namespace kerf::ui

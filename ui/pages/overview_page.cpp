@@ -86,7 +86,7 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
       m_machineLamp(new Lamp(context.look, this)),
       m_sentence(makeLabel(TextRole::Body, this, true)),
       m_feed(new NumberDisplay(context.look, "mm/s", 2, TextSize::Page, this)),
-      m_spindle(new NumberDisplay(context.look, "rpm", 0, TextSize::Card, this)),
+      m_feedCourse(new Sparkline(context.look, this)),
       m_parts(new NumberDisplay(context.look, "", 0, TextSize::Card, this)),
       m_start(new ActionButton(context.look, this)),
       m_release(new ActionButton(context.look, this)) {
@@ -127,7 +127,7 @@ void OverviewPage::buildMachine() {
     m_feed->setObjectName(QStringLiteral("feedRate"));
     m_parts->setObjectName(QStringLiteral("partCounter"));
     m_feed->setWidest(88.0);
-    m_machine->body()->addStretch(1);
+    m_machine->body()->addWidget(m_feedCourse, 1);
     auto* numbers = new QGridLayout;
     numbers->addWidget(m_feed, 0, 0, 1, 2);
     numbers->addWidget(m_parts, 0, 2);
@@ -138,7 +138,6 @@ void OverviewPage::buildMachine() {
         m_position.push_back(number);
         numbers->addWidget(number, 1, static_cast<int>(axis));
     }
-    m_spindle->hide();
     m_machine->body()->addLayout(numbers);
     auto* buttons = new QHBoxLayout;
     m_start->setObjectName(QStringLiteral("startPart"));
@@ -236,6 +235,9 @@ void OverviewPage::onStatus(const Status& status) {
         if (sample && isVisible()) {
             m_cards[i]->show(status.loops[i], figure);
         }
+    }
+    if (sample && status.actualFeed_mmPerS.good()) {
+        m_feedCourse->push(status.actualFeed_mmPerS.value);
     }
     if (!sample || !isVisible()) {
         return;

@@ -63,7 +63,7 @@ class OverviewPage : public Page {
     Lamp* m_machineLamp;
     QLabel* m_sentence;
     NumberDisplay* m_feed;
-    NumberDisplay* m_spindle;
+    Sparkline* m_feedCourse;
     std::vector<NumberDisplay*> m_position;
     NumberDisplay* m_parts;
     ActionButton* m_start;

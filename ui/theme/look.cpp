@@ -46,6 +46,7 @@ QFont Look::font(TextSize size, QFont::Weight weight) const {
     font.setFamilies({QStringLiteral("Noto Sans"), QStringLiteral("Noto Sans CJK KR")});
     font.setPixelSize(m_metrics.text(size));
     font.setWeight(weight);
+    font.setHintingPreference(QFont::PreferNoHinting);  // hinted Hangul is as heavy as bold at these sizes
     return font;
 }
 
