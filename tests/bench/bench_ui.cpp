@@ -15,8 +15,12 @@ using namespace kerf::ui;
 constexpr double kWindow_s = 300.0;
 constexpr double kSampleRate_Hz = 100.0;
 
+/// A part a minute: the feed falls along the bore; what is cut follows with 2 % of ripple.
+double schedule(double t_s) {
+    return 0.09 + 0.16 * std::exp(-3.0 * std::fmod(t_s, 60.0) / 60.0);
+}
 double signal(double t_s) {
-    return 0.2 + 0.05 * std::sin(t_s) + 0.004 * std::sin(97.0 * t_s);
+    return schedule(t_s) * (1.0 + 0.02 * std::sin(97.0 * t_s));
 }
 
 /// One display tick: the samples of 1/60 s, the axis moved on, the whole chart painted.
@@ -32,7 +36,7 @@ void liveFrame(benchmark::State& state) {
     double t_s = 0.0;
     const auto take = [&](double until_s) {
         for (; t_s < until_s; t_s += 1.0 / kSampleRate_Hz) {
-            plot.append(wanted, t_s, 0.2 + 0.05 * std::sin(t_s));
+            plot.append(wanted, t_s, schedule(t_s));
             plot.append(live, t_s, signal(t_s));
         }
     };
