@@ -1058,6 +1058,206 @@
             <source>too short; expected baseline rows and at least one row from time 0.</source>
             <translation>too short; expected baseline rows and at least one row from time 0.</translation>
         </message>
+        <message>
+            <source>%1 times the force at the start of the cut.</source>
+            <translation>%1 times the force at the start of the cut.</translation>
+        </message>
+        <message>
+            <source>A known tone must be from 9 to 400 Hz.</source>
+            <translation>A known tone must be from 9 to 400 Hz.</translation>
+        </message>
+        <message>
+            <source>A vibration repeats with every revolution, so the force does not change with it.</source>
+            <translation>A vibration repeats with every revolution, so the force does not change with it.</translation>
+        </message>
+        <message>
+            <source>At most 8 known tones.</source>
+            <translation>At most 8 known tones.</translation>
+        </message>
+        <message>
+            <source>Check depth of cut and amplifier range before the next part.</source>
+            <translation>Check depth of cut and amplifier range before the next part.</translation>
+        </message>
+        <message>
+            <source>Check depth of cut and touch-off before the next part.</source>
+            <translation>Check depth of cut and touch-off before the next part.</translation>
+        </message>
+        <message>
+            <source>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</source>
+            <translation>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</translation>
+        </message>
+        <message>
+            <source>Choose the spindle speed that the page suggests.</source>
+            <translation>Choose the spindle speed that the page suggests.</translation>
+        </message>
+        <message>
+            <source>Find the source of the vibration; see the spectrum's tones.</source>
+            <translation>Find the source of the vibration; see the spectrum's tones.</translation>
+        </message>
+        <message>
+            <source>Force feedback needs a cycle of 0.2 ms; this machine has %1 ms: no trim.</source>
+            <translation>Force feedback needs a cycle of 0.2 ms; this machine has %1 ms: no trim.</translation>
+        </message>
+        <message>
+            <source>Force sensor at the end of its range</source>
+            <translation>Force sensor at the end of its range</translation>
+        </message>
+        <message>
+            <source>Force sensor at the end of its range: no trim in this part.</source>
+            <translation>Force sensor at the end of its range: no trim in this part.</translation>
+        </message>
+        <message>
+            <source>Force signal lost</source>
+            <translation>Force signal lost</translation>
+        </message>
+        <message>
+            <source>Force signal lost: the trim is zero.</source>
+            <translation>Force signal lost: the trim is zero.</translation>
+        </message>
+        <message>
+            <source>Listening to the disturbance: no trim yet.</source>
+            <translation>Listening to the disturbance: no trim yet.</translation>
+        </message>
+        <message>
+            <source>Look at the tool's edge. Change it if it is chipped, then release the loop.</source>
+            <translation>Look at the tool's edge. Change it if it is chipped, then release the loop.</translation>
+        </message>
+        <message>
+            <source>No turning setup is loaded: enter the cut first.</source>
+            <translation>No turning setup is loaded: enter the cut first.</translation>
+        </message>
+        <message>
+            <source>None, unless it comes back with every part: then check the sensor's insulation.</source>
+            <translation>None, unless it comes back with every part: then check the sensor's insulation.</translation>
+        </message>
+        <message>
+            <source>Out of the cut: the sensor's zero is taken.</source>
+            <translation>Out of the cut: the sensor's zero is taken.</translation>
+        </message>
+        <message>
+            <source>Part of the disturbance stays on the surface.</source>
+            <translation>Part of the disturbance stays on the surface.</translation>
+        </message>
+        <message>
+            <source>Ready: force feedback begins at the touch of the next part.</source>
+            <translation>Ready: force feedback begins at the touch of the next part.</translation>
+        </message>
+        <message>
+            <source>The cut is deeper or the amplifier more sensitive than the sensor's range allows.</source>
+            <translation>The cut is deeper or the amplifier more sensitive than the sensor's range allows.</translation>
+        </message>
+        <message>
+            <source>The cutting force has jumped: the tool may be chipped</source>
+            <translation>The cutting force has jumped: the tool may be chipped</translation>
+        </message>
+        <message>
+            <source>The cutting force has jumped: the trim is zero, look at the tool.</source>
+            <translation>The cutting force has jumped: the trim is zero, look at the tool.</translation>
+        </message>
+        <message>
+            <source>The depth of cut must be from 0.1 to 50 um.</source>
+            <translation>The depth of cut must be from 0.1 to 50 um.</translation>
+        </message>
+        <message>
+            <source>The disturbance is larger than the trim may correct.</source>
+            <translation>The disturbance is larger than the trim may correct.</translation>
+        </message>
+        <message>
+            <source>The face must end beyond its start.</source>
+            <translation>The face must end beyond its start.</translation>
+        </message>
+        <message>
+            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
+            <translation>The feed must be from 0.01 to 1000 um per revolution.</translation>
+        </message>
+        <message>
+            <source>The force cannot see a tone at this spindle speed</source>
+            <translation>The force cannot see a tone at this spindle speed</translation>
+        </message>
+        <message>
+            <source>The force sensor has drifted</source>
+            <translation>The force sensor has drifted</translation>
+        </message>
+        <message>
+            <source>The force sensor is unplugged, its values are old, not numbers, or do not change any more.</source>
+            <translation>The force sensor is unplugged, its values are old, not numbers, or do not change any more.</translation>
+        </message>
+        <message>
+            <source>The mean of the trim is not zero: the loop would change the depth of cut.</source>
+            <translation>The mean of the trim is not zero: the loop would change the depth of cut.</translation>
+        </message>
+        <message>
+            <source>The piezo sensor's zero out of the cut is not where it was.</source>
+            <translation>The piezo sensor's zero out of the cut is not where it was.</translation>
+        </message>
+        <message>
+            <source>The same depth takes clearly more force than at the start of this cut.</source>
+            <translation>The same depth takes clearly more force than at the start of this cut.</translation>
+        </message>
+        <message>
+            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
+            <translation>The spindle speed must be from 150 to 30000 rev/min.</translation>
+        </message>
+        <message>
+            <source>The tone is held only for about a minute; then it comes back on the surface.</source>
+            <translation>The tone is held only for about a minute; then it comes back on the surface.</translation>
+        </message>
+        <message>
+            <source>The tool has touched: first revolution.</source>
+            <translation>The tool has touched: first revolution.</translation>
+        </message>
+        <message>
+            <source>The trim authority must be from 0 to 2 um.</source>
+            <translation>The trim authority must be from 0 to 2 um.</translation>
+        </message>
+        <message>
+            <source>The trim cancels %1 tones of the disturbance.</source>
+            <translation>The trim cancels %1 tones of the disturbance.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero for the rest of this part.</source>
+            <translation>The trim has gone to zero for the rest of this part.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero for the rest of this part; the depth is the programmed one.</source>
+            <translation>The trim has gone to zero for the rest of this part; the depth is the programmed one.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the cut goes on without force feedback.</source>
+            <translation>The trim has gone to zero; the cut goes on without force feedback.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the surface after the jump is doubtful.</source>
+            <translation>The trim has gone to zero; the surface after the jump is doubtful.</translation>
+        </message>
+        <message>
+            <source>The trim leans to one side</source>
+            <translation>The trim leans to one side</translation>
+        </message>
+        <message>
+            <source>The trim leans to one side: no trim in this part.</source>
+            <translation>The trim leans to one side: no trim in this part.</translation>
+        </message>
+        <message>
+            <source>The trim sits at its limit</source>
+            <translation>The trim sits at its limit</translation>
+        </message>
+        <message>
+            <source>The turning loop does not know this command.</source>
+            <translation>The turning loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The turning program needs feed and depth above zero, 150 to 30000 rev/min, and an end beyond its start.</source>
+            <translation>The turning program needs feed and depth above zero, 150 to 30000 rev/min, and an end beyond its start.</translation>
+        </message>
+        <message>
+            <source>The zero has moved by %1 N.</source>
+            <translation>The zero has moved by %1 N.</translation>
+        </message>
+        <message>
+            <source>The zero was taken again; the force shown is right.</source>
+            <translation>The zero was taken again; the force shown is right.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

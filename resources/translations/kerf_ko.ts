@@ -1058,6 +1058,206 @@
             <source>too short; expected baseline rows and at least one row from time 0.</source>
             <translation>너무 짧습니다. 기준 행과 시각 0 이후의 행이 하나 이상 있어야 합니다.</translation>
         </message>
+        <message>
+            <source>%1 times the force at the start of the cut.</source>
+            <translation>절삭 시작 때 힘의 %1배입니다.</translation>
+        </message>
+        <message>
+            <source>A known tone must be from 9 to 400 Hz.</source>
+            <translation>알려진 진동 주파수는 9에서 400 Hz 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>A vibration repeats with every revolution, so the force does not change with it.</source>
+            <translation>진동이 회전마다 같은 위상으로 되풀이되어 힘에 나타나지 않습니다.</translation>
+        </message>
+        <message>
+            <source>At most 8 known tones.</source>
+            <translation>알려진 진동 주파수는 8개까지입니다.</translation>
+        </message>
+        <message>
+            <source>Check depth of cut and amplifier range before the next part.</source>
+            <translation>다음 공작물 전에 절삭 깊이와 앰프 범위를 점검하십시오.</translation>
+        </message>
+        <message>
+            <source>Check depth of cut and touch-off before the next part.</source>
+            <translation>다음 공작물 전에 절삭 깊이와 터치오프를 점검하십시오.</translation>
+        </message>
+        <message>
+            <source>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</source>
+            <translation>센서, 앰프, 케이블을 점검하십시오. 이 면을 측정한 다음 루프를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Choose the spindle speed that the page suggests.</source>
+            <translation>화면이 제안하는 주축 회전수를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>Find the source of the vibration; see the spectrum's tones.</source>
+            <translation>진동의 원인을 찾으십시오. 스펙트럼의 주파수를 보십시오.</translation>
+        </message>
+        <message>
+            <source>Force feedback needs a cycle of 0.2 ms; this machine has %1 ms: no trim.</source>
+            <translation>힘 피드백에는 0.2 ms 주기가 필요한데 이 기계는 %1 ms입니다. 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Force sensor at the end of its range</source>
+            <translation>힘 센서가 측정 범위 끝에 있음</translation>
+        </message>
+        <message>
+            <source>Force sensor at the end of its range: no trim in this part.</source>
+            <translation>힘 센서가 측정 범위 끝에 있어 이 공작물은 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Force signal lost</source>
+            <translation>힘 신호 끊김</translation>
+        </message>
+        <message>
+            <source>Force signal lost: the trim is zero.</source>
+            <translation>힘 신호가 끊겨 보정을 0으로 했습니다.</translation>
+        </message>
+        <message>
+            <source>Listening to the disturbance: no trim yet.</source>
+            <translation>외란을 듣는 중이며 아직 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Look at the tool's edge. Change it if it is chipped, then release the loop.</source>
+            <translation>공구 날을 살피십시오. 이가 빠졌으면 바꾸고 루프를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>No turning setup is loaded: enter the cut first.</source>
+            <translation>선삭 설정이 없습니다. 먼저 절삭 조건을 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>None, unless it comes back with every part: then check the sensor's insulation.</source>
+            <translation>없습니다. 공작물마다 되풀이되면 센서의 절연을 점검하십시오.</translation>
+        </message>
+        <message>
+            <source>Out of the cut: the sensor's zero is taken.</source>
+            <translation>절삭 밖: 센서의 영점을 잡습니다.</translation>
+        </message>
+        <message>
+            <source>Part of the disturbance stays on the surface.</source>
+            <translation>외란의 일부가 표면에 남습니다.</translation>
+        </message>
+        <message>
+            <source>Ready: force feedback begins at the touch of the next part.</source>
+            <translation>준비됨: 다음 공작물에 닿으면 힘 피드백을 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The cut is deeper or the amplifier more sensitive than the sensor's range allows.</source>
+            <translation>센서 범위에 비해 절삭이 깊거나 앰프 감도가 높습니다.</translation>
+        </message>
+        <message>
+            <source>The cutting force has jumped: the tool may be chipped</source>
+            <translation>절삭력이 갑자기 변함: 공구 이빠짐 의심</translation>
+        </message>
+        <message>
+            <source>The cutting force has jumped: the trim is zero, look at the tool.</source>
+            <translation>절삭력이 갑자기 변했습니다. 보정을 0으로 했으니 공구를 살피십시오.</translation>
+        </message>
+        <message>
+            <source>The depth of cut must be from 0.1 to 50 um.</source>
+            <translation>절삭 깊이는 0.1에서 50 um 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The disturbance is larger than the trim may correct.</source>
+            <translation>외란이 허용된 보정량보다 큽니다.</translation>
+        </message>
+        <message>
+            <source>The face must end beyond its start.</source>
+            <translation>단면의 끝은 시작보다 뒤여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
+            <translation>이송은 회전당 0.01에서 1000 um 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The force cannot see a tone at this spindle speed</source>
+            <translation>이 회전수에서는 힘으로 볼 수 없는 주파수가 있음</translation>
+        </message>
+        <message>
+            <source>The force sensor has drifted</source>
+            <translation>힘 센서 영점이 이동함</translation>
+        </message>
+        <message>
+            <source>The force sensor is unplugged, its values are old, not numbers, or do not change any more.</source>
+            <translation>힘 센서가 빠졌거나, 값이 오래되었거나, 숫자가 아니거나, 더 이상 변하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The mean of the trim is not zero: the loop would change the depth of cut.</source>
+            <translation>보정의 평균이 0이 아닙니다. 루프가 절삭 깊이를 바꾸게 됩니다.</translation>
+        </message>
+        <message>
+            <source>The piezo sensor's zero out of the cut is not where it was.</source>
+            <translation>절삭 밖에서 압전 센서의 영점이 전과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>The same depth takes clearly more force than at the start of this cut.</source>
+            <translation>같은 깊이인데 절삭 시작 때보다 힘이 뚜렷이 큽니다.</translation>
+        </message>
+        <message>
+            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
+            <translation>주축 회전수는 150에서 30000 rev/min 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The tone is held only for about a minute; then it comes back on the surface.</source>
+            <translation>그 주파수는 1분쯤만 억제되고 그 뒤 표면에 다시 나타납니다.</translation>
+        </message>
+        <message>
+            <source>The tool has touched: first revolution.</source>
+            <translation>공구가 닿았습니다: 첫 회전.</translation>
+        </message>
+        <message>
+            <source>The trim authority must be from 0 to 2 um.</source>
+            <translation>보정 허용량은 0에서 2 um 사이여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The trim cancels %1 tones of the disturbance.</source>
+            <translation>보정이 외란의 주파수 %1개를 상쇄합니다.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero for the rest of this part.</source>
+            <translation>이 공작물의 나머지는 보정을 0으로 합니다.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero for the rest of this part; the depth is the programmed one.</source>
+            <translation>이 공작물의 나머지는 보정을 0으로 하며 깊이는 프로그램 값입니다.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the cut goes on without force feedback.</source>
+            <translation>보정을 0으로 했습니다. 절삭은 힘 피드백 없이 계속합니다.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the surface after the jump is doubtful.</source>
+            <translation>보정을 0으로 했습니다. 변화 뒤의 표면은 믿기 어렵습니다.</translation>
+        </message>
+        <message>
+            <source>The trim leans to one side</source>
+            <translation>보정이 한쪽으로 치우침</translation>
+        </message>
+        <message>
+            <source>The trim leans to one side: no trim in this part.</source>
+            <translation>보정이 한쪽으로 치우쳐 이 공작물은 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The trim sits at its limit</source>
+            <translation>보정이 한계에 있음</translation>
+        </message>
+        <message>
+            <source>The turning loop does not know this command.</source>
+            <translation>선삭 루프가 모르는 명령입니다.</translation>
+        </message>
+        <message>
+            <source>The turning program needs feed and depth above zero, 150 to 30000 rev/min, and an end beyond its start.</source>
+            <translation>선삭 프로그램에는 0보다 큰 이송과 깊이, 150~30000 rev/min, 시작보다 뒤인 끝이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The zero has moved by %1 N.</source>
+            <translation>영점이 %1 N 이동했습니다.</translation>
+        </message>
+        <message>
+            <source>The zero was taken again; the force shown is right.</source>
+            <translation>영점을 다시 잡았습니다. 표시된 힘은 맞습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
