@@ -19,7 +19,6 @@ namespace {
 
 constexpr const char* kPartTypeName = "Cylinder 50";
 constexpr const char* kLotName = "1";
-constexpr std::uint32_t kLotSize = 30;
 constexpr const char* kAuthor = "Kerf";
 constexpr int kDeskPoll_ms = 200;
 
@@ -130,7 +129,7 @@ void ConsoleApplication::openLot() {
     request.machineKind = m_options.machine;
     request.partTypeName = std::string(kPartTypeName);
     request.lotName = std::string(kLotName);
-    request.lotSize = kLotSize;
+    request.lotSize = m_options.lotSize;
     request.author = std::string(kAuthor);
     openBoringLot(*m_writer, request, [this](const Result<LotId>& lot) {
         if (lot) {

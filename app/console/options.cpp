@@ -25,6 +25,9 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
                    "Simulator: part from which another insert cuts (the process changes); 0 = never")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
+    app.add_option("--lot-size", options.lotSize, "Parts of a lot that is new, 1 to 100000")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
     app.add_option("--prepared-parts", options.preparedParts,
                    "Simulator: parts bored and measured beforehand when the lot is new, 0 to 100")
         ->check(CLI::Range(0, 100))

@@ -15,6 +15,7 @@ struct Options {
     double simulationSpeed{20.0};    ///< simulator only
     std::uint64_t seed{1};           ///< of the simulator's noise
     std::uint32_t changeAtPart{14};  ///< simulator: from this part on another insert cuts, another process; 0: never
+    std::uint32_t lotSize{30};       ///< of a lot opened by this start
     std::uint32_t preparedParts{6};  ///< simulator, empty database: parts bored and measured before the operator comes
     bool autoOperator{false};        ///< simulator: bores are measured and entered by themselves
     std::string language{};          ///< "en", "ko"; empty: as last time
