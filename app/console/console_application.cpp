@@ -181,6 +181,10 @@ ui::Services ConsoleApplication::services() {
     ui::Services services{*m_engine};
     services.boringDesk = m_desk.get();
     services.parts = m_reader.get();
+    services.openParts = [path = m_databasePath]() -> std::unique_ptr<PartReader> {
+        auto reader = db::DatabaseReader::open(path);
+        return reader ? std::move(*reader) : nullptr;
+    };
     services.lots = m_reader.get();
     services.alarms = m_reader.get();
     services.audit = m_reader.get();

@@ -11,5 +11,7 @@ void addMillingCommands(CLI::App& kerf);
 void addTurningCommands(CLI::App& kerf);
 void addThermalCommands(CLI::App& kerf);
 void addTappingCommands(CLI::App& kerf);
+/// The data file: export, verify, check, backup.
+void addDataCommands(CLI::App& kerf);
 
 }  // namespace kerf::headless

@@ -31,6 +31,8 @@ class AuditReader {
     /// Newest first; only entries older than `before` when given.
     [[nodiscard]] virtual Result<std::vector<AuditRow>> audit(std::optional<std::int64_t> before,
                                                               std::uint32_t limit) = 0;
+    /// Oldest first, after that entry (0: from the beginning).
+    [[nodiscard]] virtual Result<std::vector<AuditRow>> auditAfter(std::int64_t after, std::uint32_t limit) = 0;
     /// Recomputes the chain and compares every measurement with what was logged when it was accepted.
     [[nodiscard]] virtual Result<AuditVerdict> verifyAudit() = 0;
 };

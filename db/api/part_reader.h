@@ -11,7 +11,8 @@
 
 namespace kerf {
 
-/// Which parts, newest first. Pages follow each other by key (`before`), so the last page costs what the first does.
+/// Which parts. Pages follow each other by key (`before`, or `after` with oldestFirst), so the last page costs what the
+/// first does.
 struct PartQuery {
     std::optional<ProcessId> process{};
     std::optional<LotId> lot{};
@@ -19,6 +20,8 @@ struct PartQuery {
     std::optional<std::int64_t> fromUtc_ms{};  ///< ended at or after
     std::optional<std::int64_t> toUtc_ms{};    ///< ended before
     std::optional<PartId> before{};            ///< only older parts than this one: the last one of the page before
+    std::optional<PartId> after{};             ///< only newer parts than this one
+    bool oldestFirst{false};
     std::uint32_t limit{100};
 };
 

@@ -198,6 +198,14 @@ Result<std::vector<AuditRow>> DatabaseReader::audit(std::optional<std::int64_t> 
     });
 }
 
+Result<std::vector<AuditRow>> DatabaseReader::auditAfter(std::int64_t after, std::uint32_t limit) {
+    return guarded([&] {
+        Statement find(database(), select(kAuditColumns, "FROM audit u WHERE u.id > ? ORDER BY u.id LIMIT ?"));
+        find.bind(after).bind(limit);
+        return readAll(find, readAudit);
+    });
+}
+
 Result<AuditVerdict> DatabaseReader::verifyAudit() {
     return guarded([&] {
         const Snapshot snapshot(database());

@@ -41,6 +41,7 @@ class DatabaseReader final : public PartReader,
     [[nodiscard]] Result<std::vector<AlarmRow>> openAlarms() override;
 
     [[nodiscard]] Result<std::vector<AuditRow>> audit(std::optional<std::int64_t> before, std::uint32_t limit) override;
+    [[nodiscard]] Result<std::vector<AuditRow>> auditAfter(std::int64_t after, std::uint32_t limit) override;
     [[nodiscard]] Result<AuditVerdict> verifyAudit() override;
 
  private:

@@ -70,6 +70,9 @@ QString whereOf(const PartQuery& query, bool sparse) {
     if (query.before) {
         terms << QStringLiteral("p.id < ?");
     }
+    if (query.after) {
+        terms << QStringLiteral("p.id > ?");
+    }
     if (!query.text.empty()) {
         terms << (sparse ? QStringLiteral("p.id IN (%1)").arg(QString::fromUtf8(kTextMatches))
                          : QStringLiteral(
@@ -95,6 +98,9 @@ void bindQuery(Statement& statement, const PartQuery& query) {
     if (query.before) {
         statement.bind(*query.before);
     }
+    if (query.after) {
+        statement.bind(*query.after);
+    }
     if (!query.text.empty()) {
         bindText(statement, query.text);
     }
@@ -119,7 +125,9 @@ Result<std::vector<PartRow>> DatabaseReader::parts(const PartQuery& query) {
         const Snapshot snapshot(database());
         const bool sparse = !query.text.empty() && isSparse(database(), query.text);
         Statement statement(database(), columnsOfPart() + whereOf(query, sparse) +
-                                            QStringLiteral(" ORDER BY p.id DESC LIMIT %1").arg(query.limit));
+                                            QStringLiteral(" ORDER BY p.id %1 LIMIT %2")
+                                                .arg(query.oldestFirst ? QStringLiteral("ASC") : QStringLiteral("DESC"))
+                                                .arg(query.limit));
         bindQuery(statement, query);
         statement.run();
         std::vector<PartRow> rows;

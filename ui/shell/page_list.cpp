@@ -5,6 +5,7 @@
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/diagnostics_page.h"
 #include "ui/pages/overview_page.h"
+#include "ui/pages/parts/parts_page.h"
 
 #include <QCoreApplication>
 
@@ -56,6 +57,7 @@ PageList standardPages() {
         {"overview", [] { return Pages::tr("Overview"); }, {}, makePage<OverviewPage>, {}},
         {"boring", [] { return processName(ProcessId::Boring); }, ProcessId::Boring, makePage<BoringPage>,
          boringFigure},
+        {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},
     };

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <memory>
 
 #include "engine/api/boring_desk.h"
 #include "engine/api/engine_api.h"
@@ -31,6 +32,9 @@ struct Services {
     AuditReader* audit{nullptr};
     SettingsReader* settings{nullptr};
     QStringList operators{};  ///< names offered at sign-on
+
+    /// A part reader of its own for a worker thread (export), called on that thread; empty: no export.
+    std::function<std::unique_ptr<PartReader>()> openParts{};
 
     /// Called when the operator has changed language, unit, theme or scale; the application stores it.
     std::function<void(const Preferences&)> savePreferences{};

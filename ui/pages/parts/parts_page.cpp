@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/parts/parts_page.h"
+
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QScroller>
+#include <QStandardPaths>
+#include <array>
+
+#include "db/api/lot_reader.h"
+#include "ui/dialogs/measurement_sheet.h"
+#include "ui/link/texts.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr int kTypingPause_ms = 250;
+
+}  // namespace
+
+PartsPage::PartsPage(const PageContext& page, QWidget* parent)
+    : Page(page, parent),
+      m_reader(page.services.parts),
+      m_desk(page.services.boringDesk),
+      m_columns(new QHBoxLayout(this)) {
+    if (m_reader == nullptr) {
+        m_missing = makeLabel(TextRole::Body, this, true);
+        m_missing->setAlignment(Qt::AlignCenter);
+        m_columns->addWidget(m_missing, 1);
+    } else {
+        build();
+    }
+    refresh();
+}
+
+PartsPage::~PartsPage() = default;
+
+void PartsPage::build() {
+    m_search = new QLineEdit(this);
+    m_thisLot = new QPushButton(this);
+    m_export = new ActionButton(look(), this);
+    m_count = makeLabel(TextRole::Dim, this);
+    m_table = new QTableView(this);
+    m_model = new PartsModel(*m_reader, this);
+    m_detail = new PartDetailPanel(
+        look(), [this] { return m_desk == nullptr ? tr("no lot is open") : QString(); }, this);
+    m_exporter = new PartExport(this);
+    m_tools = new QHBoxLayout;
+    m_search->setObjectName(QStringLiteral("partsSearch"));
+    m_thisLot->setObjectName(QStringLiteral("partsThisLot"));
+    m_export->setObjectName(QStringLiteral("partsExport"));
+    m_count->setObjectName(QStringLiteral("partsCount"));
+    m_table->setObjectName(QStringLiteral("partsTable"));
+    m_thisLot->setCheckable(true);
+    m_search->setClearButtonEnabled(true);
+
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setAlternatingRowColors(true);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    // What is looked for first stands left; the rest is there for those who scroll.
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setStretchLastSection(true);
+    const std::array order{PartsModel::Part,    PartsModel::Lot,      PartsModel::Ended,  PartsModel::Diameters,
+                           PartsModel::Changes, PartsModel::PartType, PartsModel::Serial, PartsModel::Result};
+    for (int place = 0; place < static_cast<int>(order.size()); ++place) {
+        header->moveSection(header->visualIndex(order[static_cast<std::size_t>(place)]), place);
+    }
+    QScroller::grabGesture(m_table->viewport(), QScroller::TouchGesture);
+
+    m_tools->addWidget(m_search, 1);
+    m_tools->addWidget(m_thisLot);
+    m_tools->addWidget(m_export);
+    auto* left = new QVBoxLayout;
+    left->addLayout(m_tools);
+    left->addWidget(m_count);
+    left->addWidget(m_table, 1);
+    m_columns->addLayout(left, 3);
+    m_columns->addWidget(m_detail, 2);
+
+    connect(m_model, &PartsModel::problem, this, [this](const Sentence& sentence) { m_problem = sentence; });
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(kTypingPause_ms);
+    connect(&m_typing, &QTimer::timeout, this, &PartsPage::search);
+    connect(m_search, &QLineEdit::textChanged, this, [this] { m_typing.start(); });
+    connect(m_search, &QLineEdit::returnPressed, this, &PartsPage::search);
+    connect(m_thisLot, &QPushButton::clicked, this, &PartsPage::search);
+    connect(m_export, &QPushButton::clicked, this, &PartsPage::openExport);
+    m_export->setPredicate([this] { return whyNoExport(); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (now.isValid()) {
+            choose(now.data(PartsModel::PartIdRole).toLongLong());
+        }
+    });
+    connect(m_detail, &PartDetailPanel::correctRequested, this,
+            [this](const MeasurementRow& row) { context().withOperator([this, row] { openForm(row, false); }); });
+    connect(m_detail, &PartDetailPanel::voidRequested, this,
+            [this](const MeasurementRow& row) { context().withOperator([this, row] { openForm(row, true); }); });
+    connect(m_exporter, &PartExport::finished, this, [this](const QString& file, qulonglong rows) {
+        m_export->reconsider();
+        context().notify(tr("%1 rows written to %2.").arg(rows).arg(file));
+    });
+    connect(m_exporter, &PartExport::failed, this, [this](const Sentence& why) {
+        m_export->reconsider();
+        context().notify(tr("Nothing exported: %1").arg(sentenceText(why, look().units())));
+    });
+    if (m_desk != nullptr) {
+        m_subscription = m_desk->onChanged([this] {
+            m_behind = true;
+            if (isVisible()) {
+                update();
+            }
+        });
+    }
+}
+
+void PartsPage::refresh() {
+    setObjectName(QStringLiteral("partsPage"));
+    const int gap = look().space(Space::Medium);
+    m_columns->setContentsMargins(gap, gap, gap, gap);
+    m_columns->setSpacing(gap);
+    if (m_missing != nullptr) {
+        m_missing->setText(tr("This console has no database, so there are no parts to show."));
+    } else {
+        m_search->setPlaceholderText(tr("Search: lot, part type, serial number"));
+        m_thisLot->setText(tr("This lot"));
+        m_export->setText(tr("Export"));
+        m_tools->setSpacing(look().metrics().touchGap());
+        m_table->verticalHeader()->setDefaultSectionSize(look().metrics().touch());
+        m_model->setUnits(look().units());
+        m_model->retranslate();
+        m_export->reconsider();
+        showCount();
+        m_table->resizeColumnsToContents();
+    }
+    Page::refresh();
+}
+
+void PartsPage::showEvent(QShowEvent* event) {
+    Page::showEvent(event);
+    if (m_behind && m_model != nullptr) {
+        m_searched ? update() : search();
+    }
+}
+
+void PartsPage::search() {
+    m_typing.stop();
+    m_behind = false;
+    PartQuery query;
+    query.process = ProcessId::Boring;
+    query.text = m_search->text().trimmed().toStdString();
+    if (m_thisLot->isChecked() && context().services.lots != nullptr) {
+        if (const auto lot = context().services.lots->activeLot(ProcessId::Boring); lot && *lot) {
+            query.lot = **lot;
+        }
+    }
+    m_problem = {};
+    m_searched = true;
+    m_model->setQuery(query);
+    afterReading();
+}
+
+// What is new comes on top; the chosen part stays chosen.
+void PartsPage::update() {
+    m_behind = false;
+    m_problem = {};
+    m_model->update();
+    afterReading();
+}
+
+void PartsPage::afterReading() {
+    m_table->resizeColumnsToContents();
+    showCount();
+    if (!m_table->currentIndex().isValid() && m_model->rowCount() > 0) {
+        m_table->selectRow(0);
+    } else if (m_chosen) {
+        choose(*m_chosen);  // its measurements may have changed
+    }
+}
+
+void PartsPage::showCount() {
+    const std::uint64_t matches = m_model->matches();
+    if (!m_problem.empty()) {
+        m_count->setText(sentenceText(m_problem, look().units()));
+    } else if (matches >= PartsModel::kCountedAtMost) {
+        m_count->setText(tr("More than %1 parts, newest first").arg(PartsModel::kCountedAtMost));
+    } else if (matches == 0) {
+        m_count->setText(tr("No part matches. Finished parts appear here by themselves."));
+    } else {
+        m_count->setText(tr("%1 parts, newest first").arg(matches));
+    }
+}
+
+void PartsPage::choose(PartId id) {
+    m_chosen = id;
+    const Result<std::optional<PartDetail>> part = m_reader->part(id);
+    if (part) {
+        m_detail->show(*part);
+    } else {
+        m_detail->showProblem(part.error());
+    }
+}
+
+void PartsPage::openForm(const MeasurementRow& row, bool takeOut) {
+    if (m_desk == nullptr || !m_detail->part()) {
+        return;
+    }
+    MeasurementSubject subject;
+    subject.id = row.id;
+    subject.place = tr("part %1, %2 deep", "part number, position")
+                        .arg(m_detail->part()->part.number)
+                        .arg(look().units().withUnit(row.position_mm, "mm", 0));
+    subject.diameter_mm = row.diameter_mm.value_or(0.0);
+    subject.expected_mm = subject.diameter_mm;
+    MeasurementForm::open(
+        context().sheets, look(), *m_desk, [this] { return context().session.author(); }, subject,
+        takeOut ? MeasurementForm::Start::Void : MeasurementForm::Start::Correct,
+        [this](const QString& sentence) {
+            context().notify(sentence);
+            update();
+        });
+}
+
+QString PartsPage::whyNoExport() const {
+    if (!context().services.openParts) {
+        return tr("no database");
+    }
+    return m_exporter->running() ? tr("being written") : QString();
+}
+
+void PartsPage::openExport() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmm"));
+    Sheet* sheet = context().sheets.open(
+        tr("Export as CSV"), tr("All parts that the search shows, oldest first, in mm whatever the screen shows."));
+    auto* file = new QLineEdit(folder + QStringLiteral("/kerf_") + stamp + QStringLiteral(".csv"), sheet);
+    file->setObjectName(QStringLiteral("exportFile"));
+    sheet->body()->addWidget(file);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("exportClose"));
+    const auto add = [this, sheet, file](const QString& text, const char* name, PartExport::What what) {
+        sheet
+            ->addButton(text,
+                        [this, file = QPointer<QLineEdit>(file), what] {
+                            if (const QLineEdit* edit = file.data(); edit != nullptr && !m_exporter->running()) {
+                                m_exporter->start(context().services.openParts, m_model->query(), what,
+                                                  edit->text().trimmed());
+                                m_export->reconsider();
+                            }
+                        })
+            ->setObjectName(QLatin1String(name));
+    };
+    add(tr("Parts"), "exportParts", PartExport::What::Parts);
+    add(tr("Measurements"), "exportMeasurements", PartExport::What::Measurements);
+    add(tr("Feed"), "exportFeed", PartExport::What::Feed);
+}
+
+}  // namespace kerf::ui
