@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include "tests/support/fake_boring_desk.h"
+#include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "ui/pages/boring/boring_page.h"
 
@@ -441,45 +442,80 @@ class TestBoringPage : public QObject {
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
 
-    void pictures() {
-        struct Screen {
-            const char* name;
-            QSize page;
-        };
-        for (const Screen& screen : {Screen{"1280x800", {1083, 670}}, Screen{"1920x1080", {1723, 950}}}) {
-            for (const bool korean : {false, true}) {
-                for (const bool dark : {false, true}) {
-                    for (const bool full : {false, true}) {
-                        cleanup();
-                        init();
-                        Preferences preferences;
-                        preferences.language = korean ? Language::Korean : Language::English;
-                        preferences.brightness = dark ? Brightness::Dark : Brightness::Light;
-                        preferences.length = korean && dark ? LengthUnit::Inch : LengthUnit::Millimetre;
-                        m_bench->look.apply(preferences);
-                        if (full) {
-                            m_desk->runParts(25);
-                            m_desk->cutPart();
-                            cutHalf();
-                        }
-                        m_bench->show<BoringPage>(screen.page);
-                        if (full) {
-                            emit m_bench->find<BoreChart>("boringBoreChart")->partTouched(11);
-                            type("5.0011");
-                        }
-                        m_bench->client.tick();
-                        QTest::qWait(220);  // numbers settle at 5 Hz
-                        m_bench->save(QStringLiteral("boring_%1_%2_%3_%4.png")
-                                          .arg(QLatin1String(screen.name), QLatin1String(korean ? "ko" : "en"),
-                                               QLatin1String(dark ? "dark" : "light"),
-                                               QLatin1String(full ? "full" : "empty")));
-                    }
-                }
+    void everyTextFitsInEveryLook_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<bool>("korean");
+        QTest::addColumn<bool>("full");
+        QTest::addColumn<bool>("inch");
+        for (const bool korean : {false, true}) {
+            const char* language = korean ? "ko" : "en";
+            for (const bool full : {false, true}) {
+                const char* lot = full ? "full" : "empty";
+                QTest::addRow("1280x800_%s_%s", language, lot) << kSmall << 1.0 << korean << full << false;
+                QTest::addRow("1920x1080_%s_%s", language, lot) << kMiddle << 1.0 << korean << full << true;
             }
+            QTest::addRow("1280x800_%s_inch", language) << kSmall << 1.0 << korean << true << true;
+            QTest::addRow("3840x2160_%s_x2", language) << 2 * kMiddle << 2.0 << korean << true << false;
         }
+    }
+    void everyTextFitsInEveryLook() {
+        QFETCH(QSize, size);
+        QFETCH(double, scale);
+        QFETCH(bool, korean);
+        QFETCH(bool, full);
+        QFETCH(bool, inch);
+        Preferences preferences;
+        preferences.scale = scale;
+        preferences.language = korean ? Language::Korean : Language::English;
+        preferences.brightness = korean != full ? Brightness::Dark : Brightness::Light;
+        preferences.length = inch ? LengthUnit::Inch : LengthUnit::Millimetre;
+        m_bench->look.apply(preferences);
+        if (full) {
+            m_desk->runParts(25);
+            m_desk->cutPart();
+            cutHalf();
+        }
+        m_bench->show<BoringPage>(size);
+        const QString name = QStringLiteral("boring_%1").arg(QLatin1String(QTest::currentDataTag()));
+        if (!full) {
+            check(m_bench->page, name);
+            return;
+        }
+        settle();
+        check(m_bench->page, name);
+        emit m_bench->find<BoreChart>("boringBoreChart")->partTouched(11);
+        m_desk->edit().nextLimited = true;
+        m_desk->adviseMode = true;
+        m_desk->announce();
+        type(inch ? "0.1969" : "5.0011");  // the question
+        check(m_bench->page, name + QStringLiteral("_question"));
+        type("-");  // a refusal
+        check(m_bench->page, name + QStringLiteral("_refusal"));
+        QVERIFY(m_bench->press("boringUndo"));
+        check(m_bench->sheets->current(), name + QStringLiteral("_undo"));
+        m_bench->sheets->current()->close();
+        QVERIFY(m_bench->press("boringCorrect"));
+        check(m_bench->sheets->current(), name + QStringLiteral("_list"));
     }
 
  private:
+    static constexpr QSize kSmall{1083, 670};   ///< the page area of 1280×800
+    static constexpr QSize kMiddle{1723, 950};  ///< of 1920×1080
+
+    /// Numbers settle at 5 Hz.
+    void settle() {
+        auto* number = m_bench->find<NumberDisplay>("boringNextDiameter0");
+        QTRY_VERIFY(
+            (m_bench->client.tick(), !number->isVisible() || number->accessibleName().endsWith(number->text())));
+    }
+    void check(QWidget* shown, const QString& name) {
+        m_bench->save(name + QStringLiteral(".png"));
+        const QStringList problems = test::clippedTexts(shown) + test::smallTargets(shown, m_bench->look);
+        if (!problems.isEmpty()) {
+            QTest::qFail(qPrintable(name + u'\n' + problems.join(u'\n')), __FILE__, __LINE__);
+        }
+    }
     void show() { m_bench->show<BoringPage>(); }
     [[nodiscard]] EntryPanel* entry() { return static_cast<BoringPage*>(m_bench->page)->entry(); }
     [[nodiscard]] DiameterField* field() { return entry()->field(); }

@@ -338,7 +338,7 @@ void Chart::paintLowTitle(QPainter& painter, const QRectF& plot) const {
     painter.setFont(m_look.font(TextSize::Label));
     painter.setPen(m_look.color(Token::Dim));
     painter.drawText(QRectF(0.0, plot.bottom(), plot.right(), viewport()->height() - plot.bottom()),
-                     Qt::AlignLeft | Qt::AlignVCenter, m_x->titleText());
+                     Qt::AlignLeft | Qt::AlignBottom, m_x->titleText());
 }
 
 void Chart::paintLines(QPainter&, const QRectF&) const {}
@@ -357,7 +357,8 @@ void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRect
             continue;
         }
         const double height = metrics.height();
-        const double top = y - height < plot.top() ? y : y - height;  // above the line unless it is the topmost
+        const bool under = limit.below ? y + height <= plot.bottom() : y - height < plot.top();
+        const double top = under ? y : y - height;
         const QRectF box(plot.left() + m_look.space(Space::Small), top, metrics.horizontalAdvance(limit.label), height);
         painter.fillRect(box, m_look.color(Token::Panel));  // readable where a curve passes behind it
         painter.setPen(m_look.color(limit.token));

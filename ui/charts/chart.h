@@ -43,6 +43,7 @@ class Chart : public QChartView {
         QString label{};
         Token token{Token::Limit};
         bool dashed{false};
+        bool below{false};  ///< the name stands under the line
     };
     /// A vertical line with its name: a process change, the present part.
     struct Mark {

@@ -32,6 +32,7 @@ QPushButton:focus, QToolButton:focus, QLineEdit:focus, QComboBox:focus { border:
 QPushButton:disabled, QToolButton:disabled { color: @dim@; background: @panel@; border-style: dashed; }
 QPushButton[primary="true"] { border: @edge@px solid @text@; font-weight: 600;
     min-height: @touchEdge@px; min-width: @touchEdge@px; }
+QPushButton[primary="true"]:disabled { border: @edge@px dashed @line@; font-weight: 400; }
 QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit {
     background: @raised@; border: @hairline@px solid @line@; border-radius: @corner@px;
     min-height: @touchInner@px; padding: 0 @medium@px;

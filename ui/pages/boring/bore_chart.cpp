@@ -52,8 +52,8 @@ void BoreChart::rebuildCurves() {
     const double width_mm = m_view.upperTolerance_mm - m_view.lowerTolerance_mm;
     const double lowest_mm = m_view.lowerTolerance_mm - width_mm;
     const double highest_mm = m_view.upperTolerance_mm + width_mm;
-    double low_mm = m_view.lowerTolerance_mm - 0.15 * width_mm;
-    double high_mm = m_view.upperTolerance_mm + 0.15 * width_mm;
+    double low_mm = m_view.lowerTolerance_mm - 0.3 * width_mm;
+    double high_mm = m_view.upperTolerance_mm + 0.3 * width_mm;
     const auto include = [&](double from_mm, double to_mm) {
         low_mm = std::max(lowest_mm, std::min(low_mm, from_mm));
         high_mm = std::min(highest_mm, std::max(high_mm, to_mm));
@@ -100,7 +100,7 @@ void BoreChart::rebuildCurves() {
     };
     setLimits({{m_view.upperTolerance_mm, label(tr("upper"), m_view.upperTolerance_mm), Token::Limit, false},
                {m_view.targetDiameter_mm, {}, Token::Wanted, true},
-               {m_view.lowerTolerance_mm, label(tr("lower"), m_view.lowerTolerance_mm), Token::Limit, false}});
+               {m_view.lowerTolerance_mm, label(tr("lower"), m_view.lowerTolerance_mm), Token::Limit, false, true}});
     setAccessibleName(tr("Bore against its tolerance, last 25 parts"));
 }
 
