@@ -17,6 +17,8 @@ struct SimulateOptions {
     std::uint32_t runs{1};
     std::uint64_t seed{1};
     double feed0_mmPerRev{0.5};
+    std::optional<double> minFeed_mmPerRev{};
+    std::optional<double> maxFeed_mmPerRev{};
     std::vector<std::string> changes{};
     std::vector<double> measureAt_mm{boring::CampaignParams{}.measureAt_mm};
     std::vector<double> evaluateAt_mm{boring::CampaignParams{}.evaluateAt_mm};
@@ -136,6 +138,11 @@ void simulate(const SimulateOptions& options, bool runsGiven) {
     params.estimator = options.common.params();
     params.feed =
         boring::feedLawParams(params.estimator.kind, options.common.targetDeflection_mm, options.feed0_mmPerRev);
+    params.feed.minFeed_mmPerRev = options.minFeed_mmPerRev.value_or(params.feed.minFeed_mmPerRev);
+    params.feed.maxFeed_mmPerRev = options.maxFeed_mmPerRev.value_or(params.feed.maxFeed_mmPerRev);
+    if (!(params.feed.minFeed_mmPerRev < params.feed.maxFeed_mmPerRev)) {
+        throw CLI::ValidationError("--min-feed", "must be below --max-feed");
+    }
     params.policy = policyOf(options.policy);
     params.parts = options.parts;
     params.measureAt_mm = options.measureAt_mm;
@@ -232,6 +239,10 @@ void addBoringSimulate(CLI::App& boring) {
     app->add_option("--feed0", options->feed0_mmPerRev, "constant feed of part 1, mm/rev")
         ->check(CLI::Range(1e-4, 100.0))
         ->capture_default_str();
+    app->add_option("--min-feed", options->minFeed_mmPerRev, "lowest feed of the schedule, mm/rev; default .005")
+        ->check(CLI::Range(1e-6, 100.0));
+    app->add_option("--max-feed", options->maxFeed_mmPerRev, "highest feed of the schedule, mm/rev; default 2")
+        ->check(CLI::Range(1e-6, 100.0));
     app->add_option("--change", options->changes,
                     "PART:ALPHA,BETA,C, the true law from that part on; may stand several times")
         ->allow_extra_args(false)

@@ -7,8 +7,6 @@
 namespace kerf::boring {
 namespace {
 
-constexpr double kPaperMinFeed_mmPerRev = 0.005;
-constexpr double kPaperMaxFeed_mmPerRev = 2.0;
 constexpr double kPaperMinAlpha = 1e-3;
 constexpr double kPaperMaxAlpha = 1e3;
 constexpr double kTwoSided95 = 1.959963984540054;
@@ -25,8 +23,6 @@ FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, doub
     params.targetDeflection_mm = targetDeflection_mm;
     params.firstFeed_mmPerRev = firstFeed_mmPerRev;
     if (kind == EstimatorKind::Perturbation) {
-        params.minFeed_mmPerRev = kPaperMinFeed_mmPerRev;
-        params.maxFeed_mmPerRev = kPaperMaxFeed_mmPerRev;
         params.minAlpha = kPaperMinAlpha;
         params.maxAlpha = kPaperMaxAlpha;
     }

@@ -12,16 +12,16 @@ namespace kerf::boring {
 struct FeedLawParams {
     double targetDeflection_mm{kTableTargetDeflection_mm};  ///< d0 > 0
     double firstFeed_mmPerRev{0.5};                         ///< S0: constant, until the law is known
-    double minFeed_mmPerRev{0.01};                          ///< > 0
-    double maxFeed_mmPerRev{1.0};                           ///< > min
+    double minFeed_mmPerRev{0.005};                         ///< > 0
+    double maxFeed_mmPerRev{2.0};                           ///< > min
     double minAlpha{0.25};                                  ///< > 0: α used by the law is clipped here …
     double maxAlpha{1.2};                                   ///< … to here
     double overhangFrom_mm{kTableOverhangFrom_mm};
     double overhangTo_mm{kTableOverhangTo_mm};
     double spindleSpeed_rpm{400.0};
 };
-/// Limits that belong to an estimator: the paper clamps the feed to [.005, 2] and leaves α alone but for a division by
-/// zero.
+/// Limits that belong to an estimator. Both clamp the feed as the paper does, to [.005, 2]; a part type's recipe may be
+/// narrower. The paper leaves α alone, so its clip is a mere guard against a division by zero.
 [[nodiscard]] FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev);
 
 struct FeedAdvice {

@@ -72,14 +72,14 @@ class TestBoringLaws : public QObject {
     }
     void optimumOutsideTheFeedRangeSitsAtTheLimitAndSaysSo() {
         LawConstants stiff = kTruth;
-        stiff.lnC -= 2.0;
+        stiff.lnC -= 3.0;
         const auto high = adviseFeed(EstimatorState{stateAt(stiff)}, FeedLawParams{});
-        QCOMPARE(high.schedule.feed_mmPerRev(40.0), 1.0);
+        QCOMPARE(high.schedule.feed_mmPerRev(40.0), 2.0);
         QVERIFY(high.limited && !high.reason.empty());
         LawConstants soft = kTruth;
-        soft.lnC += 2.0;
+        soft.lnC += 3.0;
         const auto low = adviseFeed(EstimatorState{stateAt(soft)}, FeedLawParams{});
-        QCOMPARE(low.schedule.feed_mmPerRev(310.0), 0.01);
+        QCOMPARE(low.schedule.feed_mmPerRev(310.0), 0.005);
         QVERIFY(low.limited && !low.reason.empty());
     }
     void feedAtTheLimitDoesNotPerturbForEver() {
