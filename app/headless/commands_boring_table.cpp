@@ -20,10 +20,10 @@ struct Policy {
 
 constexpr std::array<Policy, 6> kPolicies{{
     {"fixed feed .5 mm/rev", boring::EstimatorKind::Kalman, boring::FeedPolicy::FixedFeed},
-    {"off-line optimum, frozen", boring::EstimatorKind::Kalman, boring::FeedPolicy::FrozenOptimum},
+    {"off-line optimum then frozen", boring::EstimatorKind::Kalman, boring::FeedPolicy::FrozenOptimum},
     {"paper (perturbation)", boring::EstimatorKind::Perturbation, boring::FeedPolicy::Estimator},
     {"ours (kalman)", boring::EstimatorKind::Kalman, boring::FeedPolicy::Estimator},
-    {"ours, told when it changes", boring::EstimatorKind::Kalman, boring::FeedPolicy::ToldChanges},
+    {"ours told when it changes", boring::EstimatorKind::Kalman, boring::FeedPolicy::ToldChanges},
     {"told the truth", boring::EstimatorKind::Kalman, boring::FeedPolicy::ToldTruth},
 }};
 
