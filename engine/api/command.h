@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/api/boring_types.h"
+#include "engine/api/tapping_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
@@ -39,11 +40,25 @@ struct LoadBoringSchedule {
 struct LoadTurningSetup {
     TurningSetup setup{};
 };
+/// Tapping: what is tapped. Between taps only; its first tap is made in the air.
+struct LoadTappingJob {
+    TappingJob job{};
+};
+/// Tapping: gains and trim for the next taps.
+struct LoadTapGains {
+    TapGains gains{};
+    bool accept{false};      ///< an abort returns to these
+    bool production{false};  ///< taps with them are parts, watched for drift; else trials
+};
+/// Tapping: end the running tap in sync, restore the accepted gains.
+struct AbortTap {};
+/// Tapping: turn a tap that stands in the hole out in sync.
+struct RecoverTap {};
 
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
-                 LoadTurningSetup>
+                 LoadTurningSetup, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);
@@ -58,6 +73,11 @@ static_assert(std::is_trivially_copyable_v<Command>);
     }
     if (std::holds_alternative<LoadTurningSetup>(command.action)) {
         return ProcessId::Turning;
+    }
+    if (std::holds_alternative<LoadTappingJob>(command.action) ||
+        std::holds_alternative<LoadTapGains>(command.action) || std::holds_alternative<AbortTap>(command.action) ||
+        std::holds_alternative<RecoverTap>(command.action)) {
+        return ProcessId::Tapping;
     }
     return ProcessId::Boring;  // LoadBoringSchedule; later processes add theirs here
 }

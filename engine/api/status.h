@@ -7,6 +7,7 @@
 
 #include "engine/api/boring_types.h"
 #include "engine/api/command.h"
+#include "engine/api/tapping_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/histogram.h"
@@ -60,6 +61,7 @@ struct Status {
     std::array<LoopStatus, kProcessCount> loops{};
     BoringStatus boring{};
     TurningStatus turning{};
+    TappingStatus tapping{};
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);

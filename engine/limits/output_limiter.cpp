@@ -31,7 +31,8 @@ OutputLimiter::OutputLimiter(const OutputLimits& limits, const Capabilities& cap
       m_feedScaleTop(std::max(limits.feedScaleMin, std::min(limits.feedScaleMax, capabilities.maxFeedScale))),
       m_feedScaleFitted(capabilities.feedScale.fitted),
       m_workOffsetFitted(capabilities.workOffset.fitted),
-      m_toolTrimFitted(capabilities.toolTrim.fitted) {}
+      m_toolTrimFitted(capabilities.toolTrim.fitted),
+      m_zTrimFitted(capabilities.zTrim.fitted) {}
 
 void OutputLimiter::adopt(const MachineInputs& inputs) noexcept {
     m_last = MachineOutputs{};
@@ -113,6 +114,13 @@ MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessCount>
     const double trimStep = m_limits.toolTrimRate_umPerS * step_s;
     report.toolTrim = trimTarget != trimWanted;
     m_last.toolTrim_um = stepped(m_last.toolTrim_um, trimTarget, trimStep, trimStep);
+
+    const std::optional<double>& zTrim = wishes[indexOf(ProcessId::Tapping)].zTrim_um;
+    const double zTrimWanted = m_zTrimFitted && running && owner == ProcessId::Tapping && finite(zTrim) ? *zTrim : 0.0;
+    const double zTrimTarget = std::clamp(zTrimWanted, -m_limits.zTrimMax_um, m_limits.zTrimMax_um);
+    const double zTrimStep = m_limits.zTrimRate_umPerS * step_s;
+    m_last.zTrim_um = stepped(m_last.zTrim_um, zTrimTarget, zTrimStep, zTrimStep);
+    report.zTrim = m_last.zTrim_um != zTrimWanted;
 
     m_last.request = PortRequest{};
     for (const ProcessId id : kAllProcesses) {

@@ -19,6 +19,8 @@ struct OutputLimits {
     double workOffsetRate_umPerS{1.0};     ///< > 0
     double toolTrimMax_um{2.0};            ///< ≥ 0
     double toolTrimRate_umPerS{1'000.0};   ///< > 0: from the end of its range to zero in 2 ms
+    double zTrimMax_um{1000.0};            ///< ≥ 0
+    double zTrimRate_umPerS{100'000.0};    ///< > 0
     double servoGainMin_perS{5.0};         ///< > 0
     double servoGainMax_perS{200.0};       ///< ≥ min
 };
@@ -28,17 +30,19 @@ struct LimitReport {
     bool feedScale{false};
     std::array<bool, kAxisCount> workOffset{};
     bool toolTrim{false};
+    bool zTrim{false};
     bool request{false};  ///< a request was refused or its gains clamped
 };
 
 /// The one place every output passes.
 ///
 /// Authority: feed scale and hold belong to the process whose program runs (boring, milling); the work offset to
-/// thermal; the tool trim to turning; servo gains and synchronous retract to tapping. A wish from anybody else, or one
+/// thermal; the tool trim to turning; servo gains, Z trim and
+/// synchronous retract to tapping. A wish from anybody else, or one
 /// that is not finite, does not exist.
 ///
 /// Without a wish: the feed scale stays where it is while a program runs (never rising, at most 1) and returns to 1
-/// between programs; the work offset keeps its last value; the tool trim goes to zero. So a loop that stops, faults or
+/// between programs; the work offset keeps its last value; tool and Z trim go to zero. So a loop that stops, faults or
 /// loses its sensor leaves the machine at or below its programmed feed, with its last offset, without a bump.
 class OutputLimiter {
  public:
@@ -62,6 +66,7 @@ class OutputLimiter {
     bool m_feedScaleFitted;
     bool m_workOffsetFitted;
     bool m_toolTrimFitted;
+    bool m_zTrimFitted;
     MachineOutputs m_last{};
 };
 

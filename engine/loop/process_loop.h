@@ -23,6 +23,7 @@ struct LoopOutputs {
     bool feedHold{false};
     std::array<std::optional<double>, kAxisCount> workOffset_um{};
     std::optional<double> toolTrim_um{};
+    std::optional<double> zTrim_um{};
     /// Numbered by the loop: process index in the top byte, then a counter, so that replies find their way back. A
     /// start or abort of the loop's own program passes in every mode; anything else only while the loop controls.
     PortRequest request{};

@@ -21,6 +21,7 @@ struct InjectedFaults {
     SignalFault actualFeed{SignalFault::None};
     SignalFault force{SignalFault::None};
     SignalFault temperatures{SignalFault::None};
+    SignalFault spindleAngle{SignalFault::None};
 };
 
 }  // namespace kerf

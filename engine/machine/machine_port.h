@@ -38,6 +38,7 @@ struct Capabilities {
     Capability workOffset{};  ///< work-origin shift that reads back
     Capability gapSensors{};
     Capability servoGains{};  ///< gains of Z servo and spindle can be set
+    Capability zTrim{};       ///< addition to the Z position command while tapping
     Capability toolTrim{};    ///< fast trim of the tool's depth
     Capability gauge{};       ///< a bore gauge whose readings the port passes on
     Capability cycleStart{};  ///< Kerf may start a part program (else the operator does, at the control)
@@ -139,6 +140,7 @@ struct MachineOutputs {
     bool feedHold{false};
     std::array<double, kAxisCount> workOffset_um{};
     double toolTrim_um{0.0};
+    double zTrim_um{0.0};  ///< added to the Z position command while tapping, positive into the hole
     std::uint32_t heartbeat{0};
     PortRequest request{};
 };

@@ -58,7 +58,7 @@ SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique
     const Sentence notFitted(KERF_TEXT("This simulated machine does not have it."));
     for (Capability* capability :
          {&m_capabilities.forceSensor, &m_capabilities.temperatures, &m_capabilities.gapSensors,
-          &m_capabilities.servoGains, &m_capabilities.toolTrim, &m_capabilities.gauge}) {
+          &m_capabilities.servoGains, &m_capabilities.zTrim, &m_capabilities.toolTrim, &m_capabilities.gauge}) {
         capability->why = notFitted;
     }
     for (const auto& process : m_processes) {
@@ -118,6 +118,7 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     inputs.appliedFeedScale = {scale, now_ns, Quality::Good};
     inputs.fastCount = 0;
     inputs.spindleSpeed_rpm = {0.0, now_ns, Quality::Good};
+    inputs.spindleAngle_rev = {m_spindleAngle_rev, now_ns, Quality::Missing};
     inputs.programmedFeed_mmPerS = {0.0, now_ns, Quality::Good};
     inputs.actualFeed_mmPerS = {0.0, now_ns, Quality::Good};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -137,9 +138,14 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
             m_program = ProgramState::Finished;
         }
     }
-    m_spindleAngle_rev +=
-        (std::isfinite(inputs.spindleSpeed_rpm.value) ? inputs.spindleSpeed_rpm.value : 0.0) / 60.0 * dt_s;
-    inputs.spindleAngle_rev = {m_spindleAngle_rev, now_ns, Quality::Good};
+    if (inputs.spindleAngle_rev.good()) {
+        m_spindleAngle_rev = inputs.spindleAngle_rev.value;
+    } else if (inputs.spindleAngle_rev.stamp_ns == now_ns && inputs.spindleAngle_rev.quality == Quality::Missing &&
+               faults.spindleAngle == SignalFault::None) {
+        m_spindleAngle_rev +=
+            (std::isfinite(inputs.spindleSpeed_rpm.value) ? inputs.spindleSpeed_rpm.value : 0.0) / 60.0 * dt_s;
+        inputs.spindleAngle_rev = {m_spindleAngle_rev, now_ns, Quality::Good};
+    }
     inputs.program = m_program;
     inputs.programProcess = m_programProcess;
     inputs.partSequence = m_partSequence;
@@ -181,6 +187,18 @@ Result<void> SimulatedMachine::carryOut(const PortRequest& request) noexcept {
             m_program = ProgramState::Aborted;
         }
         return {};
+    }
+    SimulatedProcess* tapping = find(ProcessId::Tapping);
+    if (const auto* gains = std::get_if<SetServoGains>(&request.action); gains != nullptr && tapping != nullptr) {
+        return tapping->setGains(gains->gains);
+    }
+    if (std::holds_alternative<RetractInSync>(request.action) && tapping != nullptr) {
+        const Result<void> retracting = tapping->retractInSync();
+        if (retracting) {
+            m_program = ProgramState::Running;
+            m_programProcess = ProcessId::Tapping;
+        }
+        return retracting;
     }
     return fail(KERF_TEXT("This simulated machine does not have it."));
 }

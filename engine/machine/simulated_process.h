@@ -33,7 +33,15 @@ class SimulatedProcess {
     /// Refusal carries the reason.
     [[nodiscard]] virtual Result<void> begin(const StartProgram& program, std::uint32_t partSequence) noexcept = 0;
     virtual void abort() noexcept = 0;
-    /// Advance by step.dt_s and fill this process's signals; called every step, cutting or not.
+    /// Requests of tapping; a plant that has none refuses.
+    [[nodiscard]] virtual Result<void> setGains(const ServoGains&) noexcept {
+        return fail(KERF_TEXT("This simulated machine does not have it."));
+    }
+    [[nodiscard]] virtual Result<void> retractInSync() noexcept {
+        return fail(KERF_TEXT("This simulated machine does not have it."));
+    }
+    /// Advance by step.dt_s and fill (inputs.spindleAngle_rev arrives with the angle so far; a plant that knows the angle
+    /// itself sets it) this process's signals; called every step, cutting or not.
     /// Returns true while its program runs.
     virtual bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept = 0;
 };

@@ -40,11 +40,30 @@ void ZServo::substep(double thrust_mmPerS2) noexcept {
     m_z_mm += h * m_v_mmPerS;
 }
 
+void ZServo::restAt(double position_mm) noexcept {
+    m_z_mm = position_mm;
+    m_v_mmPerS = 0.0;
+    m_torque_mmPerS2 = 0.0;
+    m_integral_mmPerS2 = 0.0;
+    m_wanted_mmPerS = 0.0;
+    m_accelFf_mmPerS2 = 0.0;
+    m_delayed_mmPerS.fill(0.0);
+}
+
 TapDrive::TapDrive(const DriveParams& params) noexcept : m_p(params), m_zServo(params) {}
 
 void TapDrive::setParams(const DriveParams& params) noexcept {
     m_p = params;
     m_zServo.setParams(params);
+}
+
+void TapDrive::restAt(const Axis& axes) noexcept {
+    m_theta_rev = axes.spindle_rev;
+    m_omega_revPerS = 0.0;
+    m_filtered_revPerS = 0.0;
+    m_integral_revPerS2 = 0.0;
+    m_lastReference_mm = m_p.pitch_mm * axes.spindle_rev;
+    m_zServo.restAt(axes.z_mm);
 }
 
 void TapDrive::tick(const TapTrajectory::Point& command, double zTrim_mm) noexcept {

@@ -31,6 +31,8 @@ class ZServo {
     /// One velocity-loop step; `thrust_mmPerS2` opposes positive motion.
     void substep(double thrust_mmPerS2) noexcept;
     [[nodiscard]] double position_mm() const noexcept { return m_z_mm; }
+    /// Standing still at a position, all memory of the motion gone: after a stop.
+    void restAt(double position_mm) noexcept;
 
  private:
     static constexpr std::size_t kDelayLine = 1024;
@@ -65,6 +67,7 @@ class TapDrive {
     [[nodiscard]] double spindleSpeed_revPerS() const noexcept { return m_omega_revPerS; }
     /// One tick under a spindle command; `zTrim_mm` is added to the Z position command.
     void tick(const TapTrajectory::Point& command, double zTrim_mm) noexcept;
+    void restAt(const Axis& axes) noexcept;
     /// Change gains or load between two ticks; state stays.
     void setParams(const DriveParams& params) noexcept;
     [[nodiscard]] const DriveParams& params() const noexcept { return m_p; }

@@ -12,7 +12,7 @@ namespace {
 kerf::Capabilities fullMachine() {
     kerf::Capabilities c;
     c.maxFeedScale = 1.5;
-    for (kerf::Capability* capability : {&c.feedScale, &c.workOffset, &c.toolTrim, &c.servoGains}) {
+    for (kerf::Capability* capability : {&c.feedScale, &c.workOffset, &c.toolTrim, &c.zTrim, &c.servoGains}) {
         capability->fitted = true;
     }
     return c;
@@ -39,6 +39,9 @@ kerf::LoopOutputs anyWish() {
     }
     if (*rc::gen::arbitrary<bool>()) {
         wish.toolTrim_um = *anyDouble();
+    }
+    if (*rc::gen::arbitrary<bool>()) {
+        wish.zTrim_um = *anyDouble();
     }
     if (*rc::gen::arbitrary<bool>()) {
         wish.request.number = 7;
@@ -93,6 +96,13 @@ class TestOutputLimiter : public QObject {
                     }
                 }
                 RC_ASSERT(std::abs(out.toolTrim_um) <= limits.toolTrimMax_um + kRounding);
+                RC_ASSERT(std::abs(out.zTrim_um) <= limits.zTrimMax_um + kRounding);
+                RC_ASSERT(std::abs(out.zTrim_um - last.zTrim_um) <= limits.zTrimRate_umPerS * step_s + kRounding);
+                const bool tapping =
+                    inputs.program != kerf::ProgramState::Idle && inputs.programProcess == kerf::ProcessId::Tapping;
+                if (!tapping) {
+                    RC_ASSERT(std::abs(out.zTrim_um) <= std::abs(last.zTrim_um));  // only a running tap has a trim
+                }
                 if (const auto* gains = std::get_if<kerf::SetServoGains>(&out.request.action)) {
                     RC_ASSERT(gains->gains.zKp_perS >= limits.servoGainMin_perS &&
                               gains->gains.zKp_perS <= limits.servoGainMax_perS);
