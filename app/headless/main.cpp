@@ -23,11 +23,8 @@ int main(int argc, char** argv) {
     kerf::headless::addMillingCommands(kerf);
     kerf::headless::addTurningCommands(kerf);
     kerf::headless::addTappingCommands(kerf);
-<<<<<<< HEAD
     kerf::headless::addThermalCommands(kerf);
-=======
     kerf::headless::addDataCommands(kerf);
->>>>>>> 7850da2 (wip2)
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

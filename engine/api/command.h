@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/api/boring_types.h"
+#include "engine/api/milling_types.h"
 #include "engine/api/tapping_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/process.h"
@@ -33,53 +34,91 @@ struct StartPart {
 };
 /// Boring: the schedule for the next part. A part being cut keeps the one it began with.
 struct LoadBoringSchedule {
+    static constexpr ProcessId kProcess = ProcessId::Boring;
     BoringSchedule schedule{};
 };
 
 /// Turning: the cut of the next part. A part being cut keeps the one it began with.
 struct LoadTurningSetup {
+    static constexpr ProcessId kProcess = ProcessId::Turning;
     TurningSetup setup{};
 };
 /// Tapping: what is tapped. Between taps only; its first tap is made in the air.
 struct LoadTappingJob {
+    static constexpr ProcessId kProcess = ProcessId::Tapping;
     TappingJob job{};
 };
 /// Tapping: gains and trim for the next taps.
 struct LoadTapGains {
+    static constexpr ProcessId kProcess = ProcessId::Tapping;
     TapGains gains{};
     bool accept{false};      ///< an abort returns to these
     bool production{false};  ///< taps with them are parts, watched for drift; else trials
 };
 /// Tapping: end the running tap in sync, restore the accepted gains.
-struct AbortTap {};
+struct AbortTap {
+    static constexpr ProcessId kProcess = ProcessId::Tapping;
+};
 /// Tapping: turn a tap that stands in the hole out in sync.
-struct RecoverTap {};
+struct RecoverTap {
+    static constexpr ProcessId kProcess = ProcessId::Tapping;
+};
+/// Milling: everything for the next parts; refused while one is being cut.
+struct LoadMillingSetup {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+    MillingSetup setup{};
+};
+/// Milling: blank profile for the preview law; refused while a part is being cut. An empty one takes it away.
+struct LoadMillingBlank {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+    MillingBlank blank{};
+};
+/// Milling: change of law, bumpless, also while cutting.
+struct SetMillingLaw {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+    MillingLaw law{MillingLaw::Model};
+};
+/// Milling: reference force, also while cutting.
+struct SetMillingReference {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+    double reference_N{0.0};
+};
+/// Milling: take the mean force of this cut (or of the last one) as the reference.
+struct TeachMillingReference {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+};
+/// Milling: a person has looked; the feed held by the loop may go on.
+struct ReleaseMillingStop {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+};
+/// Milling: a new tool; wear and tool stiffness are learnt anew.
+struct NewMillingTool {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+};
 
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
-                 LoadTurningSetup, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap>
+                 LoadTurningSetup, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap, LoadMillingSetup,
+                 LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference, ReleaseMillingStop,
+                 NewMillingTool>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);
 
-/// The loop a process command belongs to.
+/// The loop a process command belongs to: named by the command itself, or by its kProcess.
 [[nodiscard]] inline ProcessId processOf(const Command& command) noexcept {
-    if (const auto* mode = std::get_if<SetLoopMode>(&command.action)) {
-        return mode->process;
-    }
-    if (const auto* start = std::get_if<StartPart>(&command.action)) {
-        return start->process;
-    }
-    if (std::holds_alternative<LoadTurningSetup>(command.action)) {
-        return ProcessId::Turning;
-    }
-    if (std::holds_alternative<LoadTappingJob>(command.action) ||
-        std::holds_alternative<LoadTapGains>(command.action) || std::holds_alternative<AbortTap>(command.action) ||
-        std::holds_alternative<RecoverTap>(command.action)) {
-        return ProcessId::Tapping;
-    }
-    return ProcessId::Boring;  // LoadBoringSchedule; later processes add theirs here
+    return std::visit(
+        [](const auto& action) {
+            if constexpr (requires { action.process; }) {
+                return action.process;
+            } else if constexpr (requires { action.kProcess; }) {
+                return action.kProcess;
+            } else {
+                return ProcessId::Boring;  // commands of the whole engine never get here
+            }
+        },
+        command.action);
 }
 
 /// Echo of a command: done, or refused with the reason.

@@ -7,6 +7,7 @@
 
 #include "engine/api/boring_types.h"
 #include "engine/api/command.h"
+#include "engine/api/milling_types.h"
 #include "engine/api/tapping_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/alarm.h"
@@ -62,6 +63,7 @@ struct Status {
     BoringStatus boring{};
     TurningStatus turning{};
     TappingStatus tapping{};
+    MillingStatus milling{};
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);
@@ -77,6 +79,11 @@ struct Sample {
     float force_N{0.0F};
     float depthError_um{0.0F};  ///< turning: tool motion about its level, as the force shows it
     float trim_um{0.0F};        ///< turning: applied
+    float forceLow_N{0.0F};     ///< raw force since the last sample
+    float forceHigh_N{0.0F};
+    float wantedFeed_mmPerS{0.0F};
+    float path_mm{0.0F};
+    float wallDeviation_um{0.0F};
     bool cutting{false};
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
@@ -93,6 +100,7 @@ struct PartRecord {
     double forceMean_N{0.0};  ///< of processes that measure force
     double forcePeak_N{0.0};
     TurningRecord turning{};
+    MillingCut milling{};
 };
 static_assert(std::is_trivially_copyable_v<PartRecord>);
 

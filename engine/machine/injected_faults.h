@@ -15,6 +15,8 @@ struct InjectedFaults {
     bool machineOff{false};
     bool operatorFeedHold{false};
     bool spindleStopped{false};
+    bool toolBroken{false};       ///< milling: the force collapses
+    double spindleOverride{1.0};  ///< factor on the programmed spindle speed
     double operatorOverride{1.0};
     SignalFault overhang{SignalFault::None};
     SignalFault spindleSpeed{SignalFault::None};

@@ -105,7 +105,8 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     step.dt_s = dt_s;
     step.now_ns = now_ns;
     step.feedFactor = feedHold ? 0.0 : scale * faults.operatorOverride;
-    step.spindleFactor = faults.spindleStopped || stopped ? 0.0 : 1.0;
+    step.spindleFactor = faults.spindleStopped || stopped ? 0.0 : faults.spindleOverride;
+    step.spindleAngle_rev = m_spindleAngle_rev;
     step.outputs = &m_outputs;
     step.faults = &faults;
 

@@ -12,8 +12,9 @@ namespace kerf {
 struct SimulationStep {
     double dt_s{0.0};
     std::int64_t now_ns{0};
-    double feedFactor{1.0};     ///< feed scale × operator's knob, 0 in a feed hold
-    double spindleFactor{1.0};  ///< 0 when the spindle is stopped
+    double feedFactor{1.0};        ///< feed scale × operator's knob, 0 in a feed hold
+    double spindleFactor{1.0};     ///< 0 when the spindle is stopped
+    double spindleAngle_rev{0.0};  ///< accumulated, at the begin of the step
     const MachineOutputs* outputs{nullptr};
     const InjectedFaults* faults{nullptr};
 };

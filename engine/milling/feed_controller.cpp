@@ -23,6 +23,19 @@ void FeedController::follow(double feed_mmPerS) noexcept {
     m_changed = true;
 }
 
+void FeedController::resumeAfterPause() noexcept {
+    m_estimator.leaveWork();
+    m_revolutionsInWork = 0;
+    follow(std::min(m_feed_mmPerS, m_params.entryFeed_mmPerS));
+}
+
+void FeedController::setPeriod(int revolutions) noexcept {
+    if (revolutions != m_period) {
+        m_estimator.shift(-m_params.stiffness.assume.exponent * std::log(static_cast<double>(revolutions) / m_period));
+        m_period = revolutions;
+    }
+}
+
 void FeedController::beginCut() noexcept {
     m_estimator.leaveWork();
     m_pi.resume(0.0, 0.0);
@@ -64,6 +77,10 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
         case LawKind::Constant:
             return m_params.programmedFeed_mmPerS;
         case LawKind::Pi:
+            if (input.overridden && *input.force_N < m_params.reference_N) {  // more feed would not arrive
+                m_pi.resume(m_feed_mmPerS, m_params.reference_N - *input.force_N);
+                return m_feed_mmPerS;
+            }
             return m_pi.update(m_params.reference_N - *input.force_N, input.revolution_s, m_params.range);
         case LawKind::Model:
         case LawKind::Preview:

@@ -4,19 +4,21 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/api/milling_types.h"
 #include "engine/milling/blank_profile.h"
 #include "engine/milling/feed_law.h"
 
 namespace kerf::milling {
 
-enum class LawKind : std::uint8_t { Constant, Pi, Model, Preview };
+using LawKind = MillingLaw;
 
-/// What is known after one spindle revolution.
+/// What is known after one spindle revolution, or after the whole revolutions of one period (setPeriod()).
 struct RevolutionInput {
     std::optional<double> force_N{};  ///< F_y averaged over it; empty: none that can be trusted
     double feed_mmPerRev{0.0};        ///< what the axis moved in it
     double position_mm{0.0};          ///< axis along the path at its end
     double revolution_s{0.1};         ///< its measured duration T, > 0
+    bool overridden{false};           ///< somebody else limits the feed: a law with memory must not wind up
 };
 
 /// Feed for the coming revolution, with what stands behind it.
@@ -65,8 +67,17 @@ class FeedController {
     }
     /// Something else set the feed (advise, override, pause): continue from there.
     void follow(double feed_mmPerS) noexcept;
+    /// The feed stood still and goes on: from the entry feed or the last one, whichever is lower.
+    void resumeAfterPause() noexcept;
     /// A new cut begins, in air; k_x learnt so far stays.
     void beginCut() noexcept;
+
+    /// Averages now span `revolutions` spindle revolutions (≥ 1): per period the tool feeds that much more, and ln(C b)
+    /// changes by −m ln(new/old).
+    void setPeriod(int revolutions) noexcept;
+    [[nodiscard]] int period() const noexcept { return m_period; }
+    /// A new tool: k_x is learnt anew.
+    void newTool() noexcept { m_estimator = StiffnessEstimator(m_params.stiffness); }
 
     [[nodiscard]] LawKind law() const noexcept { return m_law; }
     [[nodiscard]] const StiffnessEstimate& stiffness() const noexcept { return m_estimator.estimate(); }
@@ -85,6 +96,7 @@ class FeedController {
     double m_feed_mmPerS{0.0};  ///< last decision
     double m_blend_mmPerS{0.0};
     bool m_changed{false};  ///< law changed since the last revolution
+    int m_period{1};
     int m_revolutionsInWork{0};
     double m_lnDepthBefore{0.0};  ///< of the revolution just measured, by the blank profile
     double m_lnDepthNow{0.0};     ///< of the coming one

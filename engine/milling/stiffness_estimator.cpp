@@ -16,6 +16,7 @@ constexpr double kSmallestFeed_mm = 1e-6;           // keeps l^(m−1) finite
 constexpr double kLeastLogWeight = -12.0;           // no filter is ever ruled out for good
 constexpr double kSteepest = 0.5;                   // |v| per revolution: a sharp step, cut into in two
 constexpr double kSoftest = -5.0, kHardest = 15.0;  // g of anything a tool survives
+constexpr double kCalm = 2.0;                       // squared surprise in standard deviations that counts as noise
 constexpr double k95 = 1.96;
 }  // namespace
 
@@ -28,9 +29,10 @@ StiffnessFilter::StiffnessFilter(const StiffnessAssumptions& assumptions, double
 void StiffnessFilter::begin(double force_N, double feed_mmPerRev) noexcept {
     const double deflection_mm = force_N * m_cos / (m_sin * m_kx_NPerMm);
     const double cut_mm = std::max({feed_mmPerRev - deflection_mm, 0.3 * feed_mmPerRev, kSmallestFeed_mm});
-    m_state = {force_N, std::log(force_N / m_sin) - m_assume.exponent * std::log(cut_mm), 0.0};
-    m_covariance = Eigen::Vector3d(m_assume.forceNoise_N * m_assume.forceNoise_N, kFirstDeviation * kFirstDeviation,
-                                   kFirstSlopeDeviation * kFirstSlopeDeviation)
+    m_state = {force_N, std::log(force_N / m_sin) - m_assume.exponent * std::log(cut_mm), 0.0, force_N};
+    const double noise_N2 = m_assume.forceNoise_N * m_assume.forceNoise_N;
+    m_covariance = Eigen::Vector4d(noise_N2, kFirstDeviation * kFirstDeviation,
+                                   kFirstSlopeDeviation * kFirstSlopeDeviation, noise_N2)
                        .asDiagonal();
 }
 
@@ -46,8 +48,11 @@ void StiffnessFilter::predict(double feed_mmPerRev, double knownChange) noexcept
     const double damping = 1.0 + m * compliance * std::pow(cut_mm, m - 1.0);
     const double perForce = m * force_N / cut_mm / damping * perNewton_mm;
     const double perG_N = force_N / damping;
-    Eigen::Matrix3d transition;
-    transition << perForce, perG_N, perG_N, 0.0, 1.0, 1.0, 0.0, 0.0, m_assume.slopeMemory;
+    Eigen::Matrix4d transition;
+    transition << perForce, perG_N, perG_N, 0.0,  //
+        0.0, 1.0, 1.0, 0.0,                       //
+        0.0, 0.0, m_assume.slopeMemory, 0.0,      //
+        1.0, 0.0, 0.0, 0.0;
     m_covariance = (transition * m_covariance * transition.transpose()).eval();
     const double walk = m_assume.walk * m_assume.walk;  // of g, felt by F_y in the same revolution
     m_covariance(0, 0) += perG_N * perG_N * walk + kModelNoise_N2;
@@ -55,20 +60,22 @@ void StiffnessFilter::predict(double feed_mmPerRev, double knownChange) noexcept
     m_covariance(1, 0) += perG_N * walk;
     m_covariance(1, 1) += walk;
     m_covariance(2, 2) += m_assume.slopeWalk * m_assume.slopeWalk;
-    m_state = {force_N, g, m_assume.slopeMemory * m_state[2]};
+    m_state = {force_N, g, m_assume.slopeMemory * m_state[2], m_state[0]};
 }
 
 double StiffnessFilter::correct(double force_N) noexcept {
-    const double spread_N2 = m_covariance(0, 0) + m_assume.forceNoise_N * m_assume.forceNoise_N;
-    const double surprise_N = force_N - m_state[0];
-    const Eigen::Vector3d gain = m_covariance.col(0) / spread_N2;
-    const Eigen::RowVector3d row = m_covariance.row(0);
+    const double w = m_assume.meanShare;
+    const Eigen::Vector4d cross = (1.0 - w) * m_covariance.col(0) + w * m_covariance.col(3);
+    const double spread_N2 = (1.0 - w) * cross[0] + w * cross[3] + m_assume.forceNoise_N * m_assume.forceNoise_N;
+    const double surprise_N = force_N - ((1.0 - w) * m_state[0] + w * m_state[3]);
+    const Eigen::Vector4d gain = cross / spread_N2;
     m_state += gain * surprise_N;
-    m_covariance -= gain * row;
+    m_covariance -= gain * cross.transpose();
     m_state[0] = std::max(m_state[0], 0.0);
     m_state[1] = std::clamp(m_state[1], kSoftest, kHardest);
     m_state[2] = std::clamp(m_state[2], -kSteepest, kSteepest);
-    return -0.5 * (std::log(spread_N2) + surprise_N * surprise_N / spread_N2);
+    // What every filter explains says nothing about k_x: counted, small systematic errors would add up in a calm cut.
+    return -0.5 * std::max(0.0, surprise_N * surprise_N / spread_N2 - kCalm);
 }
 
 void StiffnessFilter::adopt(const StiffnessFilter& other) noexcept {
@@ -115,6 +122,13 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
         }
     }
     combine();
+}
+
+void StiffnessEstimator::shift(double change) noexcept {
+    for (StiffnessFilter& filter : m_filters) {
+        filter.shift(change);
+    }
+    m_estimate.lnCb += change;
 }
 
 void StiffnessEstimator::coast(double feed_mmPerRev) noexcept {

@@ -27,14 +27,17 @@ struct StiffnessAssumptions {
     double walk{0.05};            ///< standard deviation of g per revolution, > 0
     double slopeWalk{0.1};        ///< of v per revolution, > 0
     double slopeMemory{0.85};     ///< ρ, [0, 1): a step in the blank is cut into within some ten revolutions
+    double meanShare{0.0};  ///< w: the measured force is (1 − w) F_y(i) + w F_y(i−1). 0: F_y at the end of the
+                            ///< revolution (the paper's equations); 0.5: averaged over it, as a sensor does
 };
 
 /// Kalman filter for the cutting stiffness at one assumed k_x, from the averaged force and the feed the axis really
 /// made.
 ///
-///   state      F_y, g = ln(C b), v = change of g per revolution
+///   state      F_y, g = ln(C b), v = change of g per revolution, F_y one revolution earlier
 ///   predict    g ← g + v + Δ, v ← ρ v,  l + (e^g cos θ/k_x) l^m = f_r + δ_x,  F_y ← e^g l^m sin θ
-///   correct    with the measured F_y; equations 1-6 of docs/milling.md, linearised at the estimate
+///   correct    with the measured force (1 − w) F_y(i) + w F_y(i−1); equations 1-6 of docs/milling.md, linearised at
+///   the estimate
 ///
 /// Δ is a change of ln b known beforehand (blank profile), else 0. Forces ≥ 0 in N, feeds ≥ 0 in mm/rev.
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
@@ -46,8 +49,10 @@ class StiffnessFilter {
     /// The first revolution in the work: F_y and the feed give a first, wide estimate.
     void begin(double force_N, double feed_mmPerRev) noexcept;
     void predict(double feed_mmPerRev, double knownChange) noexcept;
-    /// Correct the prediction; returns the log-likelihood of the measured force under it.
+    /// Correct the prediction; returns how badly the force fits it: 0 within the noise, else the negative half square
+    /// of the surprise in standard deviations (a log-likelihood with a dead zone).
     double correct(double force_N) noexcept;
+    void shift(double change) noexcept { m_state[1] += change; }
     /// Take over another filter's estimate, keeping the own k_x.
     void adopt(const StiffnessFilter& other) noexcept;
 
@@ -61,8 +66,8 @@ class StiffnessFilter {
     double m_kx_NPerMm{1.0};
     double m_sin{0.0};
     double m_cos{0.0};
-    Eigen::Vector3d m_state{Eigen::Vector3d::Zero()};
-    Eigen::Matrix3d m_covariance{Eigen::Matrix3d::Zero()};
+    Eigen::Vector4d m_state{Eigen::Vector4d::Zero()};
+    Eigen::Matrix4d m_covariance{Eigen::Matrix4d::Zero()};
 };
 
 /// Cutting stiffness when k_x is not known: filters at several k_x side by side, weighed by how well each explains the
@@ -89,6 +94,8 @@ class StiffnessEstimator {
     void update(double force_N, double feed_mmPerRev, double knownChange = 0.0) noexcept;
     /// One revolution without a trusted force: predicted only, the interval widens.
     void coast(double feed_mmPerRev) noexcept;
+    /// The period of the law has changed: ln(C b) of the new one is larger by this.
+    void shift(double change) noexcept;
     /// Forget the cut (the tool has left the work); what was learnt of k_x stays.
     void leaveWork() noexcept;
     [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimate; }

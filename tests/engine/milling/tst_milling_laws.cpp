@@ -211,7 +211,7 @@ class TestMillingLaws : public QObject {
             (void)observer.update({row.forceMeasured_N, std::floor(pulses) * cut.pulse_mm, row.x_mm, 0.1});
         }
         const double ratio = observer.stiffness().kx_NPerMm / cut.plant.kx_NPerMm;
-        QVERIFY2(ratio > 0.6 && ratio < 1.7, qPrintable(QString::number(ratio)));
+        QVERIFY2(ratio > 0.45 && ratio < 2.2, qPrintable(QString::number(ratio)));
     }
 
     // Manners of the controller.

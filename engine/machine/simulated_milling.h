@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/random.h"
+#include "engine/machine/simulated_process.h"
+#include "engine/milling/blank_profile.h"
+#include "engine/milling/plant.h"
+#include "engine/milling/sampled_force.h"
+
+namespace kerf {
+
+/// Milling machine of the simulator: the paper's plant between revolutions as well, with a force sensor at 5 kHz.
+///
+/// Per step dt the tool cuts L and bends: L + K (n dt)^−m L^m = v dt + δ_x with K = C b cos θ/k_x, v the axis feed and
+/// n the revolutions per second: equation 5 of docs/milling.md for a part of a revolution; dt = T gives it back
+/// exactly.
+class SimulatedMilling final : public SimulatedProcess {
+ public:
+    struct Params {
+        milling::PlantParams plant{};
+        std::vector<milling::BlankProfile> blanks{};  ///< cut in turn, each with air before and after; never empty
+        milling::ForceShape shape{};
+        double sampleRate_Hz{5000.0};
+        double sampleNoise_N{5.0};     ///< standard deviation of one sample
+        double sensorRange_N{5000.0};  ///< beyond: saturated
+        double wearPerPart{0.0};       ///< rise of ln C with every part
+        double driveLag_s{0.02};
+        std::uint64_t seed{1};
+    };
+    explicit SimulatedMilling(const Params& params);
+
+    [[nodiscard]] ProcessId id() const noexcept override { return ProcessId::Milling; }
+    void fit(Capabilities& capabilities) const override;
+    [[nodiscard]] Result<void> begin(const StartProgram& program, std::uint32_t partSequence) noexcept override;
+    void abort() noexcept override { m_running = false; }
+    bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept override;
+
+    /// True normal force, for tests: what the sensor would average without noise and ripple.
+    [[nodiscard]] double trueForce_N() const noexcept { return m_force_N; }
+    [[nodiscard]] double tip_mm() const noexcept { return m_tip_mm; }
+
+ private:
+    void cut(const SimulationStep& step, double speed_rpm) noexcept;
+    void sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
+                     MachineInputs& inputs) noexcept;
+
+    Params m_params;
+    Random m_noise;
+    StartProgram m_program{};
+    milling::BlankProfile m_blank{};
+    double m_coefficient{0.0};  ///< C with wear
+    double m_axis_mm{0.0};
+    double m_tip_mm{0.0};
+    double m_feed_mmPerS{0.0};
+    double m_deflection_mm{0.0};
+    double m_force_N{0.0};
+    double m_samplesOwed{0.0};
+    std::uint32_t m_partsBegun{0};
+    bool m_running{false};
+    Reading m_lastSample_N{};
+    Reading m_lastSpeed_rpm{};
+    Reading m_lastFeed_mmPerS{};
+};
+
+}  // namespace kerf

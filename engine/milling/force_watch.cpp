@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/milling/force_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::milling {
+
+void ForceWatch::disarm() noexcept {
+    m_peak_N = {};
+    m_peakNow_N = 0.0;
+    m_collapsed = false;
+}
+
+void ForceWatch::nextTooth(std::int64_t tooth) noexcept {
+    if (tooth != m_tooth + 1) {  // a gap, or the angle began anew: there is nothing to compare with
+        disarm();
+    } else {
+        m_peak_N = {m_peakNow_N, m_peak_N[0], m_peak_N[1]};
+        m_peakNow_N = 0.0;
+        const double limit_N = m_params.collapseShare * m_peak_N[2];
+        m_collapsed =
+            m_collapsed || (m_peak_N[2] > m_params.inWork_N && m_peak_N[1] < limit_N && m_peak_N[0] < limit_N);
+    }
+    m_tooth = tooth;
+}
+
+void ForceWatch::add(const FastSample& sample) noexcept {
+    if (std::isfinite(sample.spindleAngle_rev)) {
+        m_angle_rev = sample.spindleAngle_rev;
+    }
+    const bool finite = std::isfinite(sample.force_N);
+    const bool good = sample.quality == Quality::Good && finite;
+    const bool same =
+        good && m_any && sample.force_N == m_lastForce_N && std::abs(sample.force_N) > m_params.stuckAbove_N;
+    m_quality = same || (sample.quality == Quality::Good && !finite) ? Quality::Bad : sample.quality;
+    if (!good || same) {
+        return;
+    }
+    const auto tooth = static_cast<std::int64_t>(std::floor(m_angle_rev * m_params.flutes));
+    if (tooth != m_tooth) {
+        nextTooth(tooth);
+    }
+    m_peakNow_N = std::max(m_peakNow_N, sample.force_N);
+    m_any = true;
+    m_lastForce_N = sample.force_N;
+    m_trustedAngle_rev = m_angle_rev;
+    m_trusted_ns = sample.stamp_ns;
+}
+
+bool ForceWatch::blind(std::int64_t now_ns, double revolution_s) const noexcept {
+    if (!m_any || m_angle_rev - m_trustedAngle_rev > m_params.patience_rev) {
+        return true;
+    }
+    return static_cast<double>(now_ns - m_trusted_ns) * 1e-9 > m_params.patience_rev * revolution_s;
+}
+
+}  // namespace kerf::milling

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/machine/machine_port.h"
+
+namespace kerf::milling {
+
+/// Judges the raw force sample by sample, so that a reaction comes within one revolution and not after it.
+///
+///   blind      no trusted, changing sample for half a revolution (by angle or, if samples stay away, by time)
+///   collapsed  from one tooth to the next the highest sample falls below 30 %, and stays there for one more tooth,
+///   though
+///              the tooth before was well in the work: what a breaking tool does. Steps of the blank and the way out of
+///              it take more than a revolution
+///
+/// All functions run in the cycle: no allocation, lock, throw or I/O.
+class ForceWatch {
+ public:
+    struct Params {
+        int flutes{4};
+        double patience_rev{0.5};
+        double collapseShare{0.3};
+        double inWork_N{200.0};    ///< a tooth's highest sample from which a collapse can be told
+        double stuckAbove_N{1.0};  ///< below, the same number again and again is air
+    };
+    ForceWatch() noexcept = default;
+    explicit ForceWatch(const Params& params) noexcept : m_params(params) {}
+
+    void add(const FastSample& sample) noexcept;
+    /// Forget the teeth (pause, feed hold): nothing has collapsed until the tool has cut again.
+    void disarm() noexcept;
+
+    /// `revolution_s`: duration of a revolution as last known.
+    [[nodiscard]] bool blind(std::int64_t now_ns, double revolution_s) const noexcept;
+    [[nodiscard]] bool collapsed() const noexcept { return m_collapsed; }
+    /// Worst thing seen lately, for the alarm's text.
+    [[nodiscard]] Quality quality() const noexcept { return m_quality; }
+
+ private:
+    void nextTooth(std::int64_t tooth) noexcept;
+
+    Params m_params{};
+    bool m_any{false};
+    double m_angle_rev{0.0};
+    double m_trustedAngle_rev{0.0};  ///< of the last trusted sample that was not the same number again
+    std::int64_t m_trusted_ns{0};
+    double m_lastForce_N{0.0};
+    std::int64_t m_tooth{0};
+    std::array<double, 3> m_peak_N{};  ///< of the last whole teeth, newest first; 0: not known
+    double m_peakNow_N{0.0};           ///< of the tooth in the work
+    bool m_collapsed{false};
+    Quality m_quality{Quality::Missing};
+};
+
+}  // namespace kerf::milling
