@@ -77,6 +77,10 @@
             <source>Diagnostics</source>
             <translation>Diagnostics</translation>
         </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -1258,6 +1262,510 @@
             <source>The zero was taken again; the force shown is right.</source>
             <translation>The zero was taken again; the force shown is right.</translation>
         </message>
+        <message>
+            <source>%1 N at %2 mm; the limit is %3 N.</source>
+            <translation>%1 N at %2 mm; the limit is %3 N.</translation>
+        </message>
+        <message>
+            <source>%1 revolutions in, at %2 mm.</source>
+            <translation>%1 revolutions in, at %2 mm.</translation>
+        </message>
+        <message>
+            <source>%1 µm at %2 revolutions; the limit is %3 µm.</source>
+            <translation>%1 µm at %2 revolutions; the limit is %3 µm.</translation>
+        </message>
+        <message>
+            <source>A gain is not a number above zero; the last ones stay.</source>
+            <translation>A gain is not a number above zero; the last ones stay.</translation>
+        </message>
+        <message>
+            <source>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</source>
+            <translation>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</translation>
+        </message>
+        <message>
+            <source>A part is being cut: law and reference can be changed now, the rest after it.</source>
+            <translation>A part is being cut: law and reference can be changed now, the rest after it.</translation>
+        </message>
+        <message>
+            <source>A tap is under way.</source>
+            <translation>A tap is under way.</translation>
+        </message>
+        <message>
+            <source>A tap is under way: the job stays.</source>
+            <translation>A tap is under way: the job stays.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: turn it out first.</source>
+            <translation>A tap stands in the hole: turn it out first.</translation>
+        </message>
+        <message>
+            <source>A tuning is under way: accept it or roll it back first.</source>
+            <translation>A tuning is under way: accept it or roll it back first.</translation>
+        </message>
+        <message>
+            <source>Across-wall stiffness</source>
+            <translation>Across-wall stiffness</translation>
+        </message>
+        <message>
+            <source>Air tap: Z and spindle move, no work.</source>
+            <translation>Air tap: Z and spindle move, no work.</translation>
+        </message>
+        <message>
+            <source>An emergency stop or an abort at the control stopped the tap before it was out.</source>
+            <translation>An emergency stop or an abort at the control stopped the tap before it was out.</translation>
+        </message>
+        <message>
+            <source>Change the reference or the feed limits, or accept the deviation.</source>
+            <translation>Change the reference or the feed limits, or accept the deviation.</translation>
+        </message>
+        <message>
+            <source>Change the tool and press New tool on the Milling page.</source>
+            <translation>Change the tool and press New tool on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Check tap and lubrication, then tune again.</source>
+            <translation>Check tap and lubrication, then tune again.</translation>
+        </message>
+        <message>
+            <source>Check that the control allows setting gains, then try again.</source>
+            <translation>Check that the control allows setting gains, then try again.</translation>
+        </message>
+        <message>
+            <source>Check the axis' position signal. Control goes on by itself when it is back.</source>
+            <translation>Check the axis' position signal. Control goes on by itself when it is back.</translation>
+        </message>
+        <message>
+            <source>Check the encoders. Gauge the thread.</source>
+            <translation>Check the encoders. Gauge the thread.</translation>
+        </message>
+        <message>
+            <source>Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal is back.</source>
+            <translation>Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal is back.</translation>
+        </message>
+        <message>
+            <source>Compare pitch entered, program and tool before the next tap.</source>
+            <translation>Compare pitch entered, program and tool before the next tap.</translation>
+        </message>
+        <message>
+            <source>Control would have held the feed: see the alarm.</source>
+            <translation>Control would have held the feed: see the alarm.</translation>
+        </message>
+        <message>
+            <source>Cutting force above its limit</source>
+            <translation>Cutting force above its limit</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown</source>
+            <translation>Cutting force unknown</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown: no faster than planned.</source>
+            <translation>Cutting force unknown: no faster than planned.</translation>
+        </message>
+        <message>
+            <source>Entry feed</source>
+            <translation>Entry feed</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown</source>
+            <translation>Feed really made is unknown</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown: no faster than planned.</source>
+            <translation>Feed really made is unknown: no faster than planned.</translation>
+        </message>
+        <message>
+            <source>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</source>
+            <translation>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>Flutes</translation>
+        </message>
+        <message>
+            <source>Force angle</source>
+            <translation>Force angle</translation>
+        </message>
+        <message>
+            <source>Force limit</source>
+            <translation>Force limit</translation>
+        </message>
+        <message>
+            <source>Gains are being set; nothing turns.</source>
+            <translation>Gains are being set; nothing turns.</translation>
+        </message>
+        <message>
+            <source>Gains change only between taps.</source>
+            <translation>Gains change only between taps.</translation>
+        </message>
+        <message>
+            <source>Gauge the thread. Look at the record before the next trial.</source>
+            <translation>Gauge the thread. Look at the record before the next trial.</translation>
+        </message>
+        <message>
+            <source>In air: entry feed until the tool meets the work.</source>
+            <translation>In air: entry feed until the tool meets the work.</translation>
+        </message>
+        <message>
+            <source>Integral gain</source>
+            <translation>Integral gain</translation>
+        </message>
+        <message>
+            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</source>
+            <translation>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Make the machine ready, then turn the tap out in sync from the tapping page.</source>
+            <translation>Make the machine ready, then turn the tap out in sync from the tapping page.</translation>
+        </message>
+        <message>
+            <source>Material exponent</source>
+            <translation>Material exponent</translation>
+        </message>
+        <message>
+            <source>More than 5 % of the samples of the last tap are missing.</source>
+            <translation>More than 5 % of the samples of the last tap are missing.</translation>
+        </message>
+        <message>
+            <source>No blank profile is loaded: enter or import one.</source>
+            <translation>No blank profile is loaded: enter or import one.</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet: mill one part, advising or controlled.</source>
+            <translation>No cut to learn from yet: mill one part, advising or controlled.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>No milling setup is loaded.</translation>
+        </message>
+        <message>
+            <source>No tap is made.</source>
+            <translation>No tap is made.</translation>
+        </message>
+        <message>
+            <source>No tap stands in a hole.</source>
+            <translation>No tap stands in a hole.</translation>
+        </message>
+        <message>
+            <source>No tapping job is loaded.</source>
+            <translation>No tapping job is loaded.</translation>
+        </message>
+        <message>
+            <source>Path end</source>
+            <translation>Path end</translation>
+        </message>
+        <message>
+            <source>Path start</source>
+            <translation>Path start</translation>
+        </message>
+        <message>
+            <source>Planned feed</source>
+            <translation>Planned feed</translation>
+        </message>
+        <message>
+            <source>Proportional gain</source>
+            <translation>Proportional gain</translation>
+        </message>
+        <message>
+            <source>Ready: the first tap of the job is an air tap.</source>
+            <translation>Ready: the first tap of the job is an air tap.</translation>
+        </message>
+        <message>
+            <source>Ready: the next cut holds the reference force.</source>
+            <translation>Ready: the next cut holds the reference force.</translation>
+        </message>
+        <message>
+            <source>Ready: the next cut is made at its planned feed.</source>
+            <translation>Ready: the next cut is made at its planned feed.</translation>
+        </message>
+        <message>
+            <source>Ready: the next tap uses the gains shown.</source>
+            <translation>Ready: the next tap uses the gains shown.</translation>
+        </message>
+        <message>
+            <source>Ready: the next tap uses the machine's own gains.</source>
+            <translation>Ready: the next tap uses the machine's own gains.</translation>
+        </message>
+        <message>
+            <source>Reference force</source>
+            <translation>Reference force</translation>
+        </message>
+        <message>
+            <source>Reference force out of reach</source>
+            <translation>Reference force out of reach</translation>
+        </message>
+        <message>
+            <source>Repeat the tap.</source>
+            <translation>Repeat the tap.</translation>
+        </message>
+        <message>
+            <source>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</source>
+            <translation>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Spindle angle or Z position were missing for more than 20 ms during a tap.</source>
+            <translation>Spindle angle or Z position were missing for more than 20 ms during a tap.</translation>
+        </message>
+        <message>
+            <source>Spindle stopped in the cut</source>
+            <translation>Spindle stopped in the cut</translation>
+        </message>
+        <message>
+            <source>Switch the tapping loop to control to turn the tap out.</source>
+            <translation>Switch the tapping loop to control to turn the tap out.</translation>
+        </message>
+        <message>
+            <source>Tap not counted</source>
+            <translation>Tap not counted</translation>
+        </message>
+        <message>
+            <source>Tapping and recording.</source>
+            <translation>Tapping and recording.</translation>
+        </message>
+        <message>
+            <source>Tapping error beyond its limit</source>
+            <translation>Tapping error beyond its limit</translation>
+        </message>
+        <message>
+            <source>Tapping error has grown</source>
+            <translation>Tapping error has grown</translation>
+        </message>
+        <message>
+            <source>Tapping signal lost</source>
+            <translation>Tapping signal lost</translation>
+        </message>
+        <message>
+            <source>The air tap shows another pitch than the one entered.</source>
+            <translation>The air tap shows another pitch than the one entered.</translation>
+        </message>
+        <message>
+            <source>The cutting force collapsed within half a revolution while the tool was in the work.</source>
+            <translation>The cutting force collapsed within half a revolution while the tool was in the work.</translation>
+        </message>
+        <message>
+            <source>The cutting stiffness has risen by %1 % since the tool was new.</source>
+            <translation>The cutting stiffness has risen by %1 % since the tool was new.</translation>
+        </message>
+        <message>
+            <source>The database cannot be opened for the export.</source>
+            <translation>The database cannot be opened for the export.</translation>
+        </message>
+        <message>
+            <source>The depth of cut is larger than expected, the tool is blunt, or the material is harder.</source>
+            <translation>The depth of cut is larger than expected, the tool is blunt, or the material is harder.</translation>
+        </message>
+        <message>
+            <source>The drive did not take the gains</source>
+            <translation>The drive did not take the gains</translation>
+        </message>
+        <message>
+            <source>The engine takes no commands at the moment; try again.</source>
+            <translation>The engine takes no commands at the moment; try again.</translation>
+        </message>
+        <message>
+            <source>The export could not be written completely.</source>
+            <translation>The export could not be written completely.</translation>
+        </message>
+        <message>
+            <source>The feed holds the reference force.</source>
+            <translation>The feed holds the reference force.</translation>
+        </message>
+        <message>
+            <source>The feed is held: see the alarm, then release the feed here.</source>
+            <translation>The feed is held: see the alarm, then release the feed here.</translation>
+        </message>
+        <message>
+            <source>The feed is not controlled: it stays, or falls to the planned feed if it was faster.</source>
+            <translation>The feed is not controlled: it stays, or falls to the planned feed if it was faster.</translation>
+        </message>
+        <message>
+            <source>The feed signal of the axis is missing, old or not a number.</source>
+            <translation>The feed signal of the axis is missing, old or not a number.</translation>
+        </message>
+        <message>
+            <source>The feed sits at its limit: the blank is too thin or too thick for the reference.</source>
+            <translation>The feed sits at its limit: the blank is too thin or too thick for the reference.</translation>
+        </message>
+        <message>
+            <source>The feed stands; control goes on with it.</source>
+            <translation>The feed stands; control goes on with it.</translation>
+        </message>
+        <message>
+            <source>The file cannot be written there. Choose another folder.</source>
+            <translation>The file cannot be written there. Choose another folder.</translation>
+        </message>
+        <message>
+            <source>The file could not be finished: the disk is full or was taken away.</source>
+            <translation>The file could not be finished: the disk is full or was taken away.</translation>
+        </message>
+        <message>
+            <source>The force differs from the reference, so the wall is not as flat as it could be.</source>
+            <translation>The force differs from the reference, so the wall is not as flat as it could be.</translation>
+        </message>
+        <message>
+            <source>The force sensor is not plugged in.</source>
+            <translation>The force sensor is not plugged in.</translation>
+        </message>
+        <message>
+            <source>The force signal is at the end of its range.</source>
+            <translation>The force signal is at the end of its range.</translation>
+        </message>
+        <message>
+            <source>The force signal is missing, old, stuck, at the end of its range or not a number.</source>
+            <translation>The force signal is missing, old, stuck, at the end of its range or not a number.</translation>
+        </message>
+        <message>
+            <source>The force signal is old.</source>
+            <translation>The force signal is old.</translation>
+        </message>
+        <message>
+            <source>The force signal is stuck or not a number.</source>
+            <translation>The force signal is stuck or not a number.</translation>
+        </message>
+        <message>
+            <source>The gains sent to the drive were refused or did not read back within a second.</source>
+            <translation>The gains sent to the drive were refused or did not read back within a second.</translation>
+        </message>
+        <message>
+            <source>The milling loop does not know this command.</source>
+            <translation>The milling loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The milling program needs feed and speed above zero and an end beyond its start.</source>
+            <translation>The milling program needs feed and speed above zero and an end beyond its start.</translation>
+        </message>
+        <message>
+            <source>The milling setup is not complete.</source>
+            <translation>The milling setup is not complete.</translation>
+        </message>
+        <message>
+            <source>The planned feed is kept.</source>
+            <translation>The planned feed is kept.</translation>
+        </message>
+        <message>
+            <source>The reference force needs a feed outside %1 to %2 mm/s.</source>
+            <translation>The reference force needs a feed outside %1 to %2 mm/s.</translation>
+        </message>
+        <message>
+            <source>The same cut needs a larger force than with the new tool.</source>
+            <translation>The same cut needs a larger force than with the new tool.</translation>
+        </message>
+        <message>
+            <source>The spindle turns slower than half its programmed speed, or its speed is unknown.</source>
+            <translation>The spindle turns slower than half its programmed speed, or its speed is unknown.</translation>
+        </message>
+        <message>
+            <source>The sum of errors of the last taps lies above that of the first taps after the tuning.</source>
+            <translation>The sum of errors of the last taps lies above that of the first taps after the tuning.</translation>
+        </message>
+        <message>
+            <source>The tap is turned out in sync.</source>
+            <translation>The tap is turned out in sync.</translation>
+        </message>
+        <message>
+            <source>The tap stands %1 revolutions in the hole: turn it out in sync.</source>
+            <translation>The tap stands %1 revolutions in the hole: turn it out in sync.</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole</source>
+            <translation>The tap stands in the hole</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole.</source>
+            <translation>The tap stands in the hole.</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole: turn it out in sync, then tune again.</source>
+            <translation>The tap stands in the hole: turn it out in sync, then tune again.</translation>
+        </message>
+        <message>
+            <source>The tap was aborted: the accepted gains are back in force.</source>
+            <translation>The tap was aborted: the accepted gains are back in force.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
+            <translation>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync.</source>
+            <translation>The tap was turned out in sync.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync; it does not count.</source>
+            <translation>The tap was turned out in sync; it does not count.</translation>
+        </message>
+        <message>
+            <source>The tapping job has a value outside its range.</source>
+            <translation>The tapping job has a value outside its range.</translation>
+        </message>
+        <message>
+            <source>The tapping loop does not know this command.</source>
+            <translation>The tapping loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The tapping program needs pitch, revolutions and speed above zero.</source>
+            <translation>The tapping program needs pitch, revolutions and speed above zero.</translation>
+        </message>
+        <message>
+            <source>The tuner does not learn from it.</source>
+            <translation>The tuner does not learn from it.</translation>
+        </message>
+        <message>
+            <source>The wall stays flat, but the feed falls with the wear and the tool may break.</source>
+            <translation>The wall stays flat, but the feed falls with the wear and the tool may break.</translation>
+        </message>
+        <message>
+            <source>This machine has no force sensor.</source>
+            <translation>This machine has no force sensor.</translation>
+        </message>
+        <message>
+            <source>This recipe revision cannot be read: it is no list of parameters.</source>
+            <translation>This recipe revision cannot be read: it is no list of parameters.</translation>
+        </message>
+        <message>
+            <source>This thread is not in the table.</source>
+            <translation>This thread is not in the table.</translation>
+        </message>
+        <message>
+            <source>Threads are still made; their tolerance is used up slowly.</source>
+            <translation>Threads are still made; their tolerance is used up slowly.</translation>
+        </message>
+        <message>
+            <source>Tool broken?</source>
+            <translation>Tool broken?</translation>
+        </message>
+        <message>
+            <source>Tool radius</source>
+            <translation>Tool radius</translation>
+        </message>
+        <message>
+            <source>Tool wear above its threshold</source>
+            <translation>Tool wear above its threshold</translation>
+        </message>
+        <message>
+            <source>Under control the feed is held; advising, Kerf only reports it.</source>
+            <translation>Under control the feed is held; advising, Kerf only reports it.</translation>
+        </message>
+        <message>
+            <source>Wear threshold</source>
+            <translation>Wear threshold</translation>
+        </message>
+        <message>
+            <source>Wrong pitch</source>
+            <translation>Wrong pitch</translation>
+        </message>
+        <message>
+            <source>Z and spindle were further apart than the abort limit during a tap.</source>
+            <translation>Z and spindle were further apart than the abort limit during a tap.</translation>
+        </message>
+        <message>
+            <source>Z moves %1 mm per revolution, the pitch entered is %2 mm.</source>
+            <translation>Z moves %1 mm per revolution, the pitch entered is %2 mm.</translation>
+        </message>
+        <message>
+            <source>Z moves by another distance per revolution than the pitch entered.</source>
+            <translation>Z moves by another distance per revolution than the pitch entered.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2163,6 +2671,249 @@
         <message>
             <source>Release hold</source>
             <translation>Release hold</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartDetailPanel</name>
+        <message>
+            <source>overhang</source>
+            <translation>overhang</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>feed</translation>
+        </message>
+        <message>
+            <source>feed, %1</source>
+            <comment>unit</comment>
+            <translation>feed, %1</translation>
+        </message>
+        <message>
+            <source>schedule</source>
+            <translation>schedule</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>cut</translation>
+        </message>
+        <message>
+            <source>The feed of the part appears here when one is chosen.</source>
+            <translation>The feed of the part appears here when one is chosen.</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>Correct</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>Take out</translation>
+        </message>
+        <message>
+            <source>No part chosen</source>
+            <translation>No part chosen</translation>
+        </message>
+        <message>
+            <source>Touch a row of the table.</source>
+            <translation>Touch a row of the table.</translation>
+        </message>
+        <message>
+            <source>Part %1, lot %2</source>
+            <translation>Part %1, lot %2</translation>
+        </message>
+        <message>
+            <source>cut in %1 s</source>
+            <translation>cut in %1 s</translation>
+        </message>
+        <message>
+            <source>serial %1</source>
+            <translation>serial %1</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>aborted</translation>
+        </message>
+        <message>
+            <source>process change noticed</source>
+            <translation>process change noticed</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>depth</translation>
+        </message>
+        <message>
+            <source>⌀, %1</source>
+            <translation>⌀, %1</translation>
+        </message>
+        <message>
+            <source>by, when</source>
+            <translation>by, when</translation>
+        </message>
+        <message>
+            <source>what, why</source>
+            <translation>what, why</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>gauge</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>typed</translation>
+        </message>
+        <message>
+            <source>correction</source>
+            <translation>correction</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>taken out</translation>
+        </message>
+        <message>
+            <source>confirmed</source>
+            <translation>confirmed</translation>
+        </message>
+        <message>
+            <source>no longer holds</source>
+            <translation>no longer holds</translation>
+        </message>
+        <message>
+            <source>no part chosen</source>
+            <translation>no part chosen</translation>
+        </message>
+        <message>
+            <source>choose a diameter that holds</source>
+            <translation>choose a diameter that holds</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartsModel</name>
+        <message>
+            <source>finished</source>
+            <translation>finished</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>aborted</translation>
+        </message>
+        <message>
+            <source>%1 corrected</source>
+            <translation>%1 corrected</translation>
+        </message>
+        <message>
+            <source>%1 voided</source>
+            <translation>%1 voided</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Part</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>Serial number</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>Lot</translation>
+        </message>
+        <message>
+            <source>Ended</source>
+            <translation>Ended</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>Result</translation>
+        </message>
+        <message>
+            <source>Diameters [%1]</source>
+            <translation>Diameters [%1]</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>Changes</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartsPage</name>
+        <message>
+            <source>no lot is open</source>
+            <translation>no lot is open</translation>
+        </message>
+        <message>
+            <source>%1 rows written to %2.</source>
+            <translation>%1 rows written to %2.</translation>
+        </message>
+        <message>
+            <source>Nothing exported: %1</source>
+            <translation>Nothing exported: %1</translation>
+        </message>
+        <message>
+            <source>This console has no database, so there are no parts to show.</source>
+            <translation>This console has no database, so there are no parts to show.</translation>
+        </message>
+        <message>
+            <source>Search: lot, part type, serial number</source>
+            <translation>Search: lot, part type, serial number</translation>
+        </message>
+        <message>
+            <source>This lot</source>
+            <translation>This lot</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>More than %1 parts, newest first</source>
+            <translation>More than %1 parts, newest first</translation>
+        </message>
+        <message>
+            <source>No part matches. Finished parts appear here by themselves.</source>
+            <translation>No part matches. Finished parts appear here by themselves.</translation>
+        </message>
+        <message>
+            <source>%1 parts, newest first</source>
+            <translation>%1 parts, newest first</translation>
+        </message>
+        <message>
+            <source>part %1, %2 deep</source>
+            <comment>part number, position</comment>
+            <translation>part %1, %2 deep</translation>
+        </message>
+        <message>
+            <source>no database</source>
+            <translation>no database</translation>
+        </message>
+        <message>
+            <source>being written</source>
+            <translation>being written</translation>
+        </message>
+        <message>
+            <source>Export as CSV</source>
+            <translation>Export as CSV</translation>
+        </message>
+        <message>
+            <source>All parts that the search shows, oldest first, in mm whatever the screen shows.</source>
+            <translation>All parts that the search shows, oldest first, in mm whatever the screen shows.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
+        <message>
+            <source>Measurements</source>
+            <translation>Measurements</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>Feed</translation>
         </message>
     </context>
     <context>

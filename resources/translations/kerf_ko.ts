@@ -77,6 +77,10 @@
             <source>Diagnostics</source>
             <translation>진단</translation>
         </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -1258,6 +1262,510 @@
             <source>The zero was taken again; the force shown is right.</source>
             <translation>영점을 다시 잡았습니다. 표시된 힘은 맞습니다.</translation>
         </message>
+        <message>
+            <source>%1 N at %2 mm; the limit is %3 N.</source>
+            <translation>%2 mm에서 %1 N. 한계는 %3 N입니다.</translation>
+        </message>
+        <message>
+            <source>%1 revolutions in, at %2 mm.</source>
+            <translation>%1회전 들어간 위치, %2 mm.</translation>
+        </message>
+        <message>
+            <source>%1 µm at %2 revolutions; the limit is %3 µm.</source>
+            <translation>%2회전에서 %1 µm. 한계는 %3 µm입니다.</translation>
+        </message>
+        <message>
+            <source>A gain is not a number above zero; the last ones stay.</source>
+            <translation>게인이 0보다 큰 숫자가 아닙니다. 이전 값을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</source>
+            <translation>Z나 주축만 움직이면 탭이 부러집니다. 주축 각도와 깊이는 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut: law and reference can be changed now, the rest after it.</source>
+            <translation>가공 중입니다. 법칙과 기준값은 지금, 나머지는 가공 후에 바꿀 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>A tap is under way.</source>
+            <translation>탭 가공 중입니다.</translation>
+        </message>
+        <message>
+            <source>A tap is under way: the job stays.</source>
+            <translation>탭 가공 중이므로 작업을 바꾸지 않습니다.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: turn it out first.</source>
+            <translation>탭이 구멍 안에 있습니다. 먼저 돌려 빼십시오.</translation>
+        </message>
+        <message>
+            <source>A tuning is under way: accept it or roll it back first.</source>
+            <translation>튜닝 중입니다. 먼저 수락하거나 되돌리십시오.</translation>
+        </message>
+        <message>
+            <source>Across-wall stiffness</source>
+            <translation>벽 직각 방향 강성</translation>
+        </message>
+        <message>
+            <source>Air tap: Z and spindle move, no work.</source>
+            <translation>공중 탭: Z와 주축만 움직이고 가공하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>An emergency stop or an abort at the control stopped the tap before it was out.</source>
+            <translation>비상 정지나 제어기의 중단으로 탭이 빠져나오기 전에 멈췄습니다.</translation>
+        </message>
+        <message>
+            <source>Change the reference or the feed limits, or accept the deviation.</source>
+            <translation>기준값이나 이송 한계를 바꾸거나 편차를 받아들이십시오.</translation>
+        </message>
+        <message>
+            <source>Change the tool and press New tool on the Milling page.</source>
+            <translation>공구를 교체하고 밀링 화면에서 새 공구를 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Check tap and lubrication, then tune again.</source>
+            <translation>탭과 윤활을 확인한 뒤 다시 튜닝하십시오.</translation>
+        </message>
+        <message>
+            <source>Check that the control allows setting gains, then try again.</source>
+            <translation>제어기가 게인 설정을 허용하는지 확인한 뒤 다시 시도하십시오.</translation>
+        </message>
+        <message>
+            <source>Check the axis' position signal. Control goes on by itself when it is back.</source>
+            <translation>축 위치 신호를 확인하십시오. 신호가 돌아오면 제어가 저절로 계속됩니다.</translation>
+        </message>
+        <message>
+            <source>Check the encoders. Gauge the thread.</source>
+            <translation>엔코더를 확인하고 나사를 게이지로 검사하십시오.</translation>
+        </message>
+        <message>
+            <source>Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal is back.</source>
+            <translation>힘 센서와 커넥터, 증폭기를 확인하십시오. 신호가 돌아오면 제어가 저절로 계속됩니다.</translation>
+        </message>
+        <message>
+            <source>Compare pitch entered, program and tool before the next tap.</source>
+            <translation>다음 탭 전에 입력한 피치와 프로그램, 공구를 비교하십시오.</translation>
+        </message>
+        <message>
+            <source>Control would have held the feed: see the alarm.</source>
+            <translation>제어 중이었다면 이송을 멈췄을 것입니다. 알람을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Cutting force above its limit</source>
+            <translation>절삭력이 한계를 넘음</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown</source>
+            <translation>절삭력을 알 수 없음</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown: no faster than planned.</source>
+            <translation>절삭력을 알 수 없어 계획보다 빠르게 가지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Entry feed</source>
+            <translation>진입 이송</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown</source>
+            <translation>실제 이송을 알 수 없음</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown: no faster than planned.</source>
+            <translation>실제 이송을 알 수 없어 계획보다 빠르게 가지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</source>
+            <translation>주축이 멈춘 원인을 찾으십시오. 다시 회전하면 밀링 화면에서 이송을 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>날 수</translation>
+        </message>
+        <message>
+            <source>Force angle</source>
+            <translation>힘 각도</translation>
+        </message>
+        <message>
+            <source>Force limit</source>
+            <translation>힘 한계</translation>
+        </message>
+        <message>
+            <source>Gains are being set; nothing turns.</source>
+            <translation>게인을 설정하는 중이며 아무것도 회전하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Gains change only between taps.</source>
+            <translation>게인은 탭과 탭 사이에만 바뀝니다.</translation>
+        </message>
+        <message>
+            <source>Gauge the thread. Look at the record before the next trial.</source>
+            <translation>나사를 게이지로 검사하고 다음 시험 전에 기록을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>In air: entry feed until the tool meets the work.</source>
+            <translation>공중: 공구가 공작물에 닿을 때까지 진입 이송으로 갑니다.</translation>
+        </message>
+        <message>
+            <source>Integral gain</source>
+            <translation>적분 게인</translation>
+        </message>
+        <message>
+            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</source>
+            <translation>공구와 소재를 확인하십시오. 이상이 없으면 한계를 올리거나 기준을 낮춘 뒤 밀링 화면에서 이송을 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Make the machine ready, then turn the tap out in sync from the tapping page.</source>
+            <translation>기계를 준비한 뒤 태핑 화면에서 탭을 동기로 돌려 빼십시오.</translation>
+        </message>
+        <message>
+            <source>Material exponent</source>
+            <translation>재료 지수</translation>
+        </message>
+        <message>
+            <source>More than 5 % of the samples of the last tap are missing.</source>
+            <translation>마지막 탭의 표본이 5 % 넘게 빠졌습니다.</translation>
+        </message>
+        <message>
+            <source>No blank profile is loaded: enter or import one.</source>
+            <translation>소재 형상이 없습니다. 입력하거나 불러오십시오.</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet: mill one part, advising or controlled.</source>
+            <translation>아직 배울 절삭이 없습니다. 조언 또는 제어로 공작물 하나를 가공하십시오.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>밀링 설정이 없습니다.</translation>
+        </message>
+        <message>
+            <source>No tap is made.</source>
+            <translation>탭을 가공하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>No tap stands in a hole.</source>
+            <translation>구멍 안에 있는 탭이 없습니다.</translation>
+        </message>
+        <message>
+            <source>No tapping job is loaded.</source>
+            <translation>태핑 작업이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Path end</source>
+            <translation>경로 끝</translation>
+        </message>
+        <message>
+            <source>Path start</source>
+            <translation>경로 시작</translation>
+        </message>
+        <message>
+            <source>Planned feed</source>
+            <translation>계획 이송</translation>
+        </message>
+        <message>
+            <source>Proportional gain</source>
+            <translation>비례 게인</translation>
+        </message>
+        <message>
+            <source>Ready: the first tap of the job is an air tap.</source>
+            <translation>준비됨: 작업의 첫 탭은 공중 탭입니다.</translation>
+        </message>
+        <message>
+            <source>Ready: the next cut holds the reference force.</source>
+            <translation>준비됨: 다음 절삭은 기준 힘을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>Ready: the next cut is made at its planned feed.</source>
+            <translation>준비됨: 다음 절삭은 계획 이송으로 합니다.</translation>
+        </message>
+        <message>
+            <source>Ready: the next tap uses the gains shown.</source>
+            <translation>준비됨: 다음 탭은 표시된 게인을 사용합니다.</translation>
+        </message>
+        <message>
+            <source>Ready: the next tap uses the machine's own gains.</source>
+            <translation>준비됨: 다음 탭은 기계 자체의 게인을 사용합니다.</translation>
+        </message>
+        <message>
+            <source>Reference force</source>
+            <translation>기준 힘</translation>
+        </message>
+        <message>
+            <source>Reference force out of reach</source>
+            <translation>기준 힘에 도달할 수 없음</translation>
+        </message>
+        <message>
+            <source>Repeat the tap.</source>
+            <translation>탭을 다시 가공하십시오.</translation>
+        </message>
+        <message>
+            <source>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</source>
+            <translation>후퇴하여 공구를 확인하십시오. 파손되었으면 교체한 뒤 밀링 화면에서 이송을 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Spindle angle or Z position were missing for more than 20 ms during a tap.</source>
+            <translation>탭 가공 중 주축 각도나 Z 위치가 20 ms 넘게 없었습니다.</translation>
+        </message>
+        <message>
+            <source>Spindle stopped in the cut</source>
+            <translation>절삭 중 주축 정지</translation>
+        </message>
+        <message>
+            <source>Switch the tapping loop to control to turn the tap out.</source>
+            <translation>탭을 돌려 빼려면 태핑 루프를 제어로 바꾸십시오.</translation>
+        </message>
+        <message>
+            <source>Tap not counted</source>
+            <translation>탭을 세지 않음</translation>
+        </message>
+        <message>
+            <source>Tapping and recording.</source>
+            <translation>탭 가공과 기록 중입니다.</translation>
+        </message>
+        <message>
+            <source>Tapping error beyond its limit</source>
+            <translation>태핑 오차가 한계를 넘음</translation>
+        </message>
+        <message>
+            <source>Tapping error has grown</source>
+            <translation>태핑 오차가 커짐</translation>
+        </message>
+        <message>
+            <source>Tapping signal lost</source>
+            <translation>태핑 신호 끊김</translation>
+        </message>
+        <message>
+            <source>The air tap shows another pitch than the one entered.</source>
+            <translation>공중 탭의 피치가 입력한 피치와 다릅니다.</translation>
+        </message>
+        <message>
+            <source>The cutting force collapsed within half a revolution while the tool was in the work.</source>
+            <translation>공구가 공작물 안에 있는데 반 회전 안에 절삭력이 사라졌습니다.</translation>
+        </message>
+        <message>
+            <source>The cutting stiffness has risen by %1 % since the tool was new.</source>
+            <translation>새 공구 때보다 절삭 강성이 %1 % 높아졌습니다.</translation>
+        </message>
+        <message>
+            <source>The database cannot be opened for the export.</source>
+            <translation>내보내기를 위해 데이터베이스를 열 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The depth of cut is larger than expected, the tool is blunt, or the material is harder.</source>
+            <translation>절삭 깊이가 예상보다 크거나 공구가 무디거나 재료가 더 단단합니다.</translation>
+        </message>
+        <message>
+            <source>The drive did not take the gains</source>
+            <translation>드라이브가 게인을 받지 않음</translation>
+        </message>
+        <message>
+            <source>The engine takes no commands at the moment; try again.</source>
+            <translation>지금은 엔진이 명령을 받지 않습니다. 다시 시도하십시오.</translation>
+        </message>
+        <message>
+            <source>The export could not be written completely.</source>
+            <translation>내보내기를 끝까지 쓰지 못했습니다.</translation>
+        </message>
+        <message>
+            <source>The feed holds the reference force.</source>
+            <translation>이송으로 기준 힘을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>The feed is held: see the alarm, then release the feed here.</source>
+            <translation>이송이 멈춰 있습니다. 알람을 확인한 뒤 여기서 이송을 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>The feed is not controlled: it stays, or falls to the planned feed if it was faster.</source>
+            <translation>이송을 제어하지 않습니다. 그대로 두거나, 더 빨랐다면 계획 이송으로 낮춥니다.</translation>
+        </message>
+        <message>
+            <source>The feed signal of the axis is missing, old or not a number.</source>
+            <translation>축의 이송 신호가 없거나 오래되었거나 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The feed sits at its limit: the blank is too thin or too thick for the reference.</source>
+            <translation>이송이 한계에 있습니다. 소재가 기준 힘에 비해 너무 얇거나 두껍습니다.</translation>
+        </message>
+        <message>
+            <source>The feed stands; control goes on with it.</source>
+            <translation>이송이 멈춰 있으며, 다시 움직이면 제어가 계속됩니다.</translation>
+        </message>
+        <message>
+            <source>The file cannot be written there. Choose another folder.</source>
+            <translation>그곳에 파일을 쓸 수 없습니다. 다른 폴더를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>The file could not be finished: the disk is full or was taken away.</source>
+            <translation>파일을 끝내지 못했습니다. 디스크가 가득 찼거나 제거되었습니다.</translation>
+        </message>
+        <message>
+            <source>The force differs from the reference, so the wall is not as flat as it could be.</source>
+            <translation>힘이 기준과 달라 벽이 가능한 만큼 평탄하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The force sensor is not plugged in.</source>
+            <translation>힘 센서가 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The force signal is at the end of its range.</source>
+            <translation>힘 신호가 측정 범위 끝에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The force signal is missing, old, stuck, at the end of its range or not a number.</source>
+            <translation>힘 신호가 없거나 오래되었거나 고정되었거나 범위 끝에 있거나 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The force signal is old.</source>
+            <translation>힘 신호가 오래되었습니다.</translation>
+        </message>
+        <message>
+            <source>The force signal is stuck or not a number.</source>
+            <translation>힘 신호가 고정되었거나 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The gains sent to the drive were refused or did not read back within a second.</source>
+            <translation>드라이브에 보낸 게인이 거부되었거나 1초 안에 되읽히지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The milling loop does not know this command.</source>
+            <translation>밀링 루프가 모르는 명령입니다.</translation>
+        </message>
+        <message>
+            <source>The milling program needs feed and speed above zero and an end beyond its start.</source>
+            <translation>밀링 프로그램에는 0보다 큰 이송과 회전수, 시작보다 뒤에 있는 끝이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The milling setup is not complete.</source>
+            <translation>밀링 설정이 완전하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The planned feed is kept.</source>
+            <translation>계획 이송을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>The reference force needs a feed outside %1 to %2 mm/s.</source>
+            <translation>기준 힘을 내려면 %1~%2 mm/s를 벗어난 이송이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The same cut needs a larger force than with the new tool.</source>
+            <translation>같은 절삭에 새 공구 때보다 큰 힘이 듭니다.</translation>
+        </message>
+        <message>
+            <source>The spindle turns slower than half its programmed speed, or its speed is unknown.</source>
+            <translation>주축이 프로그램 속도의 절반보다 느리거나 속도를 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The sum of errors of the last taps lies above that of the first taps after the tuning.</source>
+            <translation>최근 탭의 오차 합이 튜닝 직후 탭보다 큽니다.</translation>
+        </message>
+        <message>
+            <source>The tap is turned out in sync.</source>
+            <translation>탭을 동기로 돌려 빼는 중입니다.</translation>
+        </message>
+        <message>
+            <source>The tap stands %1 revolutions in the hole: turn it out in sync.</source>
+            <translation>탭이 구멍 안 %1회전 위치에 있습니다. 동기로 돌려 빼십시오.</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole</source>
+            <translation>탭이 구멍 안에 있음</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole.</source>
+            <translation>탭이 구멍 안에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The tap stands in the hole: turn it out in sync, then tune again.</source>
+            <translation>탭이 구멍 안에 있습니다. 동기로 돌려 뺀 뒤 다시 튜닝하십시오.</translation>
+        </message>
+        <message>
+            <source>The tap was aborted: the accepted gains are back in force.</source>
+            <translation>탭이 중단되어 수락된 게인으로 되돌렸습니다.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
+            <translation>탭을 동기로 돌려 빼고 게인을 되돌렸습니다. 나사가 뜯겼을 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync.</source>
+            <translation>탭을 동기로 돌려 뺐습니다.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync; it does not count.</source>
+            <translation>탭을 동기로 돌려 뺐으며 세지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The tapping job has a value outside its range.</source>
+            <translation>태핑 작업에 범위를 벗어난 값이 있습니다.</translation>
+        </message>
+        <message>
+            <source>The tapping loop does not know this command.</source>
+            <translation>태핑 루프가 모르는 명령입니다.</translation>
+        </message>
+        <message>
+            <source>The tapping program needs pitch, revolutions and speed above zero.</source>
+            <translation>태핑 프로그램에는 0보다 큰 피치와 회전 수, 속도가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The tuner does not learn from it.</source>
+            <translation>튜너가 이 탭에서 배우지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The wall stays flat, but the feed falls with the wear and the tool may break.</source>
+            <translation>벽은 평탄하지만 마모로 이송이 느려지고 공구가 부러질 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>This machine has no force sensor.</source>
+            <translation>이 기계에는 힘 센서가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This recipe revision cannot be read: it is no list of parameters.</source>
+            <translation>이 레시피 개정을 읽을 수 없습니다. 파라미터 목록이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>This thread is not in the table.</source>
+            <translation>이 나사는 표에 없습니다.</translation>
+        </message>
+        <message>
+            <source>Threads are still made; their tolerance is used up slowly.</source>
+            <translation>나사는 계속 가공되지만 공차가 서서히 소진됩니다.</translation>
+        </message>
+        <message>
+            <source>Tool broken?</source>
+            <translation>공구 파손?</translation>
+        </message>
+        <message>
+            <source>Tool radius</source>
+            <translation>공구 반지름</translation>
+        </message>
+        <message>
+            <source>Tool wear above its threshold</source>
+            <translation>공구 마모가 기준을 넘음</translation>
+        </message>
+        <message>
+            <source>Under control the feed is held; advising, Kerf only reports it.</source>
+            <translation>제어 중에는 이송을 멈추고, 조언 중에는 알리기만 합니다.</translation>
+        </message>
+        <message>
+            <source>Wear threshold</source>
+            <translation>마모 기준</translation>
+        </message>
+        <message>
+            <source>Wrong pitch</source>
+            <translation>피치 오류</translation>
+        </message>
+        <message>
+            <source>Z and spindle were further apart than the abort limit during a tap.</source>
+            <translation>탭 가공 중 Z와 주축의 차이가 중단 한계를 넘었습니다.</translation>
+        </message>
+        <message>
+            <source>Z moves %1 mm per revolution, the pitch entered is %2 mm.</source>
+            <translation>Z가 회전당 %1 mm 움직이지만 입력한 피치는 %2 mm입니다.</translation>
+        </message>
+        <message>
+            <source>Z moves by another distance per revolution than the pitch entered.</source>
+            <translation>Z가 회전당 입력한 피치와 다른 거리를 움직입니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2162,6 +2670,249 @@
         <message>
             <source>Release hold</source>
             <translation>홀드 해제</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartDetailPanel</name>
+        <message>
+            <source>overhang</source>
+            <translation>돌출 길이</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>feed, %1</source>
+            <comment>unit</comment>
+            <translation>이송, %1</translation>
+        </message>
+        <message>
+            <source>schedule</source>
+            <translation>계획</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>가공</translation>
+        </message>
+        <message>
+            <source>The feed of the part appears here when one is chosen.</source>
+            <translation>공작물을 고르면 이송이 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>No part chosen</source>
+            <translation>선택한 공작물 없음</translation>
+        </message>
+        <message>
+            <source>Touch a row of the table.</source>
+            <translation>표의 행을 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Part %1, lot %2</source>
+            <translation>공작물 %1, 로트 %2</translation>
+        </message>
+        <message>
+            <source>cut in %1 s</source>
+            <translation>가공 %1초</translation>
+        </message>
+        <message>
+            <source>serial %1</source>
+            <translation>일련번호 %1</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>중단됨</translation>
+        </message>
+        <message>
+            <source>process change noticed</source>
+            <translation>공정 변화 감지</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>깊이</translation>
+        </message>
+        <message>
+            <source>⌀, %1</source>
+            <translation>⌀, %1</translation>
+        </message>
+        <message>
+            <source>by, when</source>
+            <translation>작성자, 시각</translation>
+        </message>
+        <message>
+            <source>what, why</source>
+            <translation>내용, 이유</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>입력</translation>
+        </message>
+        <message>
+            <source>correction</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>제외됨</translation>
+        </message>
+        <message>
+            <source>confirmed</source>
+            <translation>확인됨</translation>
+        </message>
+        <message>
+            <source>no longer holds</source>
+            <translation>더 이상 유효하지 않음</translation>
+        </message>
+        <message>
+            <source>no part chosen</source>
+            <translation>선택한 공작물 없음</translation>
+        </message>
+        <message>
+            <source>choose a diameter that holds</source>
+            <translation>유효한 지름을 고르십시오</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartsModel</name>
+        <message>
+            <source>finished</source>
+            <translation>완료</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>중단됨</translation>
+        </message>
+        <message>
+            <source>%1 corrected</source>
+            <translation>%1개 수정</translation>
+        </message>
+        <message>
+            <source>%1 voided</source>
+            <translation>%1개 제외</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>Serial number</source>
+            <translation>일련번호</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>공작물 종류</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Ended</source>
+            <translation>완료 시각</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>결과</translation>
+        </message>
+        <message>
+            <source>Diameters [%1]</source>
+            <translation>지름 [%1]</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>변경</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::PartsPage</name>
+        <message>
+            <source>no lot is open</source>
+            <translation>열린 로트 없음</translation>
+        </message>
+        <message>
+            <source>%1 rows written to %2.</source>
+            <translation>%1행을 %2에 기록했습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing exported: %1</source>
+            <translation>내보내지 못했습니다: %1</translation>
+        </message>
+        <message>
+            <source>This console has no database, so there are no parts to show.</source>
+            <translation>이 콘솔에는 데이터베이스가 없어 표시할 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Search: lot, part type, serial number</source>
+            <translation>검색: 로트, 공작물 종류, 일련번호</translation>
+        </message>
+        <message>
+            <source>This lot</source>
+            <translation>이 로트</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>내보내기</translation>
+        </message>
+        <message>
+            <source>More than %1 parts, newest first</source>
+            <translation>공작물 %1개 이상, 최신순</translation>
+        </message>
+        <message>
+            <source>No part matches. Finished parts appear here by themselves.</source>
+            <translation>일치하는 공작물이 없습니다. 완료된 공작물은 저절로 나타납니다.</translation>
+        </message>
+        <message>
+            <source>%1 parts, newest first</source>
+            <translation>공작물 %1개, 최신순</translation>
+        </message>
+        <message>
+            <source>part %1, %2 deep</source>
+            <comment>part number, position</comment>
+            <translation>공작물 %1, 깊이 %2</translation>
+        </message>
+        <message>
+            <source>no database</source>
+            <translation>데이터베이스 없음</translation>
+        </message>
+        <message>
+            <source>being written</source>
+            <translation>기록 중</translation>
+        </message>
+        <message>
+            <source>Export as CSV</source>
+            <translation>CSV로 내보내기</translation>
+        </message>
+        <message>
+            <source>All parts that the search shows, oldest first, in mm whatever the screen shows.</source>
+            <translation>검색에 나온 모든 공작물을 오래된 순으로, 화면 단위와 관계없이 mm로 기록합니다.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>Measurements</source>
+            <translation>측정값</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>이송</translation>
         </message>
     </context>
     <context>
