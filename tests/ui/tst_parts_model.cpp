@@ -87,7 +87,8 @@ class TestPartsModel : public QObject {
     void pagesFollowEachOtherWithoutGapOrRepeat() {
         FakePartReader reader(250);
         PartsModel model(reader);
-        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        tester.setUseFetchMore(false);  // it would fetch by itself, in the middle of a reset
         model.setQuery({});
         QCOMPARE(model.rowCount(), 100);
         QCOMPARE(model.matches(), std::uint64_t{250});
@@ -154,7 +155,8 @@ class TestPartsModel : public QObject {
     void newPartsComeOnTopAndKeepTheSelection() {
         FakePartReader reader(120);
         PartsModel model(reader);
-        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        tester.setUseFetchMore(false);  // it would fetch by itself, in the middle of a reset
         model.setQuery({});
         model.fetchMore({});
         const QPersistentModelIndex selected = model.index(5, 0);
