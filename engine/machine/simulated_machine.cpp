@@ -194,6 +194,9 @@ Result<void> SimulatedMachine::carryOut(const PortRequest& request) noexcept {
         return tapping->setGains(gains->gains);
     }
     if (std::holds_alternative<RetractInSync>(request.action) && tapping != nullptr) {
+        if (m_program == ProgramState::Running && m_programProcess != ProcessId::Tapping) {
+            return fail(KERF_TEXT("A part is being cut."));
+        }
         const Result<void> retracting = tapping->retractInSync();
         if (retracting) {
             m_program = ProgramState::Running;
