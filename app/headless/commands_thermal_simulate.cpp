@@ -1,5 +1,145 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/headless/output.h"
+#include "app/headless/table.h"
 #include "app/headless/thermal_commands.h"
+#include "engine/thermal/plant/thermal_plant.h"
+
 namespace kerf::headless {
-void addThermalSimulate(CLI::App&) {}
+namespace {
+
+using namespace thermal;
+
+struct SimulateArguments {
+    std::string schedule{"0:0,10:3000"};
+    double hours{6.0};
+    std::uint64_t seed{1};
+    std::uint64_t machine{1};
+    double warmSpeed_rpm{0.0};
+    double warm_min{120.0};
+    double pause_min{15.0};
+};
+
+struct SpeedStep {
+    double from_min{0.0};
+    double speed_rpm{0.0};
+};
+
+/// "0:0,10:3000": from minute 0 at 0 rpm, from minute 10 at 3000 rpm.
+std::vector<SpeedStep> scheduleFrom(const std::string& text) {
+    std::vector<SpeedStep> steps;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    const auto number = [&](double& value) {
+        const auto [stop, error] = std::from_chars(at, end, value);
+        const bool good = error == std::errc{} && std::isfinite(value);
+        at = good ? stop : at;
+        return good;
+    };
+    while (true) {
+        SpeedStep step;
+        const bool good = number(step.from_min) && at != end && *at == ':' && (++at, number(step.speed_rpm));
+        if (!good || step.speed_rpm < 0.0 || step.speed_rpm > 30'000.0 ||
+            (steps.empty() ? step.from_min != 0.0 : step.from_min <= steps.back().from_min) ||
+            (at != end && *at != ',')) {
+            throw BadInput(
+                fmt::format("--schedule: wrong at character {} of '{}'; expected MIN:RPM,… beginning at 0, minutes "
+                            "rising, 0 to 30000 rpm, as 0:0,10:3000.",
+                            at - text.data() + 1, text));
+        }
+        steps.push_back(step);
+        if (at == end) {
+            return steps;
+        }
+        ++at;
+    }
+}
+
+double speedAt(const std::vector<SpeedStep>& steps, double t_min) {
+    double speed_rpm = 0.0;
+    for (const SpeedStep& step : steps) {
+        if (t_min >= step.from_min) {
+            speed_rpm = step.speed_rpm;
+        }
+    }
+    return speed_rpm;
+}
+
+void simulate(const SimulateArguments& arguments) {
+    constexpr int kBaseline_min = 5;
+    constexpr double kMinute_s = 60.0;
+    const std::vector<SpeedStep> steps = scheduleFrom(arguments.schedule);
+    ThermalPlant plant(arguments.machine, arguments.seed);
+    if (arguments.warmSpeed_rpm > 0.0) {
+        plant.advance(arguments.warmSpeed_rpm, arguments.warm_min * kMinute_s);
+        plant.advance(0.0, arguments.pause_min * kMinute_s);
+    }
+    std::string header = "t_min,rpm,amb_true";
+    for (std::size_t k = 0; k < kMaxTemperatures; ++k) {
+        header += fmt::format(",T{:02}", k);
+    }
+    CsvOutput out(header + ",yx_meas,yy_meas,yz_meas,yx_true,yy_true,yz_true");
+    const auto row = [&](double t_min, double speed_rpm, bool drift) {
+        std::string line = fmt::format("{},{},{:.3f}", t_min, speed_rpm, plant.room_degC());
+        for (const double temp_degC : plant.readThermocouples()) {
+            line += fmt::format(",{:.3f}", temp_degC);
+        }
+        const auto measured_um = plant.measureDrift();
+        const auto true_um = plant.drift_um();
+        for (const auto& three : {measured_um, true_um}) {
+            for (const double value_um : three) {
+                line += drift ? fmt::format(",{:.17g}", value_um) : std::string(",nan");
+            }
+        }
+        out.row(line);
+    };
+    // The origin is measured over the baseline: its reference is the middle of it.
+    for (int t_min = -kBaseline_min; t_min < 0; ++t_min) {
+        plant.advance(0.0, kMinute_s);
+        if (t_min == -(kBaseline_min + 1) / 2) {
+            plant.setReference();
+        }
+        row(t_min, 0.0, false);
+    }
+    const int minutes = static_cast<int>(std::lround(arguments.hours * 60.0));
+    for (int t_min = 0; t_min < minutes; ++t_min) {
+        // A row tells the state at its minute and the speed from then on.
+        plant.advance(t_min == 0 ? 0.0 : speedAt(steps, t_min - 1), kMinute_s);
+        row(t_min, speedAt(steps, t_min), true);
+    }
+    out.flush();
+}
+
+}  // namespace
+
+void addThermalSimulate(CLI::App& thermal) {
+    auto* command = thermal.add_subcommand("simulate", "A day of the simulated machine as history CSV.");
+    auto arguments = std::make_shared<SimulateArguments>();
+    command->add_option("--schedule", arguments->schedule, "Spindle speed: MIN:RPM,MIN:RPM,…")->capture_default_str();
+    command->add_option("--hours", arguments->hours, "Length of the day, h")
+        ->check(CLI::Range(0.1, 240.0))
+        ->capture_default_str();
+    command->add_option("--seed", arguments->seed, "Day: room temperature and noise")->capture_default_str();
+    command->add_option("--machine-seed", arguments->machine, "Machine: thermocouples and their mounting")
+        ->capture_default_str();
+    command->add_option("--warm-rpm", arguments->warmSpeed_rpm, "Run at this speed before the baseline (0: cold start)")
+        ->check(CLI::Range(0.0, 30'000.0))
+        ->capture_default_str();
+    command->add_option("--warm-min", arguments->warm_min, "How long, min")
+        ->check(CLI::Range(0.0, 1440.0))
+        ->capture_default_str();
+    command->add_option("--pause-min", arguments->pause_min, "Stop between warm run and baseline, min")
+        ->check(CLI::Range(0.0, 1440.0))
+        ->capture_default_str();
+    command->callback([arguments] { simulate(*arguments); });
+}
+
 }  // namespace kerf::headless
