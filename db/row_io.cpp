@@ -107,7 +107,38 @@ PartRow readPart(const Statement& row) {
     p.machineBegin_ns = row.integer(8);
     p.machineEnd_ns = row.integer(9);
     p.endedUtc_ms = row.integer(10);
+    if (!row.isNull(11)) {
+        p.figures = unpackFigures(p.process, row.text(11));
+    }
     return p;
+}
+
+RoomRecordRow readRoomRecord(const Statement& row) {
+    return {row.integer(0), processOfKey(row.text(1)), row.text(2), row.text(3), row.text(4), row.text(5), row.text(6),
+            row.integer(7)};
+}
+
+std::string packFigures(const std::vector<PartResult>& results) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const PartResult& result : results) {
+        object[result.spec->key] = result.value;
+    }
+    return object.dump();
+}
+
+std::vector<PartFigure> unpackFigures(ProcessId process, const std::string& json) {
+    std::vector<PartFigure> figures;
+    const nlohmann::json object = nlohmann::json::parse(json, nullptr, false);
+    if (!object.is_object()) {
+        return figures;
+    }
+    for (const PartResultSpec& spec : partResultSpecs(process)) {
+        const auto found = object.find(spec.key);
+        if (found != object.end() && found->is_number()) {
+            figures.push_back({spec.key, found->get<double>()});
+        }
+    }
+    return figures;
 }
 
 RecipeRevision readRecipe(const Statement& row) {

@@ -6,6 +6,7 @@
 
 #include "db/api/rows.h"
 #include "db/statement.h"
+#include "engine/api/part_results.h"
 
 /// Column lists and the reading of a row from them, one place per table.
 namespace kerf::db {
@@ -33,9 +34,10 @@ inline constexpr const char* kScheduleColumns =
 
 inline constexpr const char* kPartColumns =
     "p.id, p.process, p.lot_id, l.name, t.name, p.number, p.serial, p.complete, p.machine_begin_ns, p.machine_end_ns, "
-    "p.ended_utc_ms";
+    "p.ended_utc_ms, x.results";
 inline constexpr const char* kPartJoins =
-    " LEFT JOIN lots l ON l.id = p.lot_id LEFT JOIN part_types t ON t.id = l.part_type_id ";
+    " LEFT JOIN lots l ON l.id = p.lot_id LEFT JOIN part_types t ON t.id = l.part_type_id LEFT JOIN part_results x ON "
+    "x.part_id = p.id ";
 [[nodiscard]] PartRow readPart(const Statement& row);
 
 inline constexpr const char* kRecipeColumns =
@@ -58,6 +60,14 @@ inline constexpr const char* kAuditColumns =
     "u.id, u.utc_ms, u.author, u.action, u.object, u.object_id, u.old_value, u.new_value, u.reason, u.previous_hash, "
     "u.hash";
 [[nodiscard]] AuditRow readAudit(const Statement& row);
+
+inline constexpr const char* kRoomRecordColumns =
+    "o.id, o.process, o.kind, o.subject, o.body, o.author, o.reason, o.created_utc_ms";
+[[nodiscard]] RoomRecordRow readRoomRecord(const Statement& row);
+
+/// A part's figures as a JSON object.
+[[nodiscard]] std::string packFigures(const std::vector<PartResult>& results);
+[[nodiscard]] std::vector<PartFigure> unpackFigures(ProcessId process, const std::string& json);
 
 /// The feed trace as stored: pairs of little-endian 32-bit floats.
 [[nodiscard]] QByteArray packTrace(const FeedTrace& trace);

@@ -20,12 +20,11 @@ namespace {
 constexpr const char* kPartTypeName = "Cylinder 50";
 constexpr const char* kLotName = "1";
 constexpr const char* kAuthor = "Kerf";
-constexpr int kDeskPoll_ms = 200;
+constexpr int kPoll_ms = 200;
 
-Command modeCommand(LoopMode mode) {
-    Command command;
-    command.action = SetLoopMode{ProcessId::Boring, mode};
-    return command;
+/// The diamond turning lathe is the only machine without a boring spindle.
+bool bores(const Options& options) {
+    return options.machine != "diamond-lathe";
 }
 
 }  // namespace
@@ -34,7 +33,7 @@ ConsoleApplication::ConsoleApplication(Options options) : m_options(std::move(op
 
 ConsoleApplication::~ConsoleApplication() {
     m_shift.reset();
-    m_deskPoll.stop();
+    m_poll.stop();
     m_window.reset();
     if (m_engine) {
         m_engine->stop();  // no new parts; then all that has been made goes to the disk
@@ -46,6 +45,8 @@ ConsoleApplication::~ConsoleApplication() {
     }
     m_deskChanges.reset();
     m_desk.reset();
+    m_modes.reset();
+    m_rooms.clear();
     m_writer.reset();
 }
 
@@ -56,9 +57,7 @@ Result<void> ConsoleApplication::start() {
     if (const auto machine = openMachine(); !machine) {
         return machine;
     }
-    std::vector<std::unique_ptr<ProcessLoop>> loops;
-    loops.push_back(std::make_unique<BoringLoop>());
-    m_engine = std::make_unique<Engine>(*m_machine, std::move(loops));
+    makeEngine();
     m_writer = std::make_unique<db::WriterThread>(m_databasePath, &m_engine->partRecords());
     if (const auto writing = m_writer->start(); !writing) {
         return writing;
@@ -78,8 +77,34 @@ Result<void> ConsoleApplication::start() {
         preferences.length = m_options.unit == "inch" ? ui::LengthUnit::Inch : ui::LengthUnit::Millimetre;
     }
     m_look->apply(preferences);
-    openLot();
+    openRooms();
+    if (bores(m_options)) {
+        openLot();
+    } else {
+        QTimer::singleShot(0, this, &ConsoleApplication::openWindow);  // ready() comes from the event loop, always
+    }
     return {};
+}
+
+void ConsoleApplication::makeEngine() {
+    std::vector<std::unique_ptr<ProcessLoop>> loops;
+    if (bores(m_options)) {
+        loops.push_back(std::make_unique<BoringLoop>());
+    }
+    for (const auto& room : m_rooms) {
+        loops.push_back(room->makeLoop());
+    }
+    m_engine = std::make_unique<Engine>(*m_machine, std::move(loops));
+}
+
+void ConsoleApplication::openRooms() {
+    const Room::Context context{*m_engine, *m_writer,      *m_reader,
+                                m_options, m_databasePath, [this] { return author(); }};
+    for (const auto& room : m_rooms) {
+        room->open(context);
+    }
+    m_modes = std::make_unique<LoopModes>(
+        *m_engine, *m_reader, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
 }
 
 Result<void> ConsoleApplication::openData() {
@@ -104,6 +129,11 @@ Result<void> ConsoleApplication::openData() {
 }
 
 Result<void> ConsoleApplication::openMachine() {
+    for (auto& room : standardRooms()) {
+        if (room->fits(m_options.machine)) {
+            m_rooms.push_back(std::move(room));
+        }
+    }
     if (m_options.machine == "linuxcnc") {
         m_realMachine = std::make_unique<linuxcnc::LinuxCncMachine>(linuxcnc::LinuxCncMachine::Params{});
         m_machine = m_realMachine.get();
@@ -118,7 +148,14 @@ Result<void> ConsoleApplication::openMachine() {
     if (const auto parts = m_reader->parts(newest); parts && !parts->empty()) {
         params.partsSoFar = parts->front().number;  // the machine goes on where it was
     }
-    m_simulator = std::make_unique<Simulator>(params);
+    params.diamondLathe = !bores(m_options);
+    Simulator::Plants plants;
+    for (const auto& room : m_rooms) {
+        if (auto plant = room->makePlant(m_options)) {
+            plants.push_back(std::move(plant));
+        }
+    }
+    m_simulator = std::make_unique<Simulator>(params, std::move(plants));
     m_machine = &m_simulator->machine();
     return m_machine->connect();
 }
@@ -161,20 +198,38 @@ void ConsoleApplication::lotIsOpen(LotId lot) {
         }
     }
     m_deskChanges = m_desk->onChanged([this] { announceAccepted(); });
-    connect(&m_deskPoll, &QTimer::timeout, this, [this] { m_desk->poll(); });
-    m_deskPoll.start(kDeskPoll_ms);
+    openWindow();
+}
 
+void ConsoleApplication::openWindow() {
     m_window = std::make_unique<ui::MainWindow>(*m_look, services());
     connect(&m_window->client(), &ui::EngineClient::alarmArrived, this, &ConsoleApplication::keepAlarm);
     m_engine->start();
     m_window->client().start();
-    (void)m_engine->send(modeCommand(LoopMode::Control));
-    if (m_simulator) {
+    m_modes->restore();
+    if (m_simulator && m_desk) {
         const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
         m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, *m_desk);
     }
-    m_desk->poll();
+    connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
+    m_poll.start(kPoll_ms);
+    poll();
     emit ready();
+}
+
+void ConsoleApplication::poll() {
+    if (m_desk) {
+        m_desk->poll();
+    }
+    for (const auto& room : m_rooms) {
+        room->poll();
+    }
+    m_modes->poll();
+}
+
+std::string ConsoleApplication::author() const {
+    const QString name = m_window ? m_window->session().name() : QString();
+    return name.isEmpty() ? kAuthor : name.toStdString();
 }
 
 ui::Services ConsoleApplication::services() {
@@ -199,6 +254,9 @@ ui::Services ConsoleApplication::services() {
         saveOperators(operators, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
     };
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
+    for (const auto& room : m_rooms) {
+        room->serve(services);
+    }
     return services;
 }
 
@@ -243,13 +301,11 @@ void ConsoleApplication::announceAccepted() {
 }
 
 void ConsoleApplication::saveSetting(const std::string& key, const std::string& value) {
-    const QString name = m_window ? m_window->session().name() : QString();
-    m_writer->submit(ChangeSetting{key, value, name.isEmpty() ? kAuthor : name.toStdString(), {}},
-                     [key](const Result<Receipt>& result) {
-                         if (!result) {
-                             spdlog::error("setting {}: {}", key, result.error().english());
-                         }
-                     });
+    m_writer->submit(ChangeSetting{key, value, author(), {}}, [key](const Result<Receipt>& result) {
+        if (!result) {
+            spdlog::error("setting {}: {}", key, result.error().english());
+        }
+    });
 }
 
 }  // namespace kerf::console

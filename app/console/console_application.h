@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/console/loop_modes.h"
 #include "app/console/options.h"
+#include "app/console/rooms/room.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
 #include "app/desk/boring_desk.h"
@@ -34,6 +36,7 @@ class ConsoleApplication : public QObject {
     /// Null before ready().
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
+    /// @pre the machine bores
     [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return *m_desk; }
     [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
     /// Null with a real machine.
@@ -51,8 +54,13 @@ class ConsoleApplication : public QObject {
  private:
     [[nodiscard]] Result<void> openData();
     [[nodiscard]] Result<void> openMachine();
+    void makeEngine();
+    void openRooms();
     void openLot();
     void lotIsOpen(LotId lot);
+    void openWindow();
+    void poll();
+    [[nodiscard]] std::string author() const;
     [[nodiscard]] ui::Services services();
     void keepAlarm(const AlarmEvent& event);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
@@ -62,6 +70,7 @@ class ConsoleApplication : public QObject {
     Options m_options;
     std::string m_databasePath;
     std::unique_ptr<db::DatabaseReader> m_reader;
+    std::vector<std::unique_ptr<Room>> m_rooms;  ///< those that fit the machine
     std::unique_ptr<Simulator> m_simulator;
     std::unique_ptr<MachinePort> m_realMachine;
     MachinePort* m_machine{nullptr};
@@ -69,7 +78,8 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringDesk> m_desk;
     std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
-    QTimer m_deskPoll;
+    std::unique_ptr<LoopModes> m_modes;
+    QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;
     ui::Preferences m_savedPreferences{};
     std::unique_ptr<ui::MainWindow> m_window;

@@ -13,8 +13,10 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
                  "kerf-console");
     app.set_version_flag("--version", KERF_VERSION);
     app.add_option("--data", options.dataDir, "Folder of the database and the log (default: the user's data folder)");
-    app.add_option("--machine", options.machine, "Machine to work with")
-        ->check(CLI::IsMember({"simulator", "linuxcnc"}))
+    app.add_option(
+           "--machine", options.machine,
+           "Machine to work with: the built-in machining centre, the built-in diamond turning lathe, or LinuxCNC")
+        ->check(CLI::IsMember({"simulator", "diamond-lathe", "linuxcnc"}))
         ->capture_default_str();
     app.add_option("--speed", options.simulationSpeed,
                    "Simulator: machine time per wall time, 1 to 1000; 0 = as fast as it can")

@@ -12,7 +12,8 @@ namespace kerf::console {
 namespace {
 
 constexpr std::size_t kHolesKept = 200;
-constexpr double kGaugeStep_mm = 0.001;  // last digit of the gauge
+constexpr std::int64_t kLatheCycle_ns = 200'000;  // force feedback at 5 kHz
+constexpr double kGaugeStep_mm = 0.001;           // last digit of the gauge
 
 std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
     std::vector<BoringTruth> list{BoringTruth{}};
@@ -24,21 +25,29 @@ std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
 
 }  // namespace
 
-Simulator::Simulator(const Params& params) : m_params(params) {
-    std::vector<std::unique_ptr<SimulatedProcess>> plants;
-    SimulatedBoring::Params boring;
-    boring.truths = truths(params.changeAtPart);
-    auto plant = std::make_unique<SimulatedBoring>(boring);
-    m_boring = plant.get();
-    plants.push_back(std::move(plant));
+Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
     SimulatedMachine::Params machine;
     machine.partsSoFar = params.partsSoFar;
+    if (params.diamondLathe) {
+        machine.name = "Kerf diamond lathe";
+        machine.cycle_ns = kLatheCycle_ns;
+        machine.absentProcess =
+            Sentence(KERF_TEXT("On the built-in machining centre: start the console with --machine simulator."));
+    } else {
+        machine.absentProcess =
+            Sentence(KERF_TEXT("On the built-in diamond lathe: start the console with --machine diamond-lathe."));
+        SimulatedBoring::Params boring;
+        boring.truths = truths(params.changeAtPart);
+        auto plant = std::make_unique<SimulatedBoring>(boring);
+        m_boring = plant.get();
+        plants.push_back(std::move(plant));
+    }
     m_machine = std::make_unique<SimulatedMachine>(machine, std::move(plants));
 }
 
 std::optional<double> Simulator::gaugeReading_mm(std::uint32_t partSequence, double overhang_mm, const Bore& bore) {
     BoredHole hole;
-    while (m_boring->holes().tryPop(hole)) {
+    while (m_boring != nullptr && m_boring->holes().tryPop(hole)) {
         m_holes[hole.partSequence] = hole;
     }
     while (m_holes.size() > kHolesKept) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/machine/simulated_boring.h"
 #include "engine/machine/simulated_machine.h"
@@ -19,14 +20,17 @@ class Simulator {
         std::uint64_t seed{1};
         double gaugeSigma_mm{0.005};     ///< standard deviation of one gauged deflection
         std::uint32_t changeAtPart{14};  ///< a new insert: the process is another one from here on; 0: never
+        bool diamondLathe{false};        ///< the lathe with the .2 ms cycle; it does not bore
     };
+    using Plants = std::vector<std::unique_ptr<SimulatedProcess>>;
     /// What a diameter means for the part type being made (boring, eq. 11).
     struct Bore {
         double targetDiameter_mm{50.0};
         double targetDeflection_mm{0.1165};
         double phi_deg{60.0};
     };
-    explicit Simulator(const Params& params);
+    /// `plants`: of the processes beside boring.
+    Simulator(const Params& params, Plants plants);
 
     [[nodiscard]] SimulatedMachine& machine() noexcept { return *m_machine; }
     /// What the gauge shows for a finished part; the same bore always reads the same. Empty: not finished, or long

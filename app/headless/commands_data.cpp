@@ -87,6 +87,7 @@ void exportTable(const DataOptions& options) {
     const PartQuery query = queryOf(options);
     const Result<std::uint64_t> rows = options.table == "parts"          ? exportParts(*reader, query, sink)
                                        : options.table == "measurements" ? exportMeasurements(*reader, query, sink)
+                                       : options.table == "figures"      ? exportFigures(*reader, query, sink)
                                        : options.table == "feed"         ? exportFeed(*reader, query, sink)
                                                                          : exportAudit(*reader, sink);
     if (!rows) {
@@ -164,9 +165,9 @@ void addDataCommands(CLI::App& kerf) {
         return command;
     };
     CLI::App* exporting = add("export", "A table as CSV on stdout, oldest first", exportTable);
-    exporting->add_option("table", options->table, "parts, measurements, feed or audit")
+    exporting->add_option("table", options->table, "parts, measurements, figures, feed or audit")
         ->required()
-        ->check(CLI::IsMember({"parts", "measurements", "feed", "audit"}));
+        ->check(CLI::IsMember({"parts", "measurements", "figures", "feed", "audit"}));
     exporting->add_option("--process", options->process, "Only parts of this process")
         ->check(CLI::IsMember({"boring", "milling", "turning", "thermal", "tapping"}));
     exporting->add_option("--search", options->text,

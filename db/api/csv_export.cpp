@@ -155,6 +155,18 @@ Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& qu
     });
 }
 
+Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
+    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value", sink);
+    return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
+        for (const PartFigure& figure : part.figures) {
+            lines.add("{},{},{},{},{},{},{},{},{:.17g}", part.id, processKey(part.process), quoted(part.partTypeName),
+                      quoted(part.lotName), part.number, quoted(part.serial), isoTime(part.endedUtc_ms), figure.key,
+                      figure.value);
+        }
+        return {};
+    });
+}
+
 Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
     Lines lines("part_id,lot,number,schedule_revision,overhang_mm,scheduled_feed_mm_per_rev,cut_feed_mm_per_rev", sink);
     return eachPart(reader, query, lines, [&lines, &reader](const PartRow& part) -> Result<void> {

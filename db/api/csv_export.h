@@ -28,6 +28,10 @@ using CsvSink = std::function<bool(std::string_view)>;
 /// station, position_mm, diameter_mm, source, confirmed, author, reason, accepted_utc.
 [[nodiscard]] Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& query, const CsvSink& sink);
 
+/// The engine's figures of each part, one row per figure: part_id, process, part_type, lot, number, serial, ended_utc,
+/// figure (ends in its unit), value.
+[[nodiscard]] Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink);
+
 /// The schedule against what was cut, one row per point: part_id, lot, number, schedule_revision, overhang_mm,
 /// scheduled_feed_mm_per_rev, cut_feed_mm_per_rev.
 [[nodiscard]] Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, const CsvSink& sink);

@@ -112,6 +112,12 @@ struct EstimatorStateRow {
     std::string stateJson{};
 };
 
+/// A figure of a part as stored; `key` ends in its unit.
+struct PartFigure {
+    std::string key{};
+    double value{0.0};
+};
+
 /// One part without its curves.
 struct PartRow {
     PartId id{0};
@@ -125,6 +131,7 @@ struct PartRow {
     std::int64_t machineBegin_ns{0};
     std::int64_t machineEnd_ns{0};
     std::int64_t endedUtc_ms{0};
+    std::vector<PartFigure> figures{};           ///< as the engine found them (engine/api/part_results.h)
     std::vector<MeasurementRow> measurements{};  ///< every row, in the order of acceptance
 };
 
@@ -145,6 +152,18 @@ struct LotHistory {
     std::vector<EstimatorStateRow> states{};       ///< newest per measurement, by measurement
     std::optional<EstimatorStateRow> lastState{};  ///< written last: the state the console had
     std::vector<ScheduleRow> schedules{};          ///< by revision, proposed ones too
+};
+
+/// A value of one process's room: a setup, a tuning, a model. Rows are never changed or deleted; the newest holds.
+struct RoomRecordRow {
+    std::int64_t id{0};
+    ProcessId process{ProcessId::Boring};
+    std::string kind{};
+    std::string subject{};
+    std::string bodyJson{};
+    std::string author{};
+    std::string reason{};
+    std::int64_t createdUtc_ms{0};
 };
 
 /// One occurrence of an alarm.

@@ -126,10 +126,20 @@ struct AddAudit {
     std::string reason{};
 };
 
+/// Keep a value of one process's room for ever (db/api/room_records.h). Receipt: id.
+struct AddRoomRecord {
+    ProcessId process{ProcessId::Boring};
+    std::string kind{};      ///< "setup", "tuning", "model" …; never empty
+    std::string subject{};   ///< what it is about: part type, thread, axis; may be empty
+    std::string bodyJson{};  ///< valid JSON; numbers under keys that end in their unit
+    std::string author{};    ///< never empty
+    std::string reason{};
+};
+
 using StoreCommand =
     std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot, SetActiveLot, AddPart,
                  SetPartSerial, AcceptMeasurement, StoreSchedule, AcceptSchedule, RaiseAlarm, ClearAlarm,
-                 CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit>;
+                 CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit, AddRoomRecord>;
 
 /// What a command has made; each command says what it puts here.
 struct Receipt {

@@ -35,9 +35,9 @@ std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot) {
     while (find.next()) {
         PartDetail detail;
         detail.part = readPart(find);
-        detail.feed = unpackTrace(find.blob(11));
-        if (!find.isNull(12)) {
-            detail.schedule = readSchedule(find, 12);
+        detail.feed = unpackTrace(find.blob(12));
+        if (!find.isNull(13)) {
+            detail.schedule = readSchedule(find, 13);
         }
         parts.push_back(std::move(detail));
     }
@@ -203,6 +203,17 @@ Result<std::vector<AuditRow>> DatabaseReader::auditAfter(std::int64_t after, std
         Statement find(database(), select(kAuditColumns, "FROM audit u WHERE u.id > ? ORDER BY u.id LIMIT ?"));
         find.bind(after).bind(limit);
         return readAll(find, readAudit);
+    });
+}
+
+Result<std::vector<RoomRecordRow>> DatabaseReader::roomRecords(ProcessId process, const std::string& kind,
+                                                               const std::string& subject, std::uint32_t limit) {
+    return guarded([&] {
+        Statement find(database(), select(kRoomRecordColumns,
+                                          "FROM room_records o WHERE o.process = ? AND o.kind = ? AND (? = '' OR "
+                                          "o.subject = ?) ORDER BY o.id DESC LIMIT ?"));
+        find.bind(processKey(process)).bind(kind).bind(subject).bind(subject).bind(limit);
+        return readAll(find, readRoomRecord);
     });
 }
 

@@ -8,6 +8,7 @@
 #include "db/api/audit_reader.h"
 #include "db/api/lot_reader.h"
 #include "db/api/part_reader.h"
+#include "db/api/room_records.h"
 #include "db/api/settings_reader.h"
 #include "db/connection.h"
 
@@ -18,7 +19,8 @@ class DatabaseReader final : public PartReader,
                              public LotReader,
                              public SettingsReader,
                              public AlarmReader,
-                             public AuditReader {
+                             public AuditReader,
+                             public RoomRecordReader {
  public:
     /// The file must have been brought up to date by prepareDatabase().
     [[nodiscard]] static Result<std::unique_ptr<DatabaseReader>> open(const std::string& path);
@@ -43,6 +45,10 @@ class DatabaseReader final : public PartReader,
     [[nodiscard]] Result<std::vector<AuditRow>> audit(std::optional<std::int64_t> before, std::uint32_t limit) override;
     [[nodiscard]] Result<std::vector<AuditRow>> auditAfter(std::int64_t after, std::uint32_t limit) override;
     [[nodiscard]] Result<AuditVerdict> verifyAudit() override;
+
+    [[nodiscard]] Result<std::vector<RoomRecordRow>> roomRecords(ProcessId process, const std::string& kind,
+                                                                 const std::string& subject,
+                                                                 std::uint32_t limit) override;
 
  private:
     explicit DatabaseReader(const std::string& path) : m_connection(path, Access::Read) {}

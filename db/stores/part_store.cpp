@@ -28,8 +28,12 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
         row.schedule = record.schedule;
         schedule = findOrAddSchedule(database, row);
     }
-    Statement number(database, "SELECT coalesce(max(number), 0) + 1 FROM parts WHERE lot_id IS ?");
-    const std::uint32_t next = number.bind(lot).run().next() ? number.count(0) : 1;
+    // Within its lot; parts of no lot count per process.
+    Statement number(database, lot ? "SELECT coalesce(max(number), 0) + 1 FROM parts WHERE lot_id = ?"
+                                   : "SELECT coalesce(max(number), 0) + 1 FROM parts WHERE lot_id IS NULL AND process "
+                                     "= ?");
+    lot ? number.bind(*lot) : number.bind(processKey(record.process));
+    const std::uint32_t next = number.run().next() ? number.count(0) : 1;
     Statement insert(database,
                      "INSERT INTO parts (process, lot_id, number, serial, complete, machine_begin_ns, machine_end_ns, "
                      "ended_utc_ms, schedule_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
@@ -48,6 +52,12 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
         Statement(database, "INSERT INTO feed_traces (part_id, points) VALUES (?, ?)")
             .bind(id)
             .bind(packTrace(record.feed))
+            .run();
+    }
+    if (const std::vector<PartResult> results = partResults(record); !results.empty()) {
+        Statement(database, "INSERT INTO part_results (part_id, results) VALUES (?, ?)")
+            .bind(id)
+            .bind(packFigures(results))
             .run();
     }
     return {id, next};

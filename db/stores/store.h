@@ -39,6 +39,7 @@ class Store {
     Receipt run(const AcknowledgeAlarm& command);
     Receipt run(const ChangeSetting& command);
     Receipt run(const AddAudit& command);
+    Receipt run(const AddRoomRecord& command);
 
     QSqlDatabase m_database;
 };

@@ -73,7 +73,7 @@ LoopStatus Supervisor::describe(ProcessId id, bool present, const LoopVerdict& v
     status.mode = loop.mode;
     status.fitted = present && host.fitted;
     if (!status.fitted) {
-        status.reason = !present            ? Sentence(KERF_TEXT("Not fitted yet."))
+        status.reason = host.fitted         ? Sentence(KERF_TEXT("Not fitted yet."))
                         : !host.why.empty() ? host.why
                                             : Sentence(KERF_TEXT("This machine cannot host this loop."));
         return status;

@@ -41,7 +41,7 @@ Reading simulatedReading(double value, std::int64_t now_ns, SignalFault fault, R
 
 SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique_ptr<SimulatedProcess>> processes)
     : m_processes(std::move(processes)), m_partSequence(params.partsSoFar) {
-    copyName(m_capabilities.machineName, "Kerf simulator");
+    copyName(m_capabilities.machineName, params.name);
     m_capabilities.cycle_ns = params.cycle_ns;
     m_capabilities.maxFeedScale = params.maxFeedScale;
     m_capabilities.simulated = true;
@@ -52,7 +52,7 @@ SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique
         Capability& host = m_capabilities.process[static_cast<std::size_t>(id)];
         host.fitted = find(id) != nullptr;
         if (!host.fitted) {
-            host.why = Sentence(KERF_TEXT("Not fitted yet."));
+            host.why = params.absentProcess;
         }
     }
     const Sentence notFitted(KERF_TEXT("This simulated machine does not have it."));

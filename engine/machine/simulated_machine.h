@@ -20,9 +20,11 @@ namespace kerf {
 class SimulatedMachine final : public MachinePort {
  public:
     struct Params {
+        const char* name{"Kerf simulator"};
         std::int64_t cycle_ns{1'000'000};
         double maxFeedScale{1.0};
-        std::uint32_t partsSoFar{0};  ///< the counter of a machine that has worked before
+        Sentence absentProcess{KERF_TEXT("Not fitted yet.")};  ///< why this machine has none of the others
+        std::uint32_t partsSoFar{0};                           ///< the counter of a machine that has worked before
     };
     SimulatedMachine(const Params& params, std::vector<std::unique_ptr<SimulatedProcess>> processes);
 

@@ -1766,6 +1766,62 @@
             <source>Z moves by another distance per revolution than the pitch entered.</source>
             <translation>Z moves by another distance per revolution than the pitch entered.</translation>
         </message>
+        <message>
+            <source>Cutting stiffness ln(C b)</source>
+            <translation>Cutting stiffness ln(C b)</translation>
+        </message>
+        <message>
+            <source>Largest trim</source>
+            <translation>Largest trim</translation>
+        </message>
+        <message>
+            <source>Mean force</source>
+            <translation>Mean force</translation>
+        </message>
+        <message>
+            <source>On the built-in diamond lathe: start the console with --machine diamond-lathe.</source>
+            <translation>On the built-in diamond lathe: start the console with --machine diamond-lathe.</translation>
+        </message>
+        <message>
+            <source>On the built-in machining centre: start the console with --machine simulator.</source>
+            <translation>On the built-in machining centre: start the console with --machine simulator.</translation>
+        </message>
+        <message>
+            <source>Peak at</source>
+            <translation>Peak at</translation>
+        </message>
+        <message>
+            <source>Peak force</source>
+            <translation>Peak force</translation>
+        </message>
+        <message>
+            <source>Surface P-V</source>
+            <translation>Surface P-V</translation>
+        </message>
+        <message>
+            <source>Surface RMS</source>
+            <translation>Surface RMS</translation>
+        </message>
+        <message>
+            <source>Time at planned feed</source>
+            <translation>Time at planned feed</translation>
+        </message>
+        <message>
+            <source>Time cut</source>
+            <translation>Time cut</translation>
+        </message>
+        <message>
+            <source>Time under control</source>
+            <translation>Time under control</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>Waviness</translation>
+        </message>
+        <message>
+            <source>Without the loop</source>
+            <translation>Without the loop</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2914,6 +2970,10 @@
         <message>
             <source>Feed</source>
             <translation>Feed</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Figures</translation>
         </message>
     </context>
     <context>

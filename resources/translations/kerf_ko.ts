@@ -1766,6 +1766,62 @@
             <source>Z moves by another distance per revolution than the pitch entered.</source>
             <translation>Z가 회전당 입력한 피치와 다른 거리를 움직입니다.</translation>
         </message>
+        <message>
+            <source>Cutting stiffness ln(C b)</source>
+            <translation>절삭 강성 ln(C b)</translation>
+        </message>
+        <message>
+            <source>Largest trim</source>
+            <translation>최대 트림</translation>
+        </message>
+        <message>
+            <source>Mean force</source>
+            <translation>평균 힘</translation>
+        </message>
+        <message>
+            <source>On the built-in diamond lathe: start the console with --machine diamond-lathe.</source>
+            <translation>내장 다이아몬드 선반에 있습니다: 콘솔을 --machine diamond-lathe 로 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>On the built-in machining centre: start the console with --machine simulator.</source>
+            <translation>내장 머시닝 센터에 있습니다: 콘솔을 --machine simulator 로 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>Peak at</source>
+            <translation>최대 힘 위치</translation>
+        </message>
+        <message>
+            <source>Peak force</source>
+            <translation>최대 힘</translation>
+        </message>
+        <message>
+            <source>Surface P-V</source>
+            <translation>표면 P-V</translation>
+        </message>
+        <message>
+            <source>Surface RMS</source>
+            <translation>표면 RMS</translation>
+        </message>
+        <message>
+            <source>Time at planned feed</source>
+            <translation>계획 이송 시간</translation>
+        </message>
+        <message>
+            <source>Time cut</source>
+            <translation>절삭 시간</translation>
+        </message>
+        <message>
+            <source>Time under control</source>
+            <translation>제어 시 시간</translation>
+        </message>
+        <message>
+            <source>Waviness</source>
+            <translation>파상도</translation>
+        </message>
+        <message>
+            <source>Without the loop</source>
+            <translation>루프 없을 때</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2913,6 +2969,10 @@
         <message>
             <source>Feed</source>
             <translation>이송</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>수치</translation>
         </message>
     </context>
     <context>

@@ -5,6 +5,7 @@
 #include "db/row_io.h"
 #include "db/stores/audit_log.h"
 #include "db_test_support.h"
+#include "engine/api/part_results.h"
 
 using namespace kerf;
 using test::measured;
@@ -56,6 +57,54 @@ class TestStore : public QObject {
         QCOMPARE((*detail)->feed.count, record.feed.count);
         QVERIFY((*detail)->feed.overhang_mm == record.feed.overhang_mm);
         QVERIFY((*detail)->feed.feed_mmPerRev == record.feed.feed_mmPerRev);
+    }
+    void figuresOfAPartComeBackInTheirOrder() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        PartRecord record;
+        record.process = ProcessId::Milling;
+        record.milling.waviness_um = 52.25;
+        record.milling.peakForce_N = 431.5;
+        record.milling.meanForce_N =
+            std::numeric_limits<double>::quiet_NaN();  // not stored, and no reason to lose the part
+        const PartId id = shop.must(AddPart{std::nullopt, record, {}}).id;
+        const auto detail = shop.reader()->part(id);
+        QVERIFY(detail && *detail);
+        const std::vector<PartFigure>& figures = (*detail)->part.figures;
+        QCOMPARE(figures.size(), partResultSpecs(ProcessId::Milling).size() - 1);
+        QCOMPARE(figures[0].key, std::string("waviness_um"));
+        QCOMPARE(figures[0].value, 52.25);
+        QCOMPARE(figures[1].key, std::string("force_peak_N"));
+        QCOMPARE(figures[1].value, 431.5);
+    }
+    void partsOfNoLotAreNumberedPerProcess() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        PartRecord milled;
+        milled.process = ProcessId::Milling;
+        PartRecord turned;
+        turned.process = ProcessId::Turning;
+        QCOMPARE(shop.must(AddPart{std::nullopt, milled, {}}).second, 1);
+        QCOMPARE(shop.must(AddPart{std::nullopt, turned, {}}).second, 1);
+        QCOMPARE(shop.must(AddPart{std::nullopt, milled, {}}).second, 2);
+    }
+    void roomRecordsStayAndTheNewestComesFirst() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        (void)shop.must(AddRoomRecord{ProcessId::Tapping, "tuning", "M8", R"({"z_kp_per_s":40})", "Lee", "first"});
+        (void)shop.must(AddRoomRecord{ProcessId::Tapping, "tuning", "M10", R"({"z_kp_per_s":41})", "Lee", ""});
+        (void)shop.must(AddRoomRecord{ProcessId::Tapping, "tuning", "M8", R"({"z_kp_per_s":42})", "Kim", "new tap"});
+        const auto of = [&](const std::string& subject) {
+            return shop.reader()->roomRecords(ProcessId::Tapping, "tuning", subject, 10);
+        };
+        QCOMPARE(of("M8")->size(), std::size_t{2});
+        QCOMPARE(of("M8")->front().bodyJson, std::string(R"({"z_kp_per_s":42})"));
+        QCOMPARE(of("M8")->front().author, std::string("Kim"));
+        QCOMPARE(of("")->size(), std::size_t{3});
+        QCOMPARE(shop.reader()->roomRecords(ProcessId::Milling, "tuning", "", 10)->size(), std::size_t{0});
+        QVERIFY(!shop.tried(AddRoomRecord{ProcessId::Tapping, "tuning", "M8", "{broken", "Lee", ""}));
+        QVERIFY(!test::tryExecute(shop.database(), "UPDATE room_records SET body = '{}'"));
+        QVERIFY(!test::tryExecute(shop.database(), "DELETE FROM room_records"));
     }
     void partsCutWithOneScheduleShareItsRow() {
         test::ScratchDatabase scratch;

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <array>
 
+#include "engine/api/part_results.h"
+
 namespace kerf::ui {
 namespace {
 
@@ -99,6 +101,14 @@ AlarmText alarmText(const AlarmSpec* spec, AlarmCode code) {
                 Words::tr("Note the number and call service.")};
     }
     return {engineText(spec->title), engineText(spec->cause), engineText(spec->consequence), engineText(spec->action)};
+}
+
+QString figureText(ProcessId process, const PartFigure& figure, const UnitSystem& units) {
+    const PartResultSpec* spec = findPartResult(process, figure.key);
+    if (spec == nullptr) {
+        return QString::fromStdString(figure.key) + QLatin1Char(' ') + QString::number(figure.value);
+    }
+    return engineText(spec->label) + QLatin1Char(' ') + units.withUnit(figure.value, spec->unit, spec->decimals);
 }
 
 QString processName(ProcessId id) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "db/api/rows.h"
 #include "engine/core/alarm.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
@@ -31,6 +32,9 @@ struct AlarmText {
 };
 /// Texts of one alarm; an unknown code says so.
 [[nodiscard]] AlarmText alarmText(const AlarmSpec* spec, AlarmCode code);
+
+/// "Waviness 50.1 µm"; the bare key of a figure this version does not know.
+[[nodiscard]] QString figureText(ProcessId process, const PartFigure& figure, const UnitSystem& units);
 
 [[nodiscard]] QString processName(ProcessId id);
 [[nodiscard]] QString stateName(LoopState state);

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "ui/link/texts.h"
+
 namespace kerf::ui {
 namespace {
 
@@ -138,6 +140,9 @@ QString PartsModel::text(const PartRow& part, int column) const {
         case Result:
             return part.complete ? tr("finished") : tr("aborted");
         case Diameters: {
+            if (!part.figures.empty()) {
+                return figureText(part.process, part.figures.front(), m_units);
+            }
             std::vector<MeasurementRow> rows = effectiveMeasurements(part.measurements);
             std::stable_sort(rows.begin(), rows.end(),
                              [](const MeasurementRow& a, const MeasurementRow& b) { return a.station < b.station; });

@@ -2,6 +2,7 @@
 #include "ui/pages/overview_page.h"
 
 #include <QGridLayout>
+#include <algorithm>
 #include <array>
 
 #include "ui/link/texts.h"
@@ -148,9 +149,14 @@ void OverviewPage::buildMachine() {
     buttons->addWidget(m_start);
     buttons->addWidget(m_release);
     m_machine->body()->addLayout(buttons);
-    connect(m_start, &QPushButton::clicked, this,
-            [this] { context().client.sendAction(StartPart{ProcessId::Boring}); });
+    connect(m_start, &QPushButton::clicked, this, [this] { context().client.sendAction(StartPart{mainProcess()}); });
     connect(m_release, &QPushButton::clicked, this, [this] { context().client.sendAction(ReleaseHold{}); });
+}
+
+ProcessId OverviewPage::mainProcess() const {
+    const auto& loops = context().client.status().loops;
+    const auto first = std::ranges::find_if(loops, &LoopStatus::fitted);
+    return first == loops.end() ? ProcessId::Boring : kAllProcesses[static_cast<std::size_t>(first - loops.begin())];
 }
 
 QString OverviewPage::whyNoStart() const {
@@ -251,7 +257,7 @@ void OverviewPage::onStatus(const Status& status) {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         m_position[axis]->setReading(status.position_mm[axis], status.machineTime_ns);
     }
-    m_parts->setValue(static_cast<double>(status.boring.partsCut));
+    m_parts->setValue(static_cast<double>(status.boring.partsCut + status.milling.partsCut + status.turning.partsCut));
     m_start->reconsider();
     m_release->reconsider();
 }

@@ -53,6 +53,8 @@ class OverviewPage : public Page {
  private:
     void buildMachine();
     void onStatus(const Status& status);
+    /// What this machine is there for: the first loop that is fitted.
+    [[nodiscard]] ProcessId mainProcess() const;
     [[nodiscard]] QString whyNoStart() const;
     [[nodiscard]] QString whyNoRelease() const;
     [[nodiscard]] QString machineSentence() const;

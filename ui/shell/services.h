@@ -13,8 +13,12 @@ namespace kerf {
 class AlarmReader;
 class AuditReader;
 class LotReader;
+class MillingDesk;
 class PartReader;
 class SettingsReader;
+class TappingDesk;
+class ThermalDesk;
+class TurningDesk;
 }  // namespace kerf
 
 namespace kerf::ui {
@@ -26,6 +30,10 @@ struct Preferences;
 struct Services {
     EngineApi& engine;
     BoringDesk* boringDesk{nullptr};
+    MillingDesk* millingDesk{nullptr};
+    TurningDesk* turningDesk{nullptr};
+    ThermalDesk* thermalDesk{nullptr};
+    TappingDesk* tappingDesk{nullptr};
     PartReader* parts{nullptr};
     LotReader* lots{nullptr};
     AlarmReader* alarms{nullptr};

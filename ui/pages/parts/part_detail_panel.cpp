@@ -136,6 +136,9 @@ void PartDetailPanel::showPart() {
         if (std::any_of(m_part->states.begin(), m_part->states.end(), [](const auto& s) { return s.perturbed; })) {
             facts << tr("process change noticed");
         }
+        for (const PartFigure& figure : row.figures) {
+            facts << figureText(row.process, figure, m_look.units());
+        }
         m_facts->setText(facts.join(QStringLiteral(" · ")));
         if (m_part->schedule) {
             const BoringSchedule& schedule = m_part->schedule->schedule;

@@ -32,6 +32,9 @@ Result<std::uint64_t> write(const PartExport::OpenReader& open, const PartQuery&
         case PartExport::What::Measurements:
             rows = exportMeasurements(*reader, query, sink);
             break;
+        case PartExport::What::Figures:
+            rows = exportFigures(*reader, query, sink);
+            break;
         case PartExport::What::Feed:
             rows = exportFeed(*reader, query, sink);
             break;

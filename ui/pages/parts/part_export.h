@@ -16,7 +16,7 @@ namespace kerf::ui {
 class PartExport : public QObject {
     Q_OBJECT
  public:
-    enum class What { Parts, Measurements, Feed };
+    enum class What { Parts, Measurements, Figures, Feed };
     using OpenReader = std::function<std::unique_ptr<PartReader>()>;
 
     explicit PartExport(QObject* parent = nullptr);

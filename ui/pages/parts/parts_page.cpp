@@ -261,6 +261,7 @@ void PartsPage::openExport() {
     };
     add(tr("Parts"), "exportParts", PartExport::What::Parts);
     add(tr("Measurements"), "exportMeasurements", PartExport::What::Measurements);
+    add(tr("Figures"), "exportFigures", PartExport::What::Figures);
     add(tr("Feed"), "exportFeed", PartExport::What::Feed);
 }
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/console/options.h"
+#include "db/api/store_writer.h"
+#include "db/readers/database_reader.h"
+#include "engine/api/engine_api.h"
+#include "engine/loop/process_loop.h"
+#include "engine/machine/simulated_process.h"
+#include "ui/shell/services.h"
+
+namespace kerf::console {
+
+/// One process on the console: what it brings to the simulated machine and to the engine, and its desk. GUI thread.
+///
+/// Order of the calls: makePlant (simulated machines only), makeLoop, open, serve, then poll a few times per second.
+/// The engine is stopped before a room is destroyed.
+class Room {
+ public:
+    struct Context {
+        EngineApi& engine;  ///< made, not yet started
+        StoreWriter& writer;
+        db::DatabaseReader& reader;
+        const Options& options;
+        const std::string& databasePath;      ///< for connections of a worker's own
+        std::function<std::string()> author;  ///< who is signed on; "Kerf" when nobody is
+    };
+
+    Room() = default;
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+    virtual ~Room() = default;
+
+    [[nodiscard]] virtual ProcessId process() const noexcept = 0;
+    /// Whether a machine of this kind (--machine) can have this process at all.
+    [[nodiscard]] virtual bool fits(const std::string& machineKind) const = 0;
+    /// May be null.
+    [[nodiscard]] virtual std::unique_ptr<SimulatedProcess> makePlant(const Options& options) = 0;
+    [[nodiscard]] virtual std::unique_ptr<ProcessLoop> makeLoop() = 0;
+    /// Make the desk, load what was kept, send the loop its first setup.
+    virtual void open(const Context&) {}
+    /// Hand the desk to the pages.
+    virtual void serve(ui::Services&) {}
+    virtual void poll() {}
+};
+
+/// The rooms beside boring, in the order of the navigation.
+[[nodiscard]] std::vector<std::unique_ptr<Room>> standardRooms();
+
+}  // namespace kerf::console

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/rooms/room.h"
+
+namespace kerf::console {
+
+/// Diamond turning on the console: a lathe of its own, because its cycle is .2 ms.
+class TurningRoom final : public Room {
+ public:
+    [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Turning; }
+    [[nodiscard]] bool fits(const std::string& machineKind) const override;
+    [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
+    [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
+};
+
+}  // namespace kerf::console

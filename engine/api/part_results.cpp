@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/api/part_results.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace kerf {
+namespace {
+
+/// A figure with the place it comes from.
+struct Row {
+    PartResultSpec spec;
+    std::optional<double> (*read)(const PartRecord&);
+};
+
+std::optional<double> ofTurning(const PartRecord& part, double value) {
+    return part.turning.valid ? std::optional(value) : std::nullopt;
+}
+
+constexpr std::array kMilling{
+    Row{{"waviness_um", KERF_TEXT("Waviness"), "um", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.waviness_um); }},
+    Row{{"force_mean_N", KERF_TEXT("Mean force"), "N", 0},
+        [](const PartRecord& p) { return std::optional(p.milling.meanForce_N); }},
+    Row{{"force_peak_N", KERF_TEXT("Peak force"), "N", 0},
+        [](const PartRecord& p) { return std::optional(p.milling.peakForce_N); }},
+    Row{{"force_peak_at_mm", KERF_TEXT("Peak at"), "mm", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.peakAt_mm); }},
+    Row{{"cut_time_s", KERF_TEXT("Time cut"), "s", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.cutTime_s); }},
+    Row{{"planned_time_s", KERF_TEXT("Time at planned feed"), "s", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.plannedTime_s); }},
+    Row{{"controlled_time_s", KERF_TEXT("Time under control"), "s", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.controlledTime_s); }},
+    Row{{"stiffness", KERF_TEXT("Cutting stiffness ln(C b)"), "", 3},
+        [](const PartRecord& p) { return std::optional(p.milling.stiffnessMean); }},
+};
+
+constexpr std::array kTurning{
+    Row{{"surface_rms_um", KERF_TEXT("Surface RMS"), "um", 3},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.surfaceRms_um); }},
+    Row{{"surface_pv_um", KERF_TEXT("Surface P-V"), "um", 3},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.surfacePv_um); }},
+    Row{{"untreated_rms_um", KERF_TEXT("Without the loop"), "um", 3},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.untreatedRms_um); }},
+    Row{{"force_mean_N", KERF_TEXT("Mean force"), "N", 3},
+        [](const PartRecord& p) { return std::optional(p.forceMean_N); }},
+    Row{{"force_peak_N", KERF_TEXT("Peak force"), "N", 3},
+        [](const PartRecord& p) { return std::optional(p.forcePeak_N); }},
+    Row{{"trim_peak_um", KERF_TEXT("Largest trim"), "um", 2},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.trimPeak_um); }},
+};
+
+std::span<const Row> rowsOf(ProcessId process) noexcept {
+    switch (process) {
+        case ProcessId::Milling:
+            return kMilling;
+        case ProcessId::Turning:
+            return kTurning;
+        case ProcessId::Boring:  // measured after the cut: see measurements
+        case ProcessId::Thermal:
+        case ProcessId::Tapping:
+            break;
+    }
+    return {};
+}
+
+template <std::size_t N>
+constexpr std::array<PartResultSpec, N> specsOf(const std::array<Row, N>& rows) {
+    std::array<PartResultSpec, N> specs{};
+    std::ranges::transform(rows, specs.begin(), &Row::spec);
+    return specs;
+}
+
+constexpr auto kMillingSpecs = specsOf(kMilling);
+constexpr auto kTurningSpecs = specsOf(kTurning);
+
+}  // namespace
+
+std::span<const PartResultSpec> partResultSpecs(ProcessId process) noexcept {
+    switch (process) {
+        case ProcessId::Milling:
+            return kMillingSpecs;
+        case ProcessId::Turning:
+            return kTurningSpecs;
+        case ProcessId::Boring:
+        case ProcessId::Thermal:
+        case ProcessId::Tapping:
+            break;
+    }
+    return {};
+}
+
+const PartResultSpec* findPartResult(ProcessId process, std::string_view key) noexcept {
+    const auto specs = partResultSpecs(process);
+    const auto found = std::ranges::find_if(specs, [key](const PartResultSpec& spec) { return spec.key == key; });
+    return found == specs.end() ? nullptr : &*found;
+}
+
+std::vector<PartResult> partResults(const PartRecord& record) {
+    std::vector<PartResult> results;
+    const auto rows = rowsOf(record.process);
+    const auto specs = partResultSpecs(record.process);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::optional<double> value = rows[i].read(record);
+        if (value && std::isfinite(*value)) {
+            results.push_back({&specs[i], *value});
+        }
+    }
+    return results;
+}
+
+}  // namespace kerf
