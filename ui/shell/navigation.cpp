@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "ui/link/texts.h"
+#include "ui/widgets/icon.h"
 #include "ui/widgets/sign.h"
 
 namespace kerf::ui {
@@ -59,7 +60,10 @@ void NavigationItem::paintEvent(QPaintEvent*) {
     }
     painter.setFont(m_look.font(TextSize::Body, isChecked() ? QFont::DemiBold : QFont::Normal));
     painter.setPen(m_look.color(Token::Text));
-    painter.drawText(rect().adjusted(inset, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+    const int icon = m_look.metrics().icon();
+    paintIcon(painter, QRectF(inset, (height() - icon) / 2.0, icon, icon), m_entry.key, m_look.color(Token::Text));
+    painter.drawText(rect().adjusted(inset + icon + m_look.space(Space::Medium), 0, 0, 0),
+                     Qt::AlignVCenter | Qt::AlignLeft, text());
     QString word;
     Sign sign = Sign::None;
     if (m_loop) {

@@ -43,6 +43,9 @@ int Metrics::touchGap() const {
 int Metrics::lamp() const {
     return px(3.6);
 }
+int Metrics::icon() const {
+    return px(5.2);
+}
 int Metrics::corner() const {
     return px(0.8);
 }

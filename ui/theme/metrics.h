@@ -27,8 +27,9 @@ class Metrics {
     [[nodiscard]] double stroke(Stroke width) const;
     [[nodiscard]] int touch() const;     ///< smallest side of anything to be touched: 15 mm
     [[nodiscard]] int touchGap() const;  ///< between two such things: 3 mm
-    [[nodiscard]] int lamp() const;      ///< diameter of a lamp
-    [[nodiscard]] int corner() const;    ///< radius of a card's corner
+    [[nodiscard]] int lamp() const;
+    [[nodiscard]] int icon() const;    ///< diameter of a lamp
+    [[nodiscard]] int corner() const;  ///< radius of a card's corner
     [[nodiscard]] int navWidth() const;
     [[nodiscard]] int sideWidth() const;  ///< a column beside a chart: keypad, next part
     [[nodiscard]] int sparkline() const;  ///< height
