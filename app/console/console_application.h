@@ -11,7 +11,7 @@
 #include "app/console/rooms/room.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
-#include "app/desk/boring_desk.h"
+#include "app/desk/boring_lots.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
 #include "engine/loop/engine.h"
@@ -37,7 +37,9 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
     /// @pre the machine bores
-    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return *m_desk; }
+    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return m_lots->desk().stored(); }
+    /// @pre the machine bores
+    [[nodiscard]] StoredBoringLots& boringLots() noexcept { return *m_lots; }
     [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
     /// Null with a real machine.
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
@@ -56,8 +58,8 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] Result<void> openMachine();
     void makeEngine();
     void openRooms();
-    void openLot();
-    void lotIsOpen(LotId lot);
+    void openLots();
+    void lotIsOpen();
     void openWindow();
     void poll();
     [[nodiscard]] std::string author() const;
@@ -76,12 +78,13 @@ class ConsoleApplication : public QObject {
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<db::WriterThread> m_writer;
-    std::unique_ptr<StoredBoringDesk> m_desk;
+    std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
     std::unique_ptr<LoopModes> m_modes;
     QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;
     ui::Preferences m_savedPreferences{};
+    ui::SignOnSettings m_savedSignOn{};
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<SimulatedShift> m_shift;
     MeasurementId m_lastAnnounced{0};

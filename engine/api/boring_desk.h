@@ -84,7 +84,9 @@ struct BoringDeskView {
     std::uint64_t revision{0};  ///< rises with each change
     std::string partType{};
     std::string lot{};
-    std::uint32_t lotSize{0};
+    std::uint32_t lotSize{0};         ///< 0: no limit
+    bool lotClosed{false};            ///< no part is started for it any more
+    std::uint32_t recipeRevision{0};  ///< of the part type, taken when the lot was opened
     double targetDiameter_mm{0.0};
     double lowerTolerance_mm{0.0};  ///< diameter, absolute
     double upperTolerance_mm{0.0};
@@ -101,6 +103,11 @@ struct BoringDeskView {
     std::string estimator{};  ///< "kalman" or "perturbation"
     Sentence storeProblem{};  ///< empty when the database works
 };
+
+/// Every part of the lot has been cut.
+[[nodiscard]] inline bool lotFull(const BoringDeskView& view) noexcept {
+    return view.lotSize > 0 && !view.parts.empty() && view.parts.back().number >= view.lotSize;
+}
 
 class BoringDesk {
  public:

@@ -8,6 +8,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
+#include "ui/pages/boring/lot_form.h"
 #include "ui/pages/boring/measurement_list.h"
 #include "ui/widgets/label.h"
 
@@ -59,7 +60,11 @@ void BoringPage::build() {
         m_touched = number;
         showNote();
     });
-    connect(m_next, &NextPartPanel::modeRequested, this, &BoringPage::setMode);
+    connect(m_next, &NextPartPanel::modeRequested, this,
+            [this](LoopMode mode) { context().withRole(Role::Setter, [this, mode] { setMode(mode); }); });
+    connect(m_next, &NextPartPanel::lotsRequested, this, [this] { LotForm::open(context()); });
+    connect(&context().session, &OperatorSession::changed, this,
+            [this] { m_next->setWhyNoMode(context().session.whyNot(Role::Setter)); });
     connect(m_next, &NextPartPanel::acceptRequested, this,
             [this] { context().withOperator([this] { acceptSchedule(); }); });
     connect(m_entry, &EntryPanel::undoRequested, this, [this] { context().withOperator([this] { undoLast(); }); });
@@ -69,6 +74,7 @@ void BoringPage::build() {
             context().showPage("boring");
         }
     });
+    m_next->setLotsThere(context().services.boringLots != nullptr);
     EngineClient& client = context().client;
     connect(&client, &EngineClient::statusChanged, this, &BoringPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, m_feed, &FeedPanel::addSamples);
@@ -93,6 +99,7 @@ void BoringPage::refresh() {
             row->setSpacing(gap);
         }
         m_next->setFixedWidth(look().metrics().sideWidth());
+        m_next->setWhyNoMode(context().session.whyNot(Role::Setter));
         m_bore->retranslate();
         m_behind = true;
         onDeskChanged();

@@ -24,7 +24,8 @@ namespace kerf::ui {
 ///   boringBoreChart, boringNote (words on the touched part, or why nothing can be stored)
 ///   boringFeedChart, boringLiveFeed
 ///   boringNextPart: boringNextDiameter0…, boringNextFeed, boringNextReason, boringNextLimited, boringAccept,
-///     boringLoopReason, boringModeOff, boringModeAdvise, boringModeControl
+///     boringNextLot (in its place when the lot is full or closed), boringLoopReason, boringModeOff, boringModeAdvise,
+///     boringModeControl
 ///   boringEstimates
 ///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
 ///     boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter), boringGauge, boringCorrect, boringUndo,
