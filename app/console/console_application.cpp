@@ -4,11 +4,14 @@
 #include <spdlog/spdlog.h>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
+#include <QStorageInfo>
 #include <algorithm>
 #include <limits>
 
 #include "app/console/logging.h"
+#include "app/console/part_report.h"
 #include "app/console/preferences.h"
 #include "db/migrator.h"
 #include "engine/boring/boring_loop.h"
@@ -276,10 +279,56 @@ ui::Services ConsoleApplication::services() {
         m_writer->submit(audit, {});
     };
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
+    serveFiles(services);
     for (const auto& room : m_rooms) {
         room->serve(services);
     }
     return services;
+}
+
+void ConsoleApplication::serveFiles(ui::Services& services) {
+    using Done = ui::Services::Done;
+    services.setSerial = [this](PartId part, const QString& serial, const QString& author, const Done& done) {
+        m_writer->submit(SetPartSerial{part, serial.toStdString(), author.toStdString(), {}},
+                         [done](const Result<Receipt>& stored) {
+                             done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
+                         });
+    };
+    services.writeReport = [this](PartId part, const QString& file, const Done& done) {
+        m_background.run(
+            [path = m_databasePath, units = m_look->units(), part, file]() -> Result<void> {
+                const auto reader = db::DatabaseReader::open(path);
+                const auto detail =
+                    reader ? (*reader)->part(part) : Result<std::optional<PartDetail>>(tl::unexpected(reader.error()));
+                if (!detail) {
+                    return tl::unexpected(detail.error());
+                }
+                return *detail ? writePartReport(**detail, units, file) : fail(KERF_TEXT("There is no such part."));
+            },
+            done);
+    };
+    services.backupFolders = [] {
+        QStringList folders;
+        for (const QStorageInfo& drive : QStorageInfo::mountedVolumes()) {
+            const QString root = drive.rootPath();
+            const bool removable = root.startsWith(QLatin1String("/media/")) ||
+                                   root.startsWith(QLatin1String("/run/media/")) ||
+                                   root.startsWith(QLatin1String("/mnt/"));
+            if (removable && drive.isReady() && !drive.isReadOnly()) {
+                folders << root;
+            }
+        }
+        folders << QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        return folders;
+    };
+    services.backUp = [this](const QString& file, const Done& done) {
+        m_background.run(
+            [path = m_databasePath, file] {
+                QDir().mkpath(QFileInfo(file).absolutePath());
+                return db::backupDatabase(path, file.toStdString());
+            },
+            done);
+    };
 }
 
 void ConsoleApplication::keepAlarm(const AlarmEvent& event) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/console/background.h"
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
 #include "app/console/rooms/room.h"
@@ -45,6 +46,8 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
     [[nodiscard]] SimulatedShift* shift() const noexcept { return m_shift.get(); }
     [[nodiscard]] ui::Look& look() noexcept { return *m_look; }
+    /// What the pages work with.
+    [[nodiscard]] ui::Services services();
     [[nodiscard]] const std::string& databasePath() const noexcept { return m_databasePath; }
 
  signals:
@@ -63,8 +66,8 @@ class ConsoleApplication : public QObject {
     void openWindow();
     void poll();
     [[nodiscard]] std::string author() const;
-    [[nodiscard]] ui::Services services();
     void keepAlarm(const AlarmEvent& event);
+    void serveFiles(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
     void announceAccepted();
     void saveSetting(const std::string& key, const std::string& value);
@@ -88,6 +91,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<SimulatedShift> m_shift;
     MeasurementId m_lastAnnounced{0};
+    Background m_background;
 };
 
 }  // namespace kerf::console

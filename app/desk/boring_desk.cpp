@@ -440,6 +440,37 @@ void StoredBoringDesk::rebuild() {
     view.scheduleAccepted = m_accepted && m_accepted->revision == m_next.revision;
     m_view = std::move(view);
     fillParts();
+    fillCapability();
+}
+
+void StoredBoringDesk::fillCapability() {
+    for (std::uint8_t depth = 0; depth < m_view.depths.size(); ++depth) {
+        double sum = 0.0;
+        double squares = 0.0;
+        std::uint32_t count = 0;
+        for (const BorePartView& part : m_view.parts) {
+            if (const MeasurementRow* row = m_records.measured(part.id, depth)) {
+                const double off_mm = *row->diameter_mm - m_view.targetDiameter_mm;  // small numbers: no cancellation
+                sum += off_mm;
+                squares += off_mm * off_mm;
+                ++count;
+            }
+        }
+        if (count < CapabilityView::kFewestParts) {
+            continue;
+        }
+        const double mean_mm = sum / count;
+        const double variance_mm2 = (squares - sum * mean_mm) / (count - 1.0);
+        const double room_mm = std::min(m_view.upperTolerance_mm - m_view.targetDiameter_mm - mean_mm,
+                                        m_view.targetDiameter_mm + mean_mm - m_view.lowerTolerance_mm);
+        if (variance_mm2 <= 0.0) {
+            continue;
+        }
+        const double cpk = room_mm / (3.0 * std::sqrt(variance_mm2));
+        if (!m_view.capability || cpk < m_view.capability->cpk) {
+            m_view.capability = CapabilityView{cpk, depth, count};
+        }
+    }
 }
 
 void StoredBoringDesk::fillParts() {

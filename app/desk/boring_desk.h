@@ -99,6 +99,7 @@ class StoredBoringDesk final : public BoringDesk {
     void send();
     void rebuild();
     void fillParts();
+    void fillCapability();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;
     [[nodiscard]] Result<MeasurementRow> entryRow(const BoreEntry& entry) const;

@@ -79,6 +79,14 @@ struct DepthView {
     double overhang_mm{0.0};
 };
 
+/// How well the bores shown lie in their tolerance: the depth that does worst.
+struct CapabilityView {
+    static constexpr std::uint32_t kFewestParts = 10;  ///< below it the figure says nothing
+    double cpk{0.0};                                   ///< min(upper − mean, mean − lower)/(3 s), s with n − 1
+    std::uint8_t depth{0};
+    std::uint32_t parts{0};
+};
+
 /// Everything the boring page shows that is not live. Rebuilt after each change; cheap to copy (25 parts).
 struct BoringDeskView {
     std::uint64_t revision{0};  ///< rises with each change
@@ -97,8 +105,9 @@ struct BoringDeskView {
     std::vector<std::optional<DiameterPrediction>> nextPrediction{};  ///< per depth
     Sentence nextReason{};                                            ///< why the schedule changed
     bool nextLimited{false};                                          ///< α clipped or feed at a limit
-    bool scheduleAccepted{true};       ///< advise mode: the operator has yet to accept nextSchedule
-    std::optional<PartId> awaiting{};  ///< the oldest part that still wants a diameter
+    bool scheduleAccepted{true};                 ///< advise mode: the operator has yet to accept nextSchedule
+    std::optional<CapabilityView> capability{};  ///< over `parts`; empty while there are too few
+    std::optional<PartId> awaiting{};            ///< the oldest part that still wants a diameter
     std::uint8_t awaitingDepth{0};
     std::string estimator{};  ///< "kalman" or "perturbation"
     Sentence storeProblem{};  ///< empty when the database works

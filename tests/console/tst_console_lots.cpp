@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
+#include <QFile>
 #include <QTableWidget>
 #include <QTest>
 #include <cmath>
 
+#include "db/migrator.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
 #include "ui/widgets/action_button.h"
@@ -33,13 +35,16 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.console().window()->session().signOn(QLatin1String(name), role));
     }
     static void look(test::ConsoleBench& bench, const char* what) {
-        QApplication::processEvents();
         ui::MainWindow* window = bench.console().window();
+        for (int i = 0; i < 3; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+        window->grab().save(QLatin1String(what) + QStringLiteral(".png"));
         const QStringList clipped = test::clippedTexts(window);
         QVERIFY2(clipped.isEmpty(), qPrintable(QLatin1String(what) + u'\n' + clipped.join(u'\n')));
         const QStringList small = test::smallTargets(window, bench.console().look());
         QVERIFY2(small.isEmpty(), qPrintable(QLatin1String(what) + u'\n' + small.join(u'\n')));
-        window->grab().save(QLatin1String(what) + QStringLiteral(".png"));
     }
     static bool waitForFullLot(test::ConsoleBench& bench) {
         return QTest::qWaitFor([&bench] { return lotFull(bench.desk()) && !bench.desk().awaiting; }, 60'000);
@@ -59,7 +64,7 @@ class TestConsoleLots : public QObject {
         signOn(bench, "Kim", ui::Role::Setter);
         look(bench, "lots");
         QVERIFY(bench.press("lotOpen"));
-        QTRY_COMPARE(bench.desk().lot, std::string("2"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30\'000);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("lot 2")));
         QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
         QVERIFY(waitForFullLot(bench));  // the shift goes on by itself
@@ -77,14 +82,14 @@ class TestConsoleLots : public QObject {
         signOn(bench, "Kim", ui::Role::Setter);
         QVERIFY(bench.press("lots"));
         QVERIFY(bench.press("lotOpen"));
-        QTRY_COMPARE(bench.desk().lot, std::string("2"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30\'000);
         QVERIFY(waitForFullLot(bench));
         QVERIFY(bench.press("lots"));
         auto* table = bench.find<QTableWidget>("lotTable");
         QCOMPARE(table->rowCount(), 2);
         table->selectRow(1);
         QVERIFY(bench.press("lotChoose"));
-        QTRY_COMPARE(bench.desk().lot, std::string("1"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("1"), 30\'000);
         QCOMPARE(bench.desk().parts.size(), std::size_t{2});
         QVERIFY(bench.press("lots"));
         QVERIFY(bench.press("lotClose"));
@@ -106,7 +111,7 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.press("lotCancel"));
         bench.console().window()->showPage("boring");
         QVERIFY(!bench.find<QPushButton>("boringModeAdvise")->isEnabled());
-        QVERIFY(bench.text("boringLoopReason").contains(QStringLiteral("Only a setter")));
+        QTRY_VERIFY(bench.text("boringLoopReason").contains(QStringLiteral("Only a setter")));
         bench.console().window()->client().sendAction(SetLoopMode{ProcessId::Boring, LoopMode::Off});
         QVERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("Only a setter")));
         signOn(bench, "Lee", ui::Role::Engineer);
@@ -159,6 +164,52 @@ class TestConsoleLots : public QObject {
         bench.stop();
         start(bench, options(1, true));
         QCOMPARE(bench.desk().partType, std::string("Sleeve 50"));
+    }
+    void aPartGetsItsSerialAndItsReportAndAllDataABackup() {
+        test::ConsoleBench bench;
+        start(bench, options(1, true));
+        QVERIFY(waitForFullLot(bench));
+        signOn(bench, "Kim", ui::Role::Operator);
+        bench.console().window()->showPage("parts");
+        QTRY_VERIFY(bench.find<ui::ActionButton>("partSerial")->isEnabled());
+        look(bench, "parts");
+        QVERIFY(bench.press("partSerial"));
+        bench.find<QLineEdit>("serialNumber")->setText(QStringLiteral("SN-0001"));
+        QVERIFY(bench.press("serialSave"));
+        QTRY_VERIFY(bench.text("partFacts").contains(QStringLiteral("SN-0001")));
+
+        QVERIFY(bench.press("partReport"));
+        const QString file = bench.folder() + QStringLiteral("/reports/one");
+        bench.find<QLineEdit>("reportFile")->setText(file);
+        QVERIFY(bench.press("reportPdf"));
+        QTRY_VERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("one.pdf")));
+        QFile pdf(file + QStringLiteral(".pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly));
+        QVERIFY(pdf.read(5) == "%PDF-");
+        QVERIFY(bench.press("partReport"));
+        bench.find<QLineEdit>("reportFile")->setText(file);
+        QVERIFY(bench.press("reportCsv"));
+        QTRY_VERIFY(QFile::exists(file + QStringLiteral(".csv")));
+        QFile csv(file + QStringLiteral(".csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), 3);  // head and two diameters
+
+        const QString copy = bench.folder() + QStringLiteral("/copy/kerf.db");
+        bool done = false;
+        Result<void> result;
+        ui::Services services = bench.console().services();
+        QVERIFY(!services.backupFolders().isEmpty());
+        services.backUp(copy, [&](const Result<void>& backedUp) {
+            result = backedUp;
+            done = true;
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(done, 20'000);
+        QVERIFY2(result.has_value(), result ? "" : result.error().english().c_str());
+        QVERIFY(db::checkDatabase(copy.toStdString()).has_value());
+        bench.console().window()->showPage("diagnostics");
+        look(bench, "diagnostics");
+        QVERIFY(bench.press("backup"));
+        QVERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
     }
     void aBoreThatWaitsCanBeGaugedAfterARestart() {
         test::ConsoleBench bench;

@@ -66,6 +66,7 @@ void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
         People::tr("Operators enter and correct diameters. Setters also open lots and switch loops. Process engineers "
                    "also change recipes, limits and this list."));
     auto* list = new QWidget;
+    list->setProperty("role", QStringLiteral("scrolled"));
     auto* grid = new QGridLayout(list);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(look.metrics().touchGap());

@@ -53,6 +53,16 @@ struct Services {
     std::function<void(const SignOnSettings&)> saveSignOn{};
     /// Who signed on or off, who changed a role: for the audit log.
     std::function<void(const QString& author, const QString& action, const QString& detail)> recordSession{};
+    /// Called on the GUI thread when it is done, or has failed and why.
+    using Done = std::function<void(const Result<void>&)>;
+    /// Give a finished part its serial number. Empty: not possible here.
+    std::function<void(std::int64_t part, const QString& serial, const QString& author, Done)> setSerial{};
+    /// One page about a part as PDF into `file`, on a worker.
+    std::function<void(std::int64_t part, const QString& file, Done)> writeReport{};
+    /// Where a backup can go: removable drives first, then the documents.
+    std::function<QStringList()> backupFolders{};
+    /// A checked copy of the whole data file into `file`, on a worker, while everything goes on.
+    std::function<void(const QString& file, Done)> backUp{};
     /// Called when alarms have been acknowledged by code; the application writes it to the history.
     std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
 };

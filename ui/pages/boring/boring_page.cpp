@@ -35,6 +35,9 @@ void BoringPage::build() {
     m_note = makeLabel(TextRole::Body, m_boreCard, true);
     m_note->setObjectName(QStringLiteral("boringNote"));
     m_key = makeLabel(TextRole::Dim, m_boreCard);
+    m_capability = makeLabel(TextRole::Body, m_boreCard);
+    m_capability->setObjectName(QStringLiteral("boringCapability"));
+    m_boreCard->header()->addWidget(m_capability);
     m_boreCard->header()->addWidget(m_key);
     m_boreCard->body()->addWidget(m_bore, 1);
     m_boreCard->body()->addWidget(m_note);
@@ -132,6 +135,12 @@ void BoringPage::onDeskChanged() {
                              .arg(look().units().of("mm").symbol, QString::fromStdString(view.lot)));
     m_bore->setView(view);
     m_key->setText(m_bore->key());
+    const auto& capable = view.capability;
+    m_capability->setVisible(capable.has_value());
+    if (capable && capable->depth < view.depths.size()) {
+        m_capability->setText(tr("Cpk %1 (%2)", "figure, depth")
+                                  .arg(UnitSystem::fixed(capable->cpk, 2), depthName(view.depths[capable->depth])));
+    }
     m_feed->setView(view);
     m_next->setView(view);
     m_estimates->setView(view);

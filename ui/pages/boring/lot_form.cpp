@@ -77,7 +77,6 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
       m_nameLabel(makeLabel(TextRole::Small, this)),
       m_name(new QLineEdit(this)),
       m_size(new ValueField(context.look, sizeSpec(), this)),
-      m_estimatorLabel(makeLabel(TextRole::Small, this)),
       m_estimator(new QButtonGroup(this)),
       m_kalman(new QPushButton(this)),
       m_perturbation(new QPushButton(this)),
@@ -129,9 +128,8 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     m_fields->addWidget(m_nameLabel, 2, 0);
     m_fields->addWidget(m_name, 3, 0);
     m_fields->addWidget(m_size, 2, 1, 2, 1);
-    m_fields->addWidget(m_estimatorLabel, 4, 0, 1, 2);
-    m_fields->addWidget(m_kalman, 5, 0);
-    m_fields->addWidget(m_perturbation, 5, 1);
+    m_fields->addWidget(m_kalman, 4, 0);
+    m_fields->addWidget(m_perturbation, 4, 1);
     m_columns->addLayout(m_fields, 1);
     m_columns->addWidget(m_keypad);
     auto* column = new QVBoxLayout(this);
@@ -139,8 +137,9 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     column->addWidget(m_now);
     column->addLayout(m_columns);
     column->addWidget(m_table, 1);
-    column->addWidget(m_reason);
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     column->addWidget(m_message);
+    column->addWidget(m_reason);
 
     sheet->addButton(m_cancel, {});
     sheet->addButton(
@@ -232,8 +231,7 @@ void LotForm::refresh() {
     }
     m_partTypeLabel->setText(tr("Next lot of part type"));
     m_nameLabel->setText(tr("Lot"));
-    m_estimatorLabel->setText(tr("Estimator of the law"));
-    m_kalman->setText(tr("kalman (default)"));
+    m_kalman->setText(tr("Estimator kalman"));
     m_perturbation->setText(tr("perturbation (paper)"));
     m_reason->setPlaceholderText(tr("Reason, when the lot is closed before it is full"));
     m_cancel->setText(tr("Back"));

@@ -62,7 +62,6 @@ class LotForm : public FaceWidget {
     QLabel* m_nameLabel;
     QLineEdit* m_name;
     ValueField* m_size;
-    QLabel* m_estimatorLabel;
     QButtonGroup* m_estimator;
     QPushButton* m_kalman;
     QPushButton* m_perturbation;

@@ -96,6 +96,7 @@ void RecipeForm::build(Sheet* sheet) {
     m_area->setObjectName(QStringLiteral("recipeArea"));
     m_save->setPrimary(true);
     auto* list = new QWidget;
+    list->setProperty("role", QStringLiteral("scrolled"));
     auto* column = new QVBoxLayout(list);
     column->addLayout(m_grid);
     column->addWidget(m_depthTitle);
