@@ -4,10 +4,14 @@
 #include <spdlog/spdlog.h>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
+#include <QStorageInfo>
 #include <algorithm>
+#include <limits>
 
 #include "app/console/logging.h"
+#include "app/console/part_report.h"
 #include "app/console/preferences.h"
 #include "db/migrator.h"
 #include "engine/boring/boring_loop.h"
@@ -27,6 +31,17 @@ bool bores(const Options& options) {
     return options.machine != "diamond-lathe";
 }
 
+/// Parts ever bored, up to and with `last` (all when empty).
+std::uint32_t boredUpTo(PartReader& reader, std::optional<PartId> last) {
+    PartQuery query;
+    query.process = ProcessId::Boring;
+    if (last) {
+        query.before = *last + 1;
+    }
+    const auto count = reader.count(query, std::numeric_limits<std::uint32_t>::max());
+    return count ? static_cast<std::uint32_t>(*count) : 0;
+}
+
 }  // namespace
 
 ConsoleApplication::ConsoleApplication(Options options) : m_options(std::move(options)) {}
@@ -44,7 +59,7 @@ ConsoleApplication::~ConsoleApplication() {
         }
     }
     m_deskChanges.reset();
-    m_desk.reset();
+    m_lots.reset();
     m_modes.reset();
     m_rooms.clear();
     m_writer.reset();
@@ -79,7 +94,7 @@ Result<void> ConsoleApplication::start() {
     m_look->apply(preferences);
     openRooms();
     if (bores(m_options)) {
-        openLot();
+        openLots();
     } else {
         QTimer::singleShot(0, this, &ConsoleApplication::openWindow);  // ready() comes from the event loop, always
     }
@@ -142,12 +157,7 @@ Result<void> ConsoleApplication::openMachine() {
     Simulator::Params params;
     params.seed = m_options.seed;
     params.changeAtPart = m_options.changeAtPart;
-    PartQuery newest;
-    newest.process = ProcessId::Boring;
-    newest.limit = 1;
-    if (const auto parts = m_reader->parts(newest); parts && !parts->empty()) {
-        params.partsSoFar = parts->front().number;  // the machine goes on where it was
-    }
+    params.boredSoFar = boredUpTo(*m_reader, {});  // the machine goes on where it was
     params.diamondLathe = !bores(m_options);
     Simulator::Plants plants;
     for (const auto& room : m_rooms) {
@@ -160,45 +170,46 @@ Result<void> ConsoleApplication::openMachine() {
     return m_machine->connect();
 }
 
-void ConsoleApplication::openLot() {
-    BoringLotRequest request;
-    request.machineName = std::string(m_machine->capabilities().machineName.data());
-    request.machineKind = m_options.machine;
-    request.partTypeName = std::string(kPartTypeName);
-    request.lotName = std::string(kLotName);
-    request.lotSize = m_options.lotSize;
-    request.author = std::string(kAuthor);
-    openBoringLot(*m_writer, request, [this](const Result<LotId>& lot) {
-        if (lot) {
-            lotIsOpen(*lot);
+void ConsoleApplication::openLots() {
+    BoringLotRequest first;
+    first.machineName = std::string(m_machine->capabilities().machineName.data());
+    first.machineKind = m_options.machine;
+    first.partTypeName = std::string(kPartTypeName);
+    first.lotName = std::string(kLotName);
+    first.lotSize = m_options.lotSize;
+    first.author = std::string(kAuthor);
+    StoredBoringDesk::Links links{*m_writer, *m_engine};
+    links.gauge = [this](const DeskPart& part, const BoringRecipe& recipe,
+                         double overhang_mm) -> std::optional<double> {
+        if (!m_simulator) {
+            return std::nullopt;
+        }
+        const Simulator::Bore bore{recipe.targetDiameter_mm, recipe.targetDeflection_mm, recipe.phi_deg};
+        const Simulator::GaugedPart gauged{part.id, part.sequence, boredUpTo(*m_reader, part.id), part.feed};
+        return m_simulator->gaugeReading_mm(gauged, overhang_mm, bore);
+    };
+    m_lots = std::make_unique<StoredBoringLots>(links, *m_reader, first, [this] { lotIsOpen(); });
+    m_deskChanges = m_lots->desk().onChanged([this] { announceAccepted(); });
+    m_lots->start([this](const Result<void>& opened) {
+        if (opened) {
+            QTimer::singleShot(0, this, &ConsoleApplication::openWindow);
         } else {
-            emit failed(ui::sentenceText(lot.error()));
+            const QString why = ui::sentenceText(opened.error());
+            QTimer::singleShot(0, this, [this, why] { emit failed(why); });
         }
     });
 }
 
-void ConsoleApplication::lotIsOpen(LotId lot) {
-    StoredBoringDesk::Links links{*m_writer, *m_engine};
-    links.gauge = [this](std::uint32_t partSequence, double overhang_mm) -> std::optional<double> {
-        const Simulator::Bore bore;
-        return m_simulator ? m_simulator->gaugeReading_mm(partSequence, overhang_mm, bore) : std::nullopt;
-    };
-    auto desk = StoredBoringDesk::open(links, *m_reader, lot);
-    if (!desk) {
-        emit failed(ui::sentenceText(desk.error()));
-        return;
+void ConsoleApplication::lotIsOpen() {
+    const StoredBoringDesk& desk = m_lots->desk().stored();
+    if (!desk.restartFinding().empty()) {
+        spdlog::warn("{}", desk.restartFinding().english());
     }
-    m_desk = std::move(*desk);
-    if (!m_desk->restartFinding().empty()) {
-        spdlog::warn("{}", m_desk->restartFinding().english());
-    }
-    for (const BorePartView& part : m_desk->view().parts) {
+    for (const BorePartView& part : desk.view().parts) {
         for (const BoreMeasurementView& measurement : part.measurements) {
             m_lastAnnounced = std::max(m_lastAnnounced, measurement.id);
         }
     }
-    m_deskChanges = m_desk->onChanged([this] { announceAccepted(); });
-    openWindow();
 }
 
 void ConsoleApplication::openWindow() {
@@ -207,9 +218,9 @@ void ConsoleApplication::openWindow() {
     m_engine->start();
     m_window->client().start();
     m_modes->restore();
-    if (m_simulator && m_desk) {
+    if (m_simulator && m_lots) {
         const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
-        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, *m_desk);
+        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots->desk());
     }
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);
@@ -218,8 +229,8 @@ void ConsoleApplication::openWindow() {
 }
 
 void ConsoleApplication::poll() {
-    if (m_desk) {
-        m_desk->poll();
+    if (m_lots) {
+        m_lots->poll();
     }
     for (const auto& room : m_rooms) {
         room->poll();
@@ -234,7 +245,10 @@ std::string ConsoleApplication::author() const {
 
 ui::Services ConsoleApplication::services() {
     ui::Services services{*m_engine};
-    services.boringDesk = m_desk.get();
+    if (m_lots) {
+        services.boringDesk = &m_lots->desk();
+        services.boringLots = m_lots.get();
+    }
     services.parts = m_reader.get();
     services.openParts = [path = m_databasePath]() -> std::unique_ptr<PartReader> {
         auto reader = db::DatabaseReader::open(path);
@@ -244,20 +258,77 @@ ui::Services ConsoleApplication::services() {
     services.alarms = m_reader.get();
     services.audit = m_reader.get();
     services.settings = m_reader.get();
-    services.operators = storedOperators(*m_reader);
+    m_savedSignOn = storedSignOn(*m_reader);
+    services.signOn = m_savedSignOn;
     services.savePreferences = [this](const ui::Preferences& now) {
         savePreferences(m_savedPreferences, now,
                         [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
         m_savedPreferences = now;
     };
-    services.saveOperators = [this](const QStringList& operators) {
-        saveOperators(operators, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+    services.saveSignOn = [this](const ui::SignOnSettings& now) {
+        saveSignOn(m_savedSignOn, now,
+                   [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+        m_savedSignOn = now;
+    };
+    services.recordSession = [this](const QString& author, const QString& action, const QString& detail) {
+        AddAudit audit;
+        audit.author = author.toStdString();
+        audit.action = action.toStdString();
+        audit.object = "session";
+        audit.newValue = detail.toStdString();
+        m_writer->submit(audit, {});
     };
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
+    serveFiles(services);
     for (const auto& room : m_rooms) {
         room->serve(services);
     }
     return services;
+}
+
+void ConsoleApplication::serveFiles(ui::Services& services) {
+    using Done = ui::Services::Done;
+    services.setSerial = [this](PartId part, const QString& serial, const QString& author, const Done& done) {
+        m_writer->submit(SetPartSerial{part, serial.toStdString(), author.toStdString(), {}},
+                         [done](const Result<Receipt>& stored) {
+                             done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
+                         });
+    };
+    services.writeReport = [this](PartId part, const QString& file, const Done& done) {
+        m_background.run(
+            [path = m_databasePath, units = m_look->units(), part, file]() -> Result<void> {
+                const auto reader = db::DatabaseReader::open(path);
+                const auto detail =
+                    reader ? (*reader)->part(part) : Result<std::optional<PartDetail>>(tl::unexpected(reader.error()));
+                if (!detail) {
+                    return tl::unexpected(detail.error());
+                }
+                return *detail ? writePartReport(**detail, units, file) : fail(KERF_TEXT("There is no such part."));
+            },
+            done);
+    };
+    services.backupFolders = [] {
+        QStringList folders;
+        for (const QStorageInfo& drive : QStorageInfo::mountedVolumes()) {
+            const QString root = drive.rootPath();
+            const bool removable = root.startsWith(QLatin1String("/media/")) ||
+                                   root.startsWith(QLatin1String("/run/media/")) ||
+                                   root.startsWith(QLatin1String("/mnt/"));
+            if (removable && drive.isReady() && !drive.isReadOnly()) {
+                folders << root;
+            }
+        }
+        folders << QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        return folders;
+    };
+    services.backUp = [this](const QString& file, const Done& done) {
+        m_background.run(
+            [path = m_databasePath, file] {
+                QDir().mkpath(QFileInfo(file).absolutePath());
+                return db::backupDatabase(path, file.toStdString());
+            },
+            done);
+    };
 }
 
 void ConsoleApplication::keepAlarm(const AlarmEvent& event) {
@@ -283,7 +354,7 @@ void ConsoleApplication::acknowledgeAlarm(AlarmCode code, const QString& author)
 }
 
 void ConsoleApplication::announceAccepted() {
-    const BoringDeskView& view = m_desk->view();
+    const BoringDeskView& view = m_lots->desk().view();
     MeasurementId newest = m_lastAnnounced;
     for (const BorePartView& part : view.parts) {
         for (const BoreMeasurementView& measurement : part.measurements) {

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/console/background.h"
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
 #include "app/console/rooms/room.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
-#include "app/desk/boring_desk.h"
+#include "app/desk/boring_lots.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
 #include "engine/loop/engine.h"
@@ -37,12 +38,16 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
     /// @pre the machine bores
-    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return *m_desk; }
+    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return m_lots->desk().stored(); }
+    /// @pre the machine bores
+    [[nodiscard]] StoredBoringLots& boringLots() noexcept { return *m_lots; }
     [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
     /// Null with a real machine.
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
     [[nodiscard]] SimulatedShift* shift() const noexcept { return m_shift.get(); }
     [[nodiscard]] ui::Look& look() noexcept { return *m_look; }
+    /// What the pages work with.
+    [[nodiscard]] ui::Services services();
     [[nodiscard]] const std::string& databasePath() const noexcept { return m_databasePath; }
 
  signals:
@@ -56,13 +61,13 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] Result<void> openMachine();
     void makeEngine();
     void openRooms();
-    void openLot();
-    void lotIsOpen(LotId lot);
+    void openLots();
+    void lotIsOpen();
     void openWindow();
     void poll();
     [[nodiscard]] std::string author() const;
-    [[nodiscard]] ui::Services services();
     void keepAlarm(const AlarmEvent& event);
+    void serveFiles(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
     void announceAccepted();
     void saveSetting(const std::string& key, const std::string& value);
@@ -76,15 +81,17 @@ class ConsoleApplication : public QObject {
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<db::WriterThread> m_writer;
-    std::unique_ptr<StoredBoringDesk> m_desk;
+    std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
     std::unique_ptr<LoopModes> m_modes;
     QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;
     ui::Preferences m_savedPreferences{};
+    ui::SignOnSettings m_savedSignOn{};
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<SimulatedShift> m_shift;
     MeasurementId m_lastAnnounced{0};
+    Background m_background;
 };
 
 }  // namespace kerf::console

@@ -12,7 +12,9 @@ constexpr const char* kLength = "ui.length_unit";
 constexpr const char* kTemperature = "ui.temperature_unit";
 constexpr const char* kTheme = "ui.theme";
 constexpr const char* kScale = "ui.scale";
-constexpr const char* kOperators = "operators";
+constexpr const char* kOperators = "operators";  ///< one line each: name, tab, role, tab, sealed PIN
+constexpr const char* kAutoSignOff = "session.auto_sign_off_min";
+constexpr int kLongestSignOff_min = 24 * 60;
 
 std::string languageKey(ui::Language language) {
     return language == ui::Language::Korean ? "ko" : "en";
@@ -51,9 +53,21 @@ ui::Preferences storedPreferences(SettingsReader& settings) {
     return stored;
 }
 
-QStringList storedOperators(SettingsReader& settings) {
-    const auto text = read(settings, kOperators);
-    return text ? QString::fromStdString(*text).split(QLatin1Char('\n'), Qt::SkipEmptyParts) : QStringList{};
+ui::SignOnSettings storedSignOn(SettingsReader& settings) {
+    ui::SignOnSettings stored;
+    const QString lines = QString::fromStdString(read(settings, kOperators).value_or(std::string()));
+    for (const QString& line : lines.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        const QStringList words = line.split(QLatin1Char('\t'));  // a list of the first version has names alone
+        stored.accounts.push_back({words.value(0), ui::roleOf(words.value(1)), words.value(2)});
+    }
+    if (const auto text = read(settings, kAutoSignOff)) {
+        bool number = false;
+        const int minutes = QString::fromStdString(*text).toInt(&number);
+        if (number && minutes >= 0 && minutes <= kLongestSignOff_min) {
+            stored.autoSignOff_min = minutes;
+        }
+    }
+    return stored;
 }
 
 void savePreferences(const ui::Preferences& before, const ui::Preferences& now, const SaveSetting& save) {
@@ -69,8 +83,17 @@ void savePreferences(const ui::Preferences& before, const ui::Preferences& now, 
     keep(kScale, std::to_string(before.scale), std::to_string(now.scale));
 }
 
-void saveOperators(const QStringList& operators, const SaveSetting& save) {
-    save(kOperators, operators.join(QLatin1Char('\n')).toStdString());
+void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save) {
+    if (before.accounts != now.accounts) {
+        QStringList lines;
+        for (const ui::OperatorAccount& account : now.accounts) {
+            lines << account.name + u'\t' + QLatin1String(ui::roleKey(account.role)) + u'\t' + account.pin;
+        }
+        save(kOperators, lines.join(QLatin1Char('\n')).toStdString());
+    }
+    if (before.autoSignOff_min != now.autoSignOff_min) {
+        save(kAutoSignOff, std::to_string(now.autoSignOff_min));
+    }
 }
 
 }  // namespace kerf::console

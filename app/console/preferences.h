@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
 #include <functional>
 #include <string>
 
 #include "db/api/settings_reader.h"
+#include "ui/shell/operator_session.h"
 #include "ui/theme/look.h"
 
 /// What an operator chooses about the face, as rows of the settings table.
@@ -13,11 +13,11 @@ namespace kerf::console {
 
 /// As stored; the defaults where nothing is.
 [[nodiscard]] ui::Preferences storedPreferences(SettingsReader& settings);
-[[nodiscard]] QStringList storedOperators(SettingsReader& settings);
+[[nodiscard]] ui::SignOnSettings storedSignOn(SettingsReader& settings);
 
 using SaveSetting = std::function<void(const std::string& key, const std::string& value)>;
 /// Calls `save` for whatever differs between the two.
 void savePreferences(const ui::Preferences& before, const ui::Preferences& now, const SaveSetting& save);
-void saveOperators(const QStringList& operators, const SaveSetting& save);
+void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save);
 
 }  // namespace kerf::console

@@ -86,7 +86,7 @@ void SimulatedShift::loadNextBlank() {
     // The part just finished shows up at the desk a moment after the machine has finished it.
     const bool known = m_startWait == 0 || cut > m_startedAfter || --m_startWait == 0;
     if (!machineFree || !known || status.held || status.link != LinkState::Up || status.boring.nextSchedule == 0 ||
-        (view.lotSize > 0 && cut >= view.lotSize)) {
+        view.lotClosed || lotFull(view)) {
         return;
     }
     if (m_engine.send(commandOf(StartPart{ProcessId::Boring}))) {

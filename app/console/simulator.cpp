@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/simulator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
 
 Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
     SimulatedMachine::Params machine;
-    machine.partsSoFar = params.partsSoFar;
+    machine.partsSoFar = params.boredSoFar;
     if (params.diamondLathe) {
         machine.name = "Kerf diamond lathe";
         machine.cycle_ns = kLatheCycle_ns;
@@ -38,6 +39,7 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
             Sentence(KERF_TEXT("On the built-in diamond lathe: start the console with --machine diamond-lathe."));
         SimulatedBoring::Params boring;
         boring.truths = truths(params.changeAtPart);
+        boring.boredSoFar = params.boredSoFar;
         auto plant = std::make_unique<SimulatedBoring>(boring);
         m_boring = plant.get();
         plants.push_back(std::move(plant));
@@ -45,7 +47,7 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
     m_machine = std::make_unique<SimulatedMachine>(machine, std::move(plants));
 }
 
-std::optional<double> Simulator::gaugeReading_mm(std::uint32_t partSequence, double overhang_mm, const Bore& bore) {
+std::optional<double> Simulator::deflection_mm(const GaugedPart& part, double overhang_mm) {
     BoredHole hole;
     while (m_boring != nullptr && m_boring->holes().tryPop(hole)) {
         m_holes[hole.partSequence] = hole;
@@ -53,16 +55,35 @@ std::optional<double> Simulator::gaugeReading_mm(std::uint32_t partSequence, dou
     while (m_holes.size() > kHolesKept) {
         m_holes.erase(m_holes.begin());
     }
-    const auto found = m_holes.find(partSequence);
-    if (found == m_holes.end()) {
+    if (const auto found = m_holes.find(part.sequence); part.sequence != 0 && found != m_holes.end()) {
+        return found->second.deflectionAt_mm(overhang_mm);
+    }
+    if (part.feed.count == 0) {
+        return std::nullopt;
+    }
+    const std::vector<BoringTruth> all = truths(m_params.changeAtPart);
+    const BoringTruth& truth = truthOf(all, part.bored);
+    BoredHole again;
+    again.count = std::min<std::uint16_t>(part.feed.count, BoredHole::kStations);
+    for (std::size_t i = 0; i < again.count; ++i) {
+        again.overhang_mm[i] = part.feed.overhang_mm[i];
+        again.deflection_mm[i] = static_cast<float>(trueDeflection_mm(
+            truth, static_cast<double>(part.feed.feed_mmPerRev[i]), static_cast<double>(part.feed.overhang_mm[i])));
+    }
+    return again.deflectionAt_mm(overhang_mm);
+}
+
+std::optional<double> Simulator::gaugeReading_mm(const GaugedPart& part, double overhang_mm, const Bore& bore) {
+    const std::optional<double> true_mm = deflection_mm(part, overhang_mm);
+    if (!true_mm) {
         return std::nullopt;
     }
     Random noise = Random(m_params.seed)
-                       .stream(partSequence)
+                       .stream(static_cast<std::uint64_t>(part.id))
                        .stream(static_cast<std::uint64_t>(std::lround(overhang_mm * 1000.0)));
-    const double deflection_mm = found->second.deflectionAt_mm(overhang_mm) + m_params.gaugeSigma_mm * noise.gauss();
-    const double diameter_mm = boring::diameterFromDeflection_mm(deflection_mm, bore.targetDiameter_mm,
-                                                                 bore.targetDeflection_mm, bore.phi_deg);
+    const double shown_mm = *true_mm + m_params.gaugeSigma_mm * noise.gauss();
+    const double diameter_mm =
+        boring::diameterFromDeflection_mm(shown_mm, bore.targetDiameter_mm, bore.targetDeflection_mm, bore.phi_deg);
     return std::round(diameter_mm / kGaugeStep_mm) * kGaugeStep_mm;
 }
 

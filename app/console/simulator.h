@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/api/boring_types.h"
 #include "engine/machine/simulated_boring.h"
 #include "engine/machine/simulated_machine.h"
 
@@ -16,7 +17,7 @@ namespace kerf::console {
 class Simulator {
  public:
     struct Params {
-        std::uint32_t partsSoFar{0};
+        std::uint32_t boredSoFar{0};
         std::uint64_t seed{1};
         double gaugeSigma_mm{0.005};     ///< standard deviation of one gauged deflection
         std::uint32_t changeAtPart{14};  ///< a new insert: the process is another one from here on; 0: never
@@ -29,16 +30,25 @@ class Simulator {
         double targetDeflection_mm{0.1165};
         double phi_deg{60.0};
     };
+    /// A finished part as the console knows it.
+    struct GaugedPart {
+        std::int64_t id{0};         ///< the same before and after a restart: seed of the gauge's noise
+        std::uint32_t sequence{0};  ///< the machine's count; 0: from an earlier run
+        std::uint32_t bored{0};     ///< how many have ever been bored on this machine, this one included
+        FeedTrace feed{};           ///< really cut
+    };
     /// `plants`: of the processes beside boring.
     Simulator(const Params& params, Plants plants);
 
     [[nodiscard]] SimulatedMachine& machine() noexcept { return *m_machine; }
-    /// What the gauge shows for a finished part; the same bore always reads the same. Empty: not finished, or long
-    /// gone.
-    [[nodiscard]] std::optional<double> gaugeReading_mm(std::uint32_t partSequence, double overhang_mm,
-                                                        const Bore& bore);
+    /// What the gauge shows for a finished part; the same bore always reads the same. A bore of an earlier run is made
+    /// again from the feed it was cut with, within the gauge's last digit. Empty: not finished, or nothing known of its
+    /// feed.
+    [[nodiscard]] std::optional<double> gaugeReading_mm(const GaugedPart& part, double overhang_mm, const Bore& bore);
 
  private:
+    [[nodiscard]] std::optional<double> deflection_mm(const GaugedPart& part, double overhang_mm);
+
     Params m_params;
     SimulatedBoring* m_boring{nullptr};
     std::unique_ptr<SimulatedMachine> m_machine;

@@ -26,20 +26,6 @@ void answer(const BoringDesk::Done& done, const Result<void>& result) {
 
 }  // namespace
 
-class StoredBoringDesk::Handle final : public Subscription {
- public:
-    Handle(const std::shared_ptr<Listeners>& listeners, std::uint64_t key) : m_listeners(listeners), m_key(key) {}
-    ~Handle() override {
-        if (const auto listeners = m_listeners.lock()) {
-            listeners->calls.erase(m_key);
-        }
-    }
-
- private:
-    std::weak_ptr<Listeners> m_listeners;
-    std::uint64_t m_key;
-};
-
 void openBoringLot(StoreWriter& writer, const BoringLotRequest& request,
                    std::function<void(const Result<LotId>&)> done) {
     using Answer = const Result<Receipt>&;
@@ -89,12 +75,17 @@ Result<std::unique_ptr<StoredBoringDesk>> StoredBoringDesk::open(const Links& li
 
 StoredBoringDesk::StoredBoringDesk(const Links& links, const LotHistory& history, BoringRecipe recipe,
                                    boring::EstimatorKind kind)
-    : m_links(links), m_lot(history.lot), m_kind(kind), m_records(std::move(recipe), kind) {
+    : m_links(links),
+      m_lot(history.lot),
+      m_recipeRevision(history.recipe.revision),
+      m_kind(kind),
+      m_records(std::move(recipe), kind) {
+    m_view.revision = links.firstRevision;
     restore(history);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     m_problemSubscription = m_links.writer.onProblemChanged([this] {
         rebuild();
-        notify();
+        m_listeners.notify();
     });
     compareWithStored(history);
     proposeFirst();
@@ -156,7 +147,7 @@ void StoredBoringDesk::proposeFirst() {
         if (alive.lock() && !receipt) {
             m_storeProblem = receipt.error();
             rebuild();
-            notify();
+            m_listeners.notify();
         }
     });
 }
@@ -318,7 +309,7 @@ void StoredBoringDesk::submit(const MeasurementRow& newRow, Done done) {
                               rebuild();
                               send();
                               answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-                              notify();
+                              m_listeners.notify();
                               runNext();
                           });
 }
@@ -364,13 +355,13 @@ void StoredBoringDesk::acceptSchedule(const std::string& author, Done done) {
         rebuild();
         send();
         answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        notify();
+        m_listeners.notify();
     };
     m_links.writer.submit(AcceptSchedule{m_lot.id, m_next.revision, author}, stored);
 }
 
 void StoredBoringDesk::send() {
-    if (m_accepted && m_accepted->revision != m_sentRevision) {
+    if (!m_retired && m_accepted && m_accepted->revision != m_sentRevision) {
         Command command;
         command.action = LoadBoringSchedule{*m_accepted};
         if (m_links.engine.send(command)) {
@@ -382,9 +373,14 @@ void StoredBoringDesk::send() {
 void StoredBoringDesk::poll() {
     send();
     const bool waiting = !m_accepted || m_accepted->revision != m_next.revision;
-    if (waiting && !m_busy && !m_accepting && mode() == LoopMode::Control) {
+    if (!m_retired && waiting && !m_busy && !m_accepting && mode() == LoopMode::Control) {
         acceptSchedule(kControlAuthor, {});
     }
+}
+
+void StoredBoringDesk::retire() {
+    m_retired = true;
+    m_partsSubscription.reset();
 }
 
 void StoredBoringDesk::partStored(const StoredPart& stored) {
@@ -394,30 +390,19 @@ void StoredBoringDesk::partStored(const StoredPart& stored) {
     m_records.addPart({stored.id, stored.number, stored.record.complete, stored.record.partSequence,
                        stored.record.schedule, stored.record.feed});
     rebuild();
-    notify();
+    m_listeners.notify();
 }
 
 std::optional<double> StoredBoringDesk::gaugeReading_mm(PartId id, std::uint8_t depth) {
     const DeskPart* part = m_records.part(id);
-    if (part == nullptr || part->sequence == 0 || depth >= m_records.recipe().depths.size() || !m_links.gauge) {
+    if (part == nullptr || depth >= m_records.recipe().depths.size() || !m_links.gauge) {
         return std::nullopt;
     }
-    return m_links.gauge(part->sequence, m_records.recipe().depths[depth].overhang_mm);
+    return m_links.gauge(*part, m_records.recipe(), m_records.recipe().depths[depth].overhang_mm);
 }
 
 std::unique_ptr<BoringDesk::Subscription> StoredBoringDesk::onChanged(std::function<void()> changed) {
-    const std::uint64_t key = ++m_listeners->last;
-    m_listeners->calls[key] = std::move(changed);
-    return std::make_unique<Handle>(m_listeners, key);
-}
-
-void StoredBoringDesk::notify() {
-    const auto calls = m_listeners->calls;  // a listener may end its own or another subscription
-    for (const auto& [key, call] : calls) {
-        if (m_listeners->calls.contains(key)) {
-            call();
-        }
-    }
+    return m_listeners.add(std::move(changed));
 }
 
 void StoredBoringDesk::rebuild() {
@@ -427,6 +412,8 @@ void StoredBoringDesk::rebuild() {
     view.partType = m_lot.partTypeName;
     view.lot = m_lot.name;
     view.lotSize = m_lot.size;
+    view.lotClosed = m_lot.closedUtc_ms.has_value();
+    view.recipeRevision = m_recipeRevision;
     view.targetDiameter_mm = recipe.targetDiameter_mm;
     view.lowerTolerance_mm = recipe.lowerTolerance_mm;
     view.upperTolerance_mm = recipe.upperTolerance_mm;
@@ -453,6 +440,37 @@ void StoredBoringDesk::rebuild() {
     view.scheduleAccepted = m_accepted && m_accepted->revision == m_next.revision;
     m_view = std::move(view);
     fillParts();
+    fillCapability();
+}
+
+void StoredBoringDesk::fillCapability() {
+    for (std::uint8_t depth = 0; depth < m_view.depths.size(); ++depth) {
+        double sum = 0.0;
+        double squares = 0.0;
+        std::uint32_t count = 0;
+        for (const BorePartView& part : m_view.parts) {
+            if (const MeasurementRow* row = m_records.measured(part.id, depth)) {
+                const double off_mm = *row->diameter_mm - m_view.targetDiameter_mm;  // small numbers: no cancellation
+                sum += off_mm;
+                squares += off_mm * off_mm;
+                ++count;
+            }
+        }
+        if (count < CapabilityView::kFewestParts) {
+            continue;
+        }
+        const double mean_mm = sum / count;
+        const double variance_mm2 = (squares - sum * mean_mm) / (count - 1.0);
+        const double room_mm = std::min(m_view.upperTolerance_mm - m_view.targetDiameter_mm - mean_mm,
+                                        m_view.targetDiameter_mm + mean_mm - m_view.lowerTolerance_mm);
+        if (variance_mm2 <= 0.0) {
+            continue;
+        }
+        const double cpk = room_mm / (3.0 * std::sqrt(variance_mm2));
+        if (!m_view.capability || cpk < m_view.capability->cpk) {
+            m_view.capability = CapabilityView{cpk, depth, count};
+        }
+    }
 }
 
 void StoredBoringDesk::fillParts() {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/desk/boring_recipe.h"
+#include "app/desk/desk_listeners.h"
 #include "app/desk/lot_records.h"
 #include "db/api/lot_reader.h"
 #include "db/api/store_writer.h"
@@ -45,10 +46,13 @@ class StoredBoringDesk final : public BoringDesk {
     struct Links {
         StoreWriter& writer;
         EngineApi& engine;
-        /// What the machine's gauge shows for a finished part (the machine's own count), at an overhang. May be empty.
-        std::function<std::optional<double>(std::uint32_t partSequence, double overhang_mm)> gauge{};
+        /// What the machine's gauge shows for a finished part at an overhang. May be empty.
+        std::function<std::optional<double>(const DeskPart& part, const BoringRecipe& recipe, double overhang_mm)>
+            gauge{};
         /// Mode of the loop; empty: as the engine's status says.
         std::function<LoopMode()> mode{};
+        /// The view's revision goes on from here when this desk follows that of another lot.
+        std::uint64_t firstRevision{0};
     };
     /// Reads the lot and goes on where it was. Links must outlive the desk.
     [[nodiscard]] static Result<std::unique_ptr<StoredBoringDesk>> open(const Links& links, LotReader& reader,
@@ -68,15 +72,14 @@ class StoredBoringDesk final : public BoringDesk {
     /// Now and then (a few times per second): sends a schedule the engine could not take, and accepts the proposed one
     /// when the loop has been switched to control.
     void poll();
+    /// Nothing is on its way to the disk.
+    [[nodiscard]] bool idle() const noexcept { return !m_busy && !m_accepting && m_waiting.empty(); }
+    /// Another lot is current: what is on its way is still stored and answered, but no schedule goes to the engine.
+    void retire();
     /// What the comparison after a restart found; empty: the replayed state is the stored one.
     [[nodiscard]] const Sentence& restartFinding() const noexcept { return m_restartFinding; }
 
  private:
-    struct Listeners {
-        std::uint64_t last{0};
-        std::map<std::uint64_t, std::function<void()>> calls{};
-    };
-    class Handle;
     /// A change waiting for its turn: makes its row from the records as they are then, or says why not.
     struct Change {
         std::function<Result<MeasurementRow>()> row{};
@@ -96,13 +99,14 @@ class StoredBoringDesk final : public BoringDesk {
     void send();
     void rebuild();
     void fillParts();
-    void notify();
+    void fillCapability();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;
     [[nodiscard]] Result<MeasurementRow> entryRow(const BoreEntry& entry) const;
 
     Links m_links;
     LotRow m_lot;
+    std::uint32_t m_recipeRevision;
     boring::EstimatorKind m_kind;
     LotRecords m_records;
     BoringSchedule m_next{};                     ///< proposed; revision 0: none yet
@@ -112,10 +116,11 @@ class StoredBoringDesk final : public BoringDesk {
     std::deque<Change> m_waiting{};
     bool m_busy{false};       ///< a change is on its way to the disk
     bool m_accepting{false};  ///< an acceptance is
+    bool m_retired{false};
     Sentence m_storeProblem{};
     Sentence m_restartFinding{};
     BoringDeskView m_view{};
-    std::shared_ptr<Listeners> m_listeners{std::make_shared<Listeners>()};
+    DeskListeners m_listeners{};
     std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
     std::unique_ptr<StoreSubscription> m_partsSubscription{};
     std::unique_ptr<StoreSubscription> m_problemSubscription{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desk/boring_recipe.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -118,6 +119,45 @@ std::optional<Sentence> whyInvalid(const BoringRecipe& recipe) {
         }
     }
     return std::nullopt;
+}
+
+BoringRecipeForm recipeForm(const BoringRecipe& recipe) {
+    BoringRecipeForm form;
+    for (const Field& field : fields()) {
+        form.values.push_back(recipe.*field.value);
+    }
+    form.depths = recipe.depths;
+    return form;
+}
+
+BoringRecipe recipeOf(const BoringRecipeForm& form) {
+    BoringRecipe recipe;
+    for (std::size_t i = 0; i < fields().size(); ++i) {
+        recipe.*fields()[i].value = form.values[i];
+    }
+    recipe.depths = form.depths;
+    return recipe;
+}
+
+std::vector<BoringRecipeChange> recipeChanges(const BoringRecipe& before, const BoringRecipe& after) {
+    std::vector<BoringRecipeChange> changes;
+    for (std::size_t i = 0; i < fields().size(); ++i) {
+        const double old = before.*fields()[i].value;
+        const double now = after.*fields()[i].value;
+        if (old != now) {
+            changes.push_back({&boringRecipeSpecs()[i], 0, old, now});
+        }
+    }
+    const auto overhang_mm = [](const BoringRecipe& recipe, std::size_t i) {
+        return i < recipe.depths.size() ? std::optional(recipe.depths[i].overhang_mm) : std::nullopt;
+    };
+    for (std::size_t i = 0; i < std::max(before.depths.size(), after.depths.size()); ++i) {
+        if (overhang_mm(before, i) != overhang_mm(after, i)) {
+            changes.push_back(
+                {nullptr, static_cast<std::uint32_t>(i + 1), overhang_mm(before, i), overhang_mm(after, i)});
+        }
+    }
+    return changes;
 }
 
 std::string recipeJson(const BoringRecipe& recipe) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/api/boring_desk.h"
+#include "engine/api/boring_lots.h"
 #include "engine/boring/estimator.h"
 #include "engine/boring/feed_law.h"
 #include "engine/core/param_spec.h"
@@ -39,6 +40,12 @@ struct BoringRecipe {
 [[nodiscard]] std::span<const ParamSpec> boringRecipeSpecs();
 /// Empty when usable.
 [[nodiscard]] std::optional<Sentence> whyInvalid(const BoringRecipe& recipe);
+
+[[nodiscard]] BoringRecipeForm recipeForm(const BoringRecipe& recipe);
+/// Not checked; see whyInvalid(). @pre one value per spec
+[[nodiscard]] BoringRecipe recipeOf(const BoringRecipeForm& form);
+/// What changes from one to the other, in the order of the specs, depths last.
+[[nodiscard]] std::vector<BoringRecipeChange> recipeChanges(const BoringRecipe& before, const BoringRecipe& after);
 
 [[nodiscard]] std::string recipeJson(const BoringRecipe& recipe);
 /// Missing keys take their defaults; a value out of range or of the wrong kind gives the sentence.

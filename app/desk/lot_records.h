@@ -19,8 +19,9 @@ using Predictions = std::vector<std::optional<DiameterPrediction>>;
 struct DeskPart {
     PartId id{0};
     std::uint32_t number{0};
-    bool complete{true};        ///< false: aborted, nothing to measure
-    std::uint32_t sequence{0};  ///< the machine's count, for its gauge; 0: from an earlier run of the console
+    bool complete{true};  ///< false: aborted, nothing to measure
+    std::uint32_t sequence{
+        0};  ///< the machine's count, for its gauge; 0: from an earlier run of the console or another lot
     BoringSchedule schedule{};
     FeedTrace feed{};
 };

@@ -77,9 +77,7 @@ Result<std::uint64_t> stopped() {
 /// Every matching part, oldest first.
 Result<std::uint64_t> eachPart(PartReader& reader, PartQuery query, Lines& lines,
                                const std::function<Result<void>(const PartRow&)>& add) {
-    query.before.reset();
-    query.after.reset();
-    query.oldestFirst = true;
+    query.oldestFirst = true;  // `before` and `after` stay: an export of one part is one between its neighbours
     query.limit = kPageSize;
     while (true) {
         const Result<std::vector<PartRow>> page = reader.parts(query);

@@ -79,12 +79,22 @@ struct DepthView {
     double overhang_mm{0.0};
 };
 
+/// How well the bores shown lie in their tolerance: the depth that does worst.
+struct CapabilityView {
+    static constexpr std::uint32_t kFewestParts = 10;  ///< below it the figure says nothing
+    double cpk{0.0};                                   ///< min(upper − mean, mean − lower)/(3 s), s with n − 1
+    std::uint8_t depth{0};
+    std::uint32_t parts{0};
+};
+
 /// Everything the boring page shows that is not live. Rebuilt after each change; cheap to copy (25 parts).
 struct BoringDeskView {
     std::uint64_t revision{0};  ///< rises with each change
     std::string partType{};
     std::string lot{};
-    std::uint32_t lotSize{0};
+    std::uint32_t lotSize{0};         ///< 0: no limit
+    bool lotClosed{false};            ///< no part is started for it any more
+    std::uint32_t recipeRevision{0};  ///< of the part type, taken when the lot was opened
     double targetDiameter_mm{0.0};
     double lowerTolerance_mm{0.0};  ///< diameter, absolute
     double upperTolerance_mm{0.0};
@@ -95,12 +105,18 @@ struct BoringDeskView {
     std::vector<std::optional<DiameterPrediction>> nextPrediction{};  ///< per depth
     Sentence nextReason{};                                            ///< why the schedule changed
     bool nextLimited{false};                                          ///< α clipped or feed at a limit
-    bool scheduleAccepted{true};       ///< advise mode: the operator has yet to accept nextSchedule
-    std::optional<PartId> awaiting{};  ///< the oldest part that still wants a diameter
+    bool scheduleAccepted{true};                 ///< advise mode: the operator has yet to accept nextSchedule
+    std::optional<CapabilityView> capability{};  ///< over `parts`; empty while there are too few
+    std::optional<PartId> awaiting{};            ///< the oldest part that still wants a diameter
     std::uint8_t awaitingDepth{0};
     std::string estimator{};  ///< "kalman" or "perturbation"
     Sentence storeProblem{};  ///< empty when the database works
 };
+
+/// Every part of the lot has been cut.
+[[nodiscard]] inline bool lotFull(const BoringDeskView& view) noexcept {
+    return view.lotSize > 0 && !view.parts.empty() && view.parts.back().number >= view.lotSize;
+}
 
 class BoringDesk {
  public:

@@ -23,7 +23,21 @@ double BoredHole::deflectionAt_mm(double wantedOverhang_mm) const noexcept {
     return std::lerp(static_cast<double>(deflection_mm[upper - 1]), static_cast<double>(deflection_mm[upper]), share);
 }
 
-SimulatedBoring::SimulatedBoring(const Params& params) : m_params(params) {}
+const BoringTruth& truthOf(const std::vector<BoringTruth>& truths, std::uint32_t bored) noexcept {
+    const BoringTruth* now = &truths.front();
+    for (const BoringTruth& truth : truths) {
+        if (truth.fromPart <= bored) {
+            now = &truth;
+        }
+    }
+    return *now;
+}
+
+double trueDeflection_mm(const BoringTruth& truth, double feed_mmPerRev, double overhang_mm) noexcept {
+    return truth.c_mm * std::pow(std::max(feed_mmPerRev, 1e-6), truth.alpha) * std::pow(overhang_mm, truth.beta);
+}
+
+SimulatedBoring::SimulatedBoring(const Params& params) : m_params(params), m_bored(params.boredSoFar) {}
 
 void SimulatedBoring::fit(Capabilities& capabilities) const {
     capabilities.gauge.fitted = true;
@@ -39,12 +53,7 @@ Result<void> SimulatedBoring::begin(const StartProgram& program, std::uint32_t p
             KERF_TEXT("The boring program needs feed, speed and overhangs above zero, the end deeper than the start."));
     }
     m_program = program;
-    m_truth = m_params.truths.front();
-    for (const BoringTruth& truth : m_params.truths) {
-        if (truth.fromPart <= partSequence) {
-            m_truth = truth;
-        }
-    }
+    m_truth = truthOf(m_params.truths, ++m_bored);
     m_hole = BoredHole{};
     m_hole.partSequence = partSequence;
     m_overhang_mm = program.from_mm;
@@ -60,10 +69,8 @@ void SimulatedBoring::recordStation() noexcept {
            m_overhang_mm >= m_program.from_mm + spacing_mm * m_hole.count - 1e-9) {
         const double feed_mmPerRev = m_feed_mmPerS * 60.0 / m_program.spindleSpeed_rpm;
         const double station_mm = m_program.from_mm + spacing_mm * m_hole.count;
-        const double deflection_mm =
-            m_truth.c_mm * std::pow(std::max(feed_mmPerRev, 1e-6), m_truth.alpha) * std::pow(station_mm, m_truth.beta);
         m_hole.overhang_mm[m_hole.count] = static_cast<float>(station_mm);
-        m_hole.deflection_mm[m_hole.count] = static_cast<float>(deflection_mm);
+        m_hole.deflection_mm[m_hole.count] = static_cast<float>(trueDeflection_mm(m_truth, feed_mmPerRev, station_mm));
         ++m_hole.count;
     }
 }

@@ -12,11 +12,16 @@ namespace kerf {
 
 /// The true boring process from one part on: d = C S^α L^β (process/boring, eq. 2).
 struct BoringTruth {
-    std::uint32_t fromPart{1};  ///< 1-based part sequence
+    std::uint32_t fromPart{1};  ///< 1-based count of the parts bored
     double alpha{0.5025};
     double beta{0.2676};
     double c_mm{0.0871};
 };
+
+/// The law in force for the part with this count; the last one that has begun. @pre truths not empty
+[[nodiscard]] const BoringTruth& truthOf(const std::vector<BoringTruth>& truths, std::uint32_t bored) noexcept;
+/// Eq. 2. Units mm/rev, mm; result mm.
+[[nodiscard]] double trueDeflection_mm(const BoringTruth& truth, double feed_mmPerRev, double overhang_mm) noexcept;
 
 /// What a bore really looks like: deflection at equally spaced overhangs. Leaves the cycle for the simulated gauge.
 struct BoredHole {
@@ -35,6 +40,7 @@ class SimulatedBoring final : public SimulatedProcess {
  public:
     struct Params {
         std::vector<BoringTruth> truths{BoringTruth{}};  ///< ascending fromPart, first 1
+        std::uint32_t boredSoFar{0};                     ///< parts bored before this start
         double driveLag_s{0.02};
     };
     explicit SimulatedBoring(const Params& params);
@@ -52,6 +58,7 @@ class SimulatedBoring final : public SimulatedProcess {
     void recordStation() noexcept;
 
     Params m_params;
+    std::uint32_t m_bored{0};
     SpscRing<BoredHole> m_holes{256};
     BoredHole m_hole{};
     BoringTruth m_truth{};

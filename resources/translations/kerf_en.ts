@@ -50,6 +50,22 @@
             <source>Sign on</source>
             <translation>Sign on</translation>
         </message>
+        <message>
+            <source>Type your PIN.</source>
+            <translation>Type your PIN.</translation>
+        </message>
+        <message>
+            <source>This PIN does not fit.</source>
+            <translation>This PIN does not fit.</translation>
+        </message>
+        <message>
+            <source>People</source>
+            <translation>People</translation>
+        </message>
+        <message>
+            <source>nobody is known yet</source>
+            <translation>nobody is known yet</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -80,6 +96,144 @@
         <message>
             <source>Parts</source>
             <translation>Parts</translation>
+        </message>
+    </context>
+    <context>
+        <name>PartReport</name>
+        <message>
+            <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
+            <comment>units</comment>
+            <translation>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>gauge</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>typed</translation>
+        </message>
+        <message>
+            <source>correction</source>
+            <translation>correction</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>taken out</translation>
+        </message>
+        <message>
+            <source>confirmed</source>
+            <translation>confirmed</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Depth</translation>
+        </message>
+        <message>
+            <source>⌀, %1</source>
+            <translation>⌀, %1</translation>
+        </message>
+        <message>
+            <source>By, when</source>
+            <translation>By, when</translation>
+        </message>
+        <message>
+            <source>What, why</source>
+            <translation>What, why</translation>
+        </message>
+        <message>
+            <source>no longer holds</source>
+            <translation>no longer holds</translation>
+        </message>
+        <message>
+            <source>Nothing was measured.</source>
+            <translation>Nothing was measured.</translation>
+        </message>
+        <message>
+            <source>Part %1, lot %2</source>
+            <translation>Part %1, lot %2</translation>
+        </message>
+        <message>
+            <source>No serial number</source>
+            <translation>No serial number</translation>
+        </message>
+        <message>
+            <source>Serial number %1</source>
+            <translation>Serial number %1</translation>
+        </message>
+        <message>
+            <source>cut in %1 s</source>
+            <translation>cut in %1 s</translation>
+        </message>
+        <message>
+            <source>finished</source>
+            <translation>finished</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>aborted</translation>
+        </message>
+        <message>
+            <source>The estimator noticed a process change with this part.</source>
+            <translation>The estimator noticed a process change with this part.</translation>
+        </message>
+        <message>
+            <source>Kerf %1, written %2</source>
+            <translation>Kerf %1, written %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>People</name>
+        <message>
+            <source>No PIN</source>
+            <translation>No PIN</translation>
+        </message>
+        <message>
+            <source>Has a PIN</source>
+            <translation>Has a PIN</translation>
+        </message>
+        <message>
+            <source>PIN of %1</source>
+            <translation>PIN of %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2 digits; nothing asks for none.</source>
+            <translation>%1 to %2 digits; nothing asks for none.</translation>
+        </message>
+        <message>
+            <source>A PIN has %1 to %2 digits.</source>
+            <translation>A PIN has %1 to %2 digits.</translation>
+        </message>
+        <message>
+            <source>People at this machine</source>
+            <translation>People at this machine</translation>
+        </message>
+        <message>
+            <source>Operators enter and correct diameters. Setters also open lots and switch loops. Process engineers also change recipes, limits and this list.</source>
+            <translation>Operators enter and correct diameters. Setters also open lots and switch loops. Process engineers also change recipes, limits and this list.</translation>
+        </message>
+        <message>
+            <source>Sign off when nobody has touched anything for</source>
+            <translation>Sign off when nobody has touched anything for</translation>
+        </message>
+        <message>
+            <source>never</source>
+            <translation>never</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>PinSheet</name>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
         </message>
     </context>
     <context>
@@ -1822,6 +1976,62 @@
             <source>Without the loop</source>
             <translation>Without the loop</translation>
         </message>
+        <message>
+            <source>A lot has at most %1 parts.</source>
+            <translation>A lot has at most %1 parts.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name or number.</source>
+            <translation>A lot needs a name or number.</translation>
+        </message>
+        <message>
+            <source>A part of this lot is being bored; change the lot when it is finished.</source>
+            <translation>A part of this lot is being bored; change the lot when it is finished.</translation>
+        </message>
+        <message>
+            <source>A part type needs a name.</source>
+            <translation>A part type needs a name.</translation>
+        </message>
+        <message>
+            <source>A recipe needs %1 numbers.</source>
+            <translation>A recipe needs %1 numbers.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
+            <translation>Only a setter or a process engineer who is signed on may switch a loop.</translation>
+        </message>
+        <message>
+            <source>Overhang where the bore is measured</source>
+            <translation>Overhang where the bore is measured</translation>
+        </message>
+        <message>
+            <source>Parts in the lot</source>
+            <translation>Parts in the lot</translation>
+        </message>
+        <message>
+            <source>Sign on first: this change needs a name.</source>
+            <translation>Sign on first: this change needs a name.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name for the part type already; give another name.</source>
+            <translation>There is a lot of this name for the part type already; give another name.</translation>
+        </message>
+        <message>
+            <source>There is a part type of this name already; give another name.</source>
+            <translation>There is a part type of this name already; give another name.</translation>
+        </message>
+        <message>
+            <source>There is no such part type.</source>
+            <translation>There is no such part type.</translation>
+        </message>
+        <message>
+            <source>This change needs a reason.</source>
+            <translation>This change needs a reason.</translation>
+        </message>
+        <message>
+            <source>work order</source>
+            <translation>work order</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2019,6 +2229,11 @@
             <source>Close</source>
             <translation>Close</translation>
         </message>
+        <message>
+            <source>Cpk %1 (%2)</source>
+            <comment>figure, depth</comment>
+            <translation>Cpk %1 (%2)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -2113,6 +2328,34 @@
         <message>
             <source>Versions</source>
             <translation>Versions</translation>
+        </message>
+        <message>
+            <source>no database</source>
+            <translation>no database</translation>
+        </message>
+        <message>
+            <source>being written</source>
+            <translation>being written</translation>
+        </message>
+        <message>
+            <source>Back up all data</source>
+            <translation>Back up all data</translation>
+        </message>
+        <message>
+            <source>A checked copy in one file, made while everything goes on. Touch where it shall go.</source>
+            <translation>A checked copy in one file, made while everything goes on. Touch where it shall go.</translation>
+        </message>
+        <message>
+            <source>Backed up to %1</source>
+            <translation>Backed up to %1</translation>
+        </message>
+        <message>
+            <source>Not backed up: %1</source>
+            <translation>Not backed up: %1</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
         </message>
     </context>
     <context>
@@ -2363,6 +2606,18 @@
             <source>Settings</source>
             <translation>Settings</translation>
         </message>
+        <message>
+            <source>closed</source>
+            <translation>closed</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>full</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>Lots</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HistogramChart</name>
@@ -2422,6 +2677,142 @@
         <message>
             <source>Not fitted yet.</source>
             <translation>Not fitted yet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LotForm</name>
+        <message>
+            <source>Lots</source>
+            <translation>Lots</translation>
+        </message>
+        <message>
+            <source>Next lot of part type</source>
+            <translation>Next lot of part type</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>Lot</translation>
+        </message>
+        <message>
+            <source>Estimator kalman</source>
+            <translation>Estimator kalman</translation>
+        </message>
+        <message>
+            <source>perturbation (paper)</source>
+            <translation>perturbation (paper)</translation>
+        </message>
+        <message>
+            <source>Reason, when the lot is closed before it is full</source>
+            <translation>Reason, when the lot is closed before it is full</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Back</translation>
+        </message>
+        <message>
+            <source>Close this lot</source>
+            <translation>Close this lot</translation>
+        </message>
+        <message>
+            <source>Recipe</source>
+            <translation>Recipe</translation>
+        </message>
+        <message>
+            <source>New part type</source>
+            <translation>New part type</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>Go on with it</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>Open the lot</translation>
+        </message>
+        <message>
+            <source>It is closed.</source>
+            <translation>It is closed.</translation>
+        </message>
+        <message>
+            <source>It is full.</source>
+            <translation>It is full.</translation>
+        </message>
+        <message>
+            <source>It goes on.</source>
+            <translation>It goes on.</translation>
+        </message>
+        <message>
+            <source>Now: %1, lot %2, %3 of %4 parts cut, recipe revision %5. %6</source>
+            <comment>part type, lot, counts, state</comment>
+            <translation>Now: %1, lot %2, %3 of %4 parts cut, recipe revision %5. %6</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
+        <message>
+            <source>Opened</source>
+            <translation>Opened</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>State</translation>
+        </message>
+        <message>
+            <source>current</source>
+            <translation>current</translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>closed</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>open</translation>
+        </message>
+        <message>
+            <source>The newest recipe of the part type holds for a new lot, and stays with it.</source>
+            <translation>The newest recipe of the part type holds for a new lot, and stays with it.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>a lot needs a name</source>
+            <translation>a lot needs a name</translation>
+        </message>
+        <message>
+            <source>touch a lot in the list</source>
+            <translation>touch a lot in the list</translation>
+        </message>
+        <message>
+            <source>this lot is current</source>
+            <translation>this lot is current</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>it is closed</translation>
+        </message>
+        <message>
+            <source>give a reason: it is not full</source>
+            <translation>give a reason: it is not full</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open.</source>
+            <translation>Lot %1 is open.</translation>
+        </message>
+        <message>
+            <source>Lot %1 goes on.</source>
+            <translation>Lot %1 goes on.</translation>
+        </message>
+        <message>
+            <source>The lot is closed.</source>
+            <translation>The lot is closed.</translation>
         </message>
     </context>
     <context>
@@ -2582,10 +2973,6 @@
             <translation>at limit</translation>
         </message>
         <message>
-            <source>Next part: the lot is complete</source>
-            <translation>Next part: the lot is complete</translation>
-        </message>
-        <message>
             <source>Next part: %1</source>
             <translation>Next part: %1</translation>
         </message>
@@ -2622,6 +3009,18 @@
             <source>this schedule is accepted</source>
             <translation>this schedule is accepted</translation>
         </message>
+        <message>
+            <source>Next lot</source>
+            <translation>Next lot</translation>
+        </message>
+        <message>
+            <source>Lot %1 is closed</source>
+            <translation>Lot %1 is closed</translation>
+        </message>
+        <message>
+            <source>Lot %1 is full: %2 parts</source>
+            <translation>Lot %1 is full: %2 parts</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -2632,6 +3031,33 @@
         <message>
             <source>at limit</source>
             <translation>at limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OperatorSession</name>
+        <message>
+            <source>operator</source>
+            <translation>operator</translation>
+        </message>
+        <message>
+            <source>setter</source>
+            <translation>setter</translation>
+        </message>
+        <message>
+            <source>process engineer</source>
+            <translation>process engineer</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may do this.</source>
+            <translation>Only a process engineer may do this.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer may do this.</source>
+            <translation>Only a setter or a process engineer may do this.</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may give this role.</source>
+            <translation>Only a process engineer may give this role.</translation>
         </message>
     </context>
     <context>
@@ -2840,6 +3266,18 @@
             <source>choose a diameter that holds</source>
             <translation>choose a diameter that holds</translation>
         </message>
+        <message>
+            <source>no database</source>
+            <translation>no database</translation>
+        </message>
+        <message>
+            <source>Serial</source>
+            <translation>Serial</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Report</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>
@@ -2974,6 +3412,188 @@
         <message>
             <source>Figures</source>
             <translation>Figures</translation>
+        </message>
+        <message>
+            <source>Serial number of part %1</source>
+            <translation>Serial number of part %1</translation>
+        </message>
+        <message>
+            <source>Type it or read it with a scanner.</source>
+            <translation>Type it or read it with a scanner.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>The serial number is stored.</source>
+            <translation>The serial number is stored.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Save</translation>
+        </message>
+        <message>
+            <source>Report of part %1</source>
+            <translation>Report of part %1</translation>
+        </message>
+        <message>
+            <source>One page as PDF, or its measurements as CSV.</source>
+            <translation>One page as PDF, or its measurements as CSV.</translation>
+        </message>
+        <message>
+            <source>CSV</source>
+            <translation>CSV</translation>
+        </message>
+        <message>
+            <source>PDF</source>
+            <translation>PDF</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>Written: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::RecipeForm</name>
+        <message>
+            <source>at most %1 depths</source>
+            <translation>at most %1 depths</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Remove</translation>
+        </message>
+        <message>
+            <source>Depth %1, overhang</source>
+            <translation>Depth %1, overhang</translation>
+        </message>
+        <message>
+            <source>%1: %2 → %3</source>
+            <comment>name of a number, newest revision, shown</comment>
+            <translation>%1: %2 → %3</translation>
+        </message>
+        <message>
+            <source>Depth %1</source>
+            <translation>Depth %1</translation>
+        </message>
+        <message>
+            <source>Against revision %1:</source>
+            <translation>Against revision %1:</translation>
+        </message>
+        <message>
+            <source>As revision %1, the newest.</source>
+            <translation>As revision %1, the newest.</translation>
+        </message>
+        <message>
+            <source>A number is missing or out of its range.</source>
+            <translation>A number is missing or out of its range.</translation>
+        </message>
+        <message>
+            <source>Lots that are open keep their own revision.</source>
+            <translation>Lots that are open keep their own revision.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>sign on first</source>
+            <translation>sign on first</translation>
+        </message>
+        <message>
+            <source>a number does not fit</source>
+            <translation>a number does not fit</translation>
+        </message>
+        <message>
+            <source>a part type needs a name</source>
+            <translation>a part type needs a name</translation>
+        </message>
+        <message>
+            <source>nothing is changed</source>
+            <translation>nothing is changed</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>touch an older revision</source>
+            <translation>touch an older revision</translation>
+        </message>
+        <message>
+            <source>The recipe has a new revision.</source>
+            <translation>The recipe has a new revision.</translation>
+        </message>
+        <message>
+            <source>The part type is there.</source>
+            <translation>The part type is there.</translation>
+        </message>
+        <message>
+            <source>Revision %1 is back.</source>
+            <translation>Revision %1 is back.</translation>
+        </message>
+        <message>
+            <source>Recipe of %1</source>
+            <translation>Recipe of %1</translation>
+        </message>
+        <message>
+            <source>New part type</source>
+            <translation>New part type</translation>
+        </message>
+        <message>
+            <source>%1 to %2; default %3, %4</source>
+            <comment>range, default, source of the default</comment>
+            <translation>%1 to %2; default %3, %4</translation>
+        </message>
+        <message>
+            <source>Name of the part type</source>
+            <translation>Name of the part type</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>Reason for the change</translation>
+        </message>
+        <message>
+            <source>Depths, in measuring order</source>
+            <translation>Depths, in measuring order</translation>
+        </message>
+        <message>
+            <source>Add a depth</source>
+            <translation>Add a depth</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Back</translation>
+        </message>
+        <message>
+            <source>Roll back to it</source>
+            <translation>Roll back to it</translation>
+        </message>
+        <message>
+            <source>Save as a new revision</source>
+            <translation>Save as a new revision</translation>
+        </message>
+        <message>
+            <source>Make the part type</source>
+            <translation>Make the part type</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>Rev.</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>When, by</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>Why</translation>
+        </message>
+        <message>
+            <source>back to %1: %2</source>
+            <comment>revision, reason</comment>
+            <translation>back to %1: %2</translation>
         </message>
     </context>
     <context>

@@ -50,6 +50,22 @@
             <source>Sign on</source>
             <translation>로그인</translation>
         </message>
+        <message>
+            <source>Type your PIN.</source>
+            <translation>PIN을 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>This PIN does not fit.</source>
+            <translation>PIN이 맞지 않습니다.</translation>
+        </message>
+        <message>
+            <source>People</source>
+            <translation>사용자</translation>
+        </message>
+        <message>
+            <source>nobody is known yet</source>
+            <translation>등록된 사람이 없음</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -80,6 +96,144 @@
         <message>
             <source>Parts</source>
             <translation>공작물</translation>
+        </message>
+    </context>
+    <context>
+        <name>PartReport</name>
+        <message>
+            <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
+            <comment>units</comment>
+            <translation>돌출 길이에 대한 이송(%1, %2): 파선은 이송 계획, 실선은 실제 절삭.</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>직접 입력</translation>
+        </message>
+        <message>
+            <source>correction</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>confirmed</source>
+            <translation>확인함</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>깊이</translation>
+        </message>
+        <message>
+            <source>⌀, %1</source>
+            <translation>⌀, %1</translation>
+        </message>
+        <message>
+            <source>By, when</source>
+            <translation>누가, 언제</translation>
+        </message>
+        <message>
+            <source>What, why</source>
+            <translation>내용, 이유</translation>
+        </message>
+        <message>
+            <source>no longer holds</source>
+            <translation>더 이상 유효하지 않음</translation>
+        </message>
+        <message>
+            <source>Nothing was measured.</source>
+            <translation>측정값이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1, lot %2</source>
+            <translation>공작물 %1, 로트 %2</translation>
+        </message>
+        <message>
+            <source>No serial number</source>
+            <translation>일련번호 없음</translation>
+        </message>
+        <message>
+            <source>Serial number %1</source>
+            <translation>일련번호 %1</translation>
+        </message>
+        <message>
+            <source>cut in %1 s</source>
+            <translation>절삭 시간 %1초</translation>
+        </message>
+        <message>
+            <source>finished</source>
+            <translation>완료</translation>
+        </message>
+        <message>
+            <source>aborted</source>
+            <translation>중단</translation>
+        </message>
+        <message>
+            <source>The estimator noticed a process change with this part.</source>
+            <translation>이 공작물에서 공정 변화가 감지되었습니다.</translation>
+        </message>
+        <message>
+            <source>Kerf %1, written %2</source>
+            <translation>Kerf %1, 작성 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>People</name>
+        <message>
+            <source>No PIN</source>
+            <translation>PIN 없음</translation>
+        </message>
+        <message>
+            <source>Has a PIN</source>
+            <translation>PIN 있음</translation>
+        </message>
+        <message>
+            <source>PIN of %1</source>
+            <translation>%1의 PIN</translation>
+        </message>
+        <message>
+            <source>%1 to %2 digits; nothing asks for none.</source>
+            <translation>숫자 %1~%2자리. 비워 두면 묻지 않습니다.</translation>
+        </message>
+        <message>
+            <source>A PIN has %1 to %2 digits.</source>
+            <translation>PIN은 숫자 %1~%2자리입니다.</translation>
+        </message>
+        <message>
+            <source>People at this machine</source>
+            <translation>이 기계의 사용자</translation>
+        </message>
+        <message>
+            <source>Operators enter and correct diameters. Setters also open lots and switch loops. Process engineers also change recipes, limits and this list.</source>
+            <translation>작업자는 지름을 입력하고 수정합니다. 셋업 담당자는 로트를 열고 루프를 전환할 수도 있습니다. 공정 엔지니어는 레시피와 한계, 이 목록도 바꿀 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Sign off when nobody has touched anything for</source>
+            <translation>조작이 없으면 로그아웃하는 시간</translation>
+        </message>
+        <message>
+            <source>never</source>
+            <translation>안 함</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>PinSheet</name>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
         </message>
     </context>
     <context>
@@ -1822,6 +1976,62 @@
             <source>Without the loop</source>
             <translation>루프 없을 때</translation>
         </message>
+        <message>
+            <source>A lot has at most %1 parts.</source>
+            <translation>로트의 공작물은 최대 %1개입니다.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name or number.</source>
+            <translation>로트에는 이름이나 번호가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>A part of this lot is being bored; change the lot when it is finished.</source>
+            <translation>이 로트의 공작물을 보링하는 중입니다. 끝난 뒤에 로트를 바꾸십시오.</translation>
+        </message>
+        <message>
+            <source>A part type needs a name.</source>
+            <translation>공작물 종류에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>A recipe needs %1 numbers.</source>
+            <translation>레시피에는 숫자 %1개가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
+            <translation>로그인한 셋업 담당자나 공정 엔지니어만 루프를 전환할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Overhang where the bore is measured</source>
+            <translation>보어를 측정하는 돌출 길이</translation>
+        </message>
+        <message>
+            <source>Parts in the lot</source>
+            <translation>로트의 공작물 수</translation>
+        </message>
+        <message>
+            <source>Sign on first: this change needs a name.</source>
+            <translation>먼저 로그인하십시오. 이 변경에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name for the part type already; give another name.</source>
+            <translation>이 공작물 종류에 같은 이름의 로트가 이미 있습니다. 다른 이름을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>There is a part type of this name already; give another name.</source>
+            <translation>같은 이름의 공작물 종류가 이미 있습니다. 다른 이름을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>There is no such part type.</source>
+            <translation>그런 공작물 종류가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This change needs a reason.</source>
+            <translation>이 변경에는 이유가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>work order</source>
+            <translation>작업 지시서</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2018,6 +2228,11 @@
             <source>Close</source>
             <translation>닫기</translation>
         </message>
+        <message>
+            <source>Cpk %1 (%2)</source>
+            <comment>figure, depth</comment>
+            <translation>Cpk %1 (%2)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -2112,6 +2327,34 @@
         <message>
             <source>Versions</source>
             <translation>버전</translation>
+        </message>
+        <message>
+            <source>no database</source>
+            <translation>데이터베이스 없음</translation>
+        </message>
+        <message>
+            <source>being written</source>
+            <translation>쓰는 중</translation>
+        </message>
+        <message>
+            <source>Back up all data</source>
+            <translation>전체 데이터 백업</translation>
+        </message>
+        <message>
+            <source>A checked copy in one file, made while everything goes on. Touch where it shall go.</source>
+            <translation>작업을 멈추지 않고 검사된 사본을 파일 하나로 만듭니다. 저장할 곳을 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Backed up to %1</source>
+            <translation>백업함: %1</translation>
+        </message>
+        <message>
+            <source>Not backed up: %1</source>
+            <translation>백업하지 못함: %1</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
         </message>
     </context>
     <context>
@@ -2362,6 +2605,18 @@
             <source>Settings</source>
             <translation>설정</translation>
         </message>
+        <message>
+            <source>closed</source>
+            <translation>닫힘</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>완료</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>로트</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HistogramChart</name>
@@ -2421,6 +2676,142 @@
         <message>
             <source>Not fitted yet.</source>
             <translation>아직 장착되지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LotForm</name>
+        <message>
+            <source>Lots</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Next lot of part type</source>
+            <translation>다음 로트의 공작물 종류</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Estimator kalman</source>
+            <translation>추정기 kalman</translation>
+        </message>
+        <message>
+            <source>perturbation (paper)</source>
+            <translation>perturbation (논문)</translation>
+        </message>
+        <message>
+            <source>Reason, when the lot is closed before it is full</source>
+            <translation>다 차기 전에 로트를 닫는 이유</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>뒤로</translation>
+        </message>
+        <message>
+            <source>Close this lot</source>
+            <translation>이 로트 닫기</translation>
+        </message>
+        <message>
+            <source>Recipe</source>
+            <translation>레시피</translation>
+        </message>
+        <message>
+            <source>New part type</source>
+            <translation>새 공작물 종류</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>이 로트 계속</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>로트 열기</translation>
+        </message>
+        <message>
+            <source>It is closed.</source>
+            <translation>닫혔습니다.</translation>
+        </message>
+        <message>
+            <source>It is full.</source>
+            <translation>다 찼습니다.</translation>
+        </message>
+        <message>
+            <source>It goes on.</source>
+            <translation>진행 중입니다.</translation>
+        </message>
+        <message>
+            <source>Now: %1, lot %2, %3 of %4 parts cut, recipe revision %5. %6</source>
+            <comment>part type, lot, counts, state</comment>
+            <translation>현재: %1, 로트 %2, 공작물 %4개 중 %3개 절삭, 레시피 개정 %5. %6</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>공작물 종류</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>Opened</source>
+            <translation>연 시각</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>current</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>닫힘</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>열림</translation>
+        </message>
+        <message>
+            <source>The newest recipe of the part type holds for a new lot, and stays with it.</source>
+            <translation>새 로트에는 공작물 종류의 최신 레시피가 적용되고 끝까지 유지됩니다.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장 중</translation>
+        </message>
+        <message>
+            <source>a lot needs a name</source>
+            <translation>로트 이름이 필요함</translation>
+        </message>
+        <message>
+            <source>touch a lot in the list</source>
+            <translation>목록에서 로트를 누르십시오</translation>
+        </message>
+        <message>
+            <source>this lot is current</source>
+            <translation>현재 로트임</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>닫혀 있음</translation>
+        </message>
+        <message>
+            <source>give a reason: it is not full</source>
+            <translation>다 차지 않음: 이유를 쓰십시오</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open.</source>
+            <translation>로트 %1을(를) 열었습니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 goes on.</source>
+            <translation>로트 %1을(를) 계속합니다.</translation>
+        </message>
+        <message>
+            <source>The lot is closed.</source>
+            <translation>로트를 닫았습니다.</translation>
         </message>
     </context>
     <context>
@@ -2581,10 +2972,6 @@
             <translation>한계</translation>
         </message>
         <message>
-            <source>Next part: the lot is complete</source>
-            <translation>다음 공작물: 로트가 끝났습니다</translation>
-        </message>
-        <message>
             <source>Next part: %1</source>
             <translation>다음 공작물: %1</translation>
         </message>
@@ -2621,6 +3008,18 @@
             <source>this schedule is accepted</source>
             <translation>이 계획은 수락되었습니다</translation>
         </message>
+        <message>
+            <source>Next lot</source>
+            <translation>다음 로트</translation>
+        </message>
+        <message>
+            <source>Lot %1 is closed</source>
+            <translation>로트 %1 닫힘</translation>
+        </message>
+        <message>
+            <source>Lot %1 is full: %2 parts</source>
+            <translation>로트 %1 완료: 공작물 %2개</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -2631,6 +3030,33 @@
         <message>
             <source>at limit</source>
             <translation>한계</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OperatorSession</name>
+        <message>
+            <source>operator</source>
+            <translation>작업자</translation>
+        </message>
+        <message>
+            <source>setter</source>
+            <translation>셋업 담당자</translation>
+        </message>
+        <message>
+            <source>process engineer</source>
+            <translation>공정 엔지니어</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may do this.</source>
+            <translation>공정 엔지니어만 할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer may do this.</source>
+            <translation>셋업 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may give this role.</source>
+            <translation>이 역할은 공정 엔지니어만 줄 수 있습니다.</translation>
         </message>
     </context>
     <context>
@@ -2839,6 +3265,18 @@
             <source>choose a diameter that holds</source>
             <translation>유효한 지름을 고르십시오</translation>
         </message>
+        <message>
+            <source>no database</source>
+            <translation>데이터베이스 없음</translation>
+        </message>
+        <message>
+            <source>Serial</source>
+            <translation>일련번호</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>보고서</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>
@@ -2973,6 +3411,188 @@
         <message>
             <source>Figures</source>
             <translation>수치</translation>
+        </message>
+        <message>
+            <source>Serial number of part %1</source>
+            <translation>공작물 %1의 일련번호</translation>
+        </message>
+        <message>
+            <source>Type it or read it with a scanner.</source>
+            <translation>입력하거나 스캐너로 읽으십시오.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>The serial number is stored.</source>
+            <translation>일련번호를 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Report of part %1</source>
+            <translation>공작물 %1의 보고서</translation>
+        </message>
+        <message>
+            <source>One page as PDF, or its measurements as CSV.</source>
+            <translation>한 쪽짜리 PDF, 또는 측정값 CSV.</translation>
+        </message>
+        <message>
+            <source>CSV</source>
+            <translation>CSV</translation>
+        </message>
+        <message>
+            <source>PDF</source>
+            <translation>PDF</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>저장함: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::RecipeForm</name>
+        <message>
+            <source>at most %1 depths</source>
+            <translation>깊이는 최대 %1곳</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>삭제</translation>
+        </message>
+        <message>
+            <source>Depth %1, overhang</source>
+            <translation>깊이 %1, 돌출 길이</translation>
+        </message>
+        <message>
+            <source>%1: %2 → %3</source>
+            <comment>name of a number, newest revision, shown</comment>
+            <translation>%1: %2 → %3</translation>
+        </message>
+        <message>
+            <source>Depth %1</source>
+            <translation>깊이 %1</translation>
+        </message>
+        <message>
+            <source>Against revision %1:</source>
+            <translation>개정 %1과(와) 비교:</translation>
+        </message>
+        <message>
+            <source>As revision %1, the newest.</source>
+            <translation>최신 개정 %1과(와) 같음.</translation>
+        </message>
+        <message>
+            <source>A number is missing or out of its range.</source>
+            <translation>빠졌거나 범위를 벗어난 숫자가 있습니다.</translation>
+        </message>
+        <message>
+            <source>Lots that are open keep their own revision.</source>
+            <translation>열려 있는 로트는 자기 개정을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장 중</translation>
+        </message>
+        <message>
+            <source>sign on first</source>
+            <translation>먼저 로그인하십시오</translation>
+        </message>
+        <message>
+            <source>a number does not fit</source>
+            <translation>맞지 않는 숫자가 있음</translation>
+        </message>
+        <message>
+            <source>a part type needs a name</source>
+            <translation>공작물 종류 이름이 필요함</translation>
+        </message>
+        <message>
+            <source>nothing is changed</source>
+            <translation>바뀐 것이 없음</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>이유를 쓰십시오</translation>
+        </message>
+        <message>
+            <source>touch an older revision</source>
+            <translation>이전 개정을 누르십시오</translation>
+        </message>
+        <message>
+            <source>The recipe has a new revision.</source>
+            <translation>레시피의 새 개정을 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>The part type is there.</source>
+            <translation>공작물 종류를 만들었습니다.</translation>
+        </message>
+        <message>
+            <source>Revision %1 is back.</source>
+            <translation>개정 %1(으)로 되돌렸습니다.</translation>
+        </message>
+        <message>
+            <source>Recipe of %1</source>
+            <translation>%1의 레시피</translation>
+        </message>
+        <message>
+            <source>New part type</source>
+            <translation>새 공작물 종류</translation>
+        </message>
+        <message>
+            <source>%1 to %2; default %3, %4</source>
+            <comment>range, default, source of the default</comment>
+            <translation>%1~%2, 기본값 %3, %4</translation>
+        </message>
+        <message>
+            <source>Name of the part type</source>
+            <translation>공작물 종류 이름</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 이유</translation>
+        </message>
+        <message>
+            <source>Depths, in measuring order</source>
+            <translation>깊이(측정 순서대로)</translation>
+        </message>
+        <message>
+            <source>Add a depth</source>
+            <translation>깊이 추가</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>뒤로</translation>
+        </message>
+        <message>
+            <source>Roll back to it</source>
+            <translation>이 개정으로 되돌리기</translation>
+        </message>
+        <message>
+            <source>Save as a new revision</source>
+            <translation>새 개정으로 저장</translation>
+        </message>
+        <message>
+            <source>Make the part type</source>
+            <translation>공작물 종류 만들기</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>개정</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>언제, 누가</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>이유</translation>
+        </message>
+        <message>
+            <source>back to %1: %2</source>
+            <comment>revision, reason</comment>
+            <translation>%1(으)로 되돌림: %2</translation>
         </message>
     </context>
     <context>

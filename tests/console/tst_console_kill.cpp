@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
 #include <map>
+#include <memory>
 
 #include "db/migrator.h"
-#include "engine/core/random.h"
 #include "tests/support/console_bench.h"
+#include "tests/support/kill_campaign.h"
 
 using namespace kerf;
 
@@ -15,6 +13,7 @@ using namespace kerf;
 class TestConsoleKill : public QObject {
     Q_OBJECT
 
+    /// "17 part 4 depth 1 diameter_mm 50.003 next 9 -2.4 0.5 0.27", as --print-acceptances writes it.
     struct Acceptance {
         qint64 id{0};
         double diameter_mm{0.0};
@@ -23,94 +22,101 @@ class TestConsoleKill : public QObject {
         double alpha{0.0};
         double beta{0.0};
     };
-    static std::optional<Acceptance> parse(const QByteArray& line) {
-        const QList<QByteArray> words = line.trimmed().split(' ');
-        if (words.size() != 13 || words[0] != "accepted") {
-            return std::nullopt;  // the last line may be cut by the kill
+    static std::optional<Acceptance> parse(const std::string& line) {
+        const QList<QByteArray> words = QByteArray::fromStdString(line).trimmed().split(' ');
+        if (words.size() != 12) {
+            return std::nullopt;
         }
-        return Acceptance{words[1].toLongLong(), words[7].toDouble(),  words[9].toUInt(),
-                          words[10].toDouble(),  words[11].toDouble(), words[12].toDouble()};
+        return Acceptance{words[0].toLongLong(), words[6].toDouble(),  words[8].toUInt(),
+                          words[9].toDouble(),   words[10].toDouble(), words[11].toDouble()};
+    }
+
+    /// Everything acknowledged is in the file, the file is whole. Gives the newest measurement.
+    static QString lookAtFile(const std::string& file, const std::map<qint64, Acceptance>& seen, qint64& newest) {
+        if (!db::checkDatabase(file)) {
+            return QStringLiteral("the file is damaged");
+        }
+        const auto reader = db::DatabaseReader::open(file);
+        const auto parts = reader ? (*reader)->parts({}) : tl::unexpected(reader.error());
+        if (!parts) {
+            return QString::fromStdString(parts.error().english());
+        }
+        std::map<qint64, double> stored;
+        for (const PartRow& part : *parts) {
+            for (const MeasurementRow& row : part.measurements) {
+                stored[row.id] = row.diameter_mm.value_or(0.0);
+                newest = std::max<qint64>(newest, row.id);
+            }
+        }
+        for (const auto& [id, acceptance] : seen) {
+            if (stored.count(id) != 1 || stored[id] != acceptance.diameter_mm) {
+                return QStringLiteral("accepted measurement %1 is missing or another one").arg(id);
+            }
+        }
+        const auto verdict = (*reader)->verifyAudit();
+        return verdict && verdict->finding.empty() ? QString() : QStringLiteral("the audit chain is broken");
+    }
+
+    /// The console starts again where its last accepted measurement left it.
+    static QString restart(test::ConsoleBench& bench, const Acceptance* last) {
+        console::Options again;
+        again.preparedParts = 0;
+        again.simulationSpeed = 1.0;
+        bench.start(again);
+        if (!QTest::qWaitFor([&bench] { return bench.up(); }, 20'000)) {
+            return QStringLiteral("does not start again: ") + bench.failure();
+        }
+        if (!bench.console().boringDesk().restartFinding().empty()) {
+            return QStringLiteral("the state computed again differs from the stored one");
+        }
+        const BoringSchedule& next = bench.desk().nextSchedule;
+        const bool same = last == nullptr || (next.revision == last->revision && next.lnC == last->lnC &&
+                                              next.alpha == last->alpha && next.beta == last->beta);
+        return same ? QString() : QStringLiteral("the next schedule is not the one announced last");
     }
 
  private slots:
     void nothingAcceptedIsLost() {
         const int asked = qEnvironmentVariableIntValue("KERF_KILL_RUNS");
-        const int runs = asked > 0 ? asked : 10;
-        Random random(20);
-        int acknowledged = 0;
-        for (int run = 0; run < runs; ++run) {
-            test::ConsoleBench bench;
-            QProcess victim;
-            victim.setProcessChannelMode(QProcess::SeparateChannels);
-            victim.start(QString::fromLocal8Bit(qgetenv("KERF_BIN")) + QStringLiteral("/kerf-console"),
-                         {QStringLiteral("--data"), bench.folder(), QStringLiteral("--speed"), QStringLiteral("0"),
-                          QStringLiteral("--prepared-parts"), QStringLiteral("0"), QStringLiteral("--auto-operator"),
-                          QStringLiteral("--print-acceptances")});
-            QVERIFY(victim.waitForStarted());
-            const int wanted = 1 + static_cast<int>(random.uniform(0.0, 12.0));
-            std::map<qint64, Acceptance> seen;
-            while (static_cast<int>(seen.size()) < wanted && victim.state() == QProcess::Running) {
-                QVERIFY(victim.waitForReadyRead(30'000));
-                while (victim.canReadLine()) {
-                    if (const auto acceptance = parse(victim.readLine())) {
+        std::unique_ptr<test::ConsoleBench> bench;
+        std::size_t acknowledged = 0;
+        test::KillCampaign::Options options;
+        options.program = QString::fromLocal8Bit(qgetenv("KERF_BIN")) + QStringLiteral("/kerf-console");
+        options.arguments = QStringList{QStringLiteral("--speed"),          QStringLiteral("0"),
+                                        QStringLiteral("--prepared-parts"), QStringLiteral("0"),
+                                        QStringLiteral("--auto-operator"),  QStringLiteral("--print-acceptances")};
+        options.prepare = [&bench](int) {
+            bench = std::make_unique<test::ConsoleBench>();
+            return QStringList{QStringLiteral("--data"), bench->folder()};
+        };
+        options.rounds = asked > 0 ? asked : 10;
+        options.seed = 20;
+        options.maxAcks = 12;
+        options.ackWord = "accepted ";
+        const QString finding =
+            test::KillCampaign::run(options, [&](int, const std::vector<std::string>& lines) -> QString {
+                std::map<qint64, Acceptance> seen;
+                for (const std::string& line : lines) {
+                    if (const auto acceptance = parse(line)) {
                         seen[acceptance->id] = *acceptance;
                     }
                 }
-            }
-            for (double spin = random.uniform(0.0, 3e6); spin > 0.0;
-                 spin -= 1.0) {  // a random moment, without sleeping
-                asm volatile("" ::: "memory");
-            }
-            ::kill(static_cast<pid_t>(victim.processId()), SIGKILL);
-            victim.waitForFinished();
-            while (victim.canReadLine()) {
-                if (const auto acceptance = parse(victim.readLine())) {
-                    seen[acceptance->id] = *acceptance;
+                if (seen.empty()) {
+                    return QStringLiteral("no line could be read: ") + QString::fromStdString(lines.front());
                 }
-            }
-            acknowledged += static_cast<int>(seen.size());
-
-            const std::string file = bench.folder().toStdString() + "/kerf.db";
-            QVERIFY(db::checkDatabase(file).has_value());
-            qint64 newest = 0;
-            {
-                const auto reader = db::DatabaseReader::open(file);
-                QVERIFY(reader.has_value());
-                const auto parts = (*reader)->parts({});
-                QVERIFY(parts.has_value());
-                std::map<qint64, double> stored;
-                for (const PartRow& part : *parts) {
-                    for (const MeasurementRow& row : part.measurements) {
-                        stored[row.id] = row.diameter_mm.value_or(0.0);
-                        newest = std::max<qint64>(newest, row.id);
-                    }
+                acknowledged += seen.size();
+                qint64 newest = 0;
+                const QString lost = lookAtFile(bench->folder().toStdString() + "/kerf.db", seen, newest);
+                if (!lost.isEmpty()) {
+                    return lost;
                 }
-                for (const auto& [id, acceptance] : seen) {
-                    QVERIFY2(stored.count(id) == 1, "an accepted measurement is missing");
-                    QCOMPARE(stored[id], acceptance.diameter_mm);
-                }
-                const auto verdict = (*reader)->verifyAudit();
-                QVERIFY(verdict.has_value());
-                QVERIFY2(verdict->finding.empty(), verdict->finding.english().c_str());
-            }
-            console::Options again;
-            again.preparedParts = 0;
-            again.simulationSpeed = 1.0;
-            bench.start(again);
-            QTRY_VERIFY2_WITH_TIMEOUT(bench.up(), qPrintable(bench.failure()), 20'000);
-            QVERIFY(bench.console().boringDesk().restartFinding().empty());
-            if (!seen.empty() && newest == seen.rbegin()->first) {  // nothing was stored after the last line we saw
-                const Acceptance& last = seen.rbegin()->second;
-                const BoringSchedule& next = bench.desk().nextSchedule;
-                QCOMPARE(next.revision, last.revision);
-                QCOMPARE(next.lnC, last.lnC);
-                QCOMPARE(next.alpha, last.alpha);
-                QCOMPARE(next.beta, last.beta);
-            }
-            bench.stop();
-        }
-        qInfo("%d kills, %d accepted measurements, none lost", runs, acknowledged);
-        QVERIFY(acknowledged >= runs);
+                // Something stored after the last line we saw: then its schedule is not known here.
+                const auto& [id, last] = *seen.rbegin();
+                return restart(*bench, newest == id ? &last : nullptr);
+            });
+        QVERIFY2(finding.isEmpty(), qPrintable(finding));
+        qInfo("%d kills, %zu accepted measurements, none lost", options.rounds, acknowledged);
+        QVERIFY(acknowledged >= static_cast<std::size_t>(options.rounds));
     }
 };
 QTEST_MAIN(TestConsoleKill)

@@ -33,6 +33,13 @@ class PageBench {
                                          } else {
                                              ++askedForName;
                                          }
+                                     },
+                                     [this](ui::Role least, std::function<void()> action) {
+                                         if (session.may(least)) {
+                                             action();
+                                         } else {
+                                             notices.push_back(session.whyNot(least));
+                                         }
                                      }},
                      sheets);
         auto* fill = new QVBoxLayout(sheets);

@@ -64,7 +64,8 @@ struct ShellBench {
         desk.runParts(6);
         desk.cutPart();
         services->boringDesk = &desk;
-        services->operators = {QStringLiteral("Kim Minji"), QStringLiteral("A. Berger")};
+        services->signOn.accounts = {{QStringLiteral("Kim Minji"), ui::Role::Operator, {}},
+                                     {QStringLiteral("A. Berger"), ui::Role::Engineer, {}}};
         window = std::make_unique<ui::MainWindow>(look, *services, std::move(pages));
     }
     void raise(const AlarmSpec& spec, bool raised = true) {

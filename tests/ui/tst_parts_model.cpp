@@ -126,7 +126,7 @@ class TestPartsModel : public QObject {
         reader.measure(1, 0, 25.4);
         PartsModel model(reader);
         model.setQuery({});
-        QCOMPARE(shown(model, 0, PartsModel::Diameters), QStringLiteral("25.4000   50.8000"));
+        QCOMPARE(shown(model, 0, PartsModel::Diameters), QStringLiteral("25.400   50.800"));
         const int reads = reader.reads;
         QSignalSpy data(&model, &QAbstractItemModel::dataChanged);
         QSignalSpy header(&model, &QAbstractItemModel::headerDataChanged);
@@ -146,7 +146,7 @@ class TestPartsModel : public QObject {
         reader.correct(1, 2, std::nullopt);
         PartsModel model(reader);
         model.setQuery({});
-        QCOMPARE(shown(model, 1, PartsModel::Diameters), QStringLiteral("50.0000"));
+        QCOMPARE(shown(model, 1, PartsModel::Diameters), QStringLiteral("50.000"));
         QCOMPARE(shown(model, 1, PartsModel::Changes), QStringLiteral("1 corrected, 1 voided"));
         QVERIFY(model.index(1, 0).data(PartsModel::ChangedRole).toBool());
         QVERIFY(!model.index(0, 0).data(PartsModel::ChangedRole).toBool());
@@ -172,7 +172,7 @@ class TestPartsModel : public QObject {
         QCOMPARE(selected.data(PartsModel::PartIdRole), id);
         QCOMPARE(resets.size(), 0);
         QCOMPARE(data.size(), 1);  // the part that was measured meanwhile, and only it
-        QCOMPARE(shown(model, 6, PartsModel::Diameters), QStringLiteral("50.0000"));
+        QCOMPARE(shown(model, 6, PartsModel::Diameters), QStringLiteral("50.000"));
         QCOMPARE(model.matches(), std::uint64_t{122});
     }
     void manyNewPartsBeginAgain() {

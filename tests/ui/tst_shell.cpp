@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -82,11 +81,8 @@ class TestShell : public QObject {
         bench.window->client().stop();                                                    // no tick any more
         bench.window->page("overview")->setEnabled(false);                                // the page takes nothing
         bench.window->sheets().tell(QStringLiteral("Question"), QStringLiteral("open"));  // and a question lies on it
-        QElapsedTimer clock;
-        clock.start();
         QTest::mousePress(hold, Qt::LeftButton);
-        QCOMPARE(bench.engine.holds.load(), 1);
-        QVERIFY(clock.elapsed() < 100);
+        QCOMPARE(bench.engine.holds.load(), 1);  // inside the press itself: no event loop, no tick in between
         QTest::mouseRelease(hold, Qt::LeftButton);
     }
     void aFrozenScreenLosesChartSamplesOnlyAndTheEngineGoesOn() {

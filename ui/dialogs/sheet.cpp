@@ -11,6 +11,8 @@ namespace kerf::ui {
 
 Sheet::Sheet(Look& look, QWidget* host)
     : FaceWidget(look, host),
+      m_outer(new QVBoxLayout(this)),
+      m_row(new QHBoxLayout),
       m_frame(new QFrame(this)),
       m_title(makeLabel(TextRole::CardNumber, m_frame, true)),
       m_text(makeLabel(TextRole::Body, m_frame, true)),
@@ -18,14 +20,12 @@ Sheet::Sheet(Look& look, QWidget* host)
       m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("sheet"));
     m_frame->setProperty("role", QStringLiteral("sheet"));
-    auto* outer = new QVBoxLayout(this);
-    auto* row = new QHBoxLayout;
-    outer->addStretch(1);
-    outer->addLayout(row);
-    outer->addStretch(2);
-    row->addStretch(1);
-    row->addWidget(m_frame, 4);
-    row->addStretch(1);
+    m_outer->addStretch(1);
+    m_outer->addLayout(m_row);
+    m_outer->addStretch(2);
+    m_row->addStretch(1);
+    m_row->addWidget(m_frame, 4);
+    m_row->addStretch(1);
     auto* column = new QVBoxLayout(m_frame);
     column->addWidget(m_title);
     column->addWidget(m_text);
@@ -33,6 +33,14 @@ Sheet::Sheet(Look& look, QWidget* host)
     column->addLayout(m_buttons);
     m_text->hide();
     refresh();
+}
+
+void Sheet::setWide() {
+    m_row->setStretch(0, 0);
+    m_row->setStretch(2, 0);
+    m_outer->setStretch(0, 0);
+    m_outer->setStretch(1, 1);
+    m_outer->setStretch(2, 0);
 }
 
 void Sheet::setTitle(const QString& title) {

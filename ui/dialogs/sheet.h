@@ -22,6 +22,8 @@ class Sheet : public FaceWidget {
  public:
     void setTitle(const QString& title);
     void setText(const QString& text);
+    /// Use the whole page area: for forms with many fields.
+    void setWide();
     /// Put fields here.
     [[nodiscard]] QVBoxLayout* body() const { return m_body; }
     /// Buttons from left to right; the first is the safe one and answers Escape. Use ActionButton or QPushButton.
@@ -41,6 +43,8 @@ class Sheet : public FaceWidget {
     friend class SheetHost;
     Sheet(Look& look, QWidget* host);
 
+    QVBoxLayout* m_outer;
+    QHBoxLayout* m_row;
     QFrame* m_frame;
     QLabel* m_title;
     QLabel* m_text;

@@ -34,6 +34,10 @@ void EngineClient::tick() {
 }
 
 bool EngineClient::send(const Command& command) {
+    if (const Sentence why = m_guard ? m_guard(command) : Sentence(); !why.empty()) {
+        emit refused(why);
+        return false;
+    }
     const std::optional<std::uint32_t> number = m_engine.send(command);
     if (!number) {
         emit refused(

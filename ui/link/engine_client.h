@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,10 @@ class EngineClient : public QObject {
     [[nodiscard]] EngineApi& engine() { return m_engine; }
     [[nodiscard]] const Status& status() const { return m_status; }
 
+    /// Asked before a command is sent; a sentence refuses it.
+    using Guard = std::function<Sentence(const Command& command)>;
+    void setGuard(Guard guard) { m_guard = std::move(guard); }
+
     /// Send a command. When it cannot be sent or the engine refuses it, refused() says why.
     bool send(const Command& command);
     template <class Action>
@@ -54,6 +59,7 @@ class EngineClient : public QObject {
     void settleCommands();
 
     EngineApi& m_engine;
+    Guard m_guard;
     QTimer m_timer;
     Status m_status;
     std::array<Sample, kSamplesPerTick> m_samples{};

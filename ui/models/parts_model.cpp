@@ -10,7 +10,7 @@
 namespace kerf::ui {
 namespace {
 
-constexpr int kDiameterDecimals = 4;
+constexpr int kDiameterDecimals = 3;  // of the stored mm
 
 bool changed(const PartRow& part) {
     return std::any_of(part.measurements.begin(), part.measurements.end(),
@@ -136,7 +136,7 @@ QString PartsModel::text(const PartRow& part, int column) const {
         case Lot:
             return QString::fromStdString(part.lotName);
         case Ended:
-            return QDateTime::fromMSecsSinceEpoch(part.endedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+            return QDateTime::fromMSecsSinceEpoch(part.endedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
         case Result:
             return part.complete ? tr("finished") : tr("aborted");
         case Diameters: {

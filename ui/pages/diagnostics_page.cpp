@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/diagnostics_page.h"
 
+#include <QDateTime>
 #include <QGridLayout>
+#include <QPointer>
 
+#include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -18,7 +21,8 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
       m_late(new HistogramChart(context.look, this)),
       m_engine(new Card(context.look, this)),
       m_link(new Card(context.look, this)),
-      m_scheduling(makeLabel(TextRole::Body, this, true)) {
+      m_scheduling(makeLabel(TextRole::Body, this, true)),
+      m_backup(new ActionButton(context.look, this)) {
     auto* grid = new QGridLayout(this);
     grid->addWidget(m_costCard, 0, 0);
     grid->addWidget(m_lateCard, 0, 1);
@@ -42,6 +46,12 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
     m_clock = addFact(m_link, "machineTime");
     m_versions = addFact(m_link, "versions");
     m_link->body()->addStretch(1);
+    m_backup->setObjectName(QStringLiteral("backup"));
+    m_backup->setPredicate([this] {
+        return !this->context().services.backUp ? tr("no database") : m_backingUp ? tr("being written") : QString();
+    });
+    connect(m_backup, &QPushButton::clicked, this, &DiagnosticsPage::askBackup);
+    m_link->body()->addWidget(m_backup);
     m_since.start();
     connect(&context.client, &EngineClient::statusChanged, this, &DiagnosticsPage::onStatus);
     refresh();
@@ -55,6 +65,37 @@ DiagnosticsPage::Fact DiagnosticsPage::addFact(Card* card, const char* objectNam
     row->addWidget(fact.value, 3);
     card->body()->addLayout(row);
     return fact;
+}
+
+// One touch on a folder and the copy is on its way; removable drives stand first.
+void DiagnosticsPage::askBackup() {
+    Sheet* sheet = context().sheets.open(
+        tr("Back up all data"),
+        tr("A checked copy in one file, made while everything goes on. Touch where it shall go."));
+    const QString name =
+        QStringLiteral("/kerf_%1.db").arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss")));
+    const QStringList folders = context().services.backupFolders ? context().services.backupFolders() : QStringList();
+    for (int i = 0; i < folders.size(); ++i) {
+        auto* button = new QPushButton(folders[i], sheet);
+        button->setObjectName(QStringLiteral("backupFolder%1").arg(i));
+        sheet->body()->addWidget(button);
+        connect(button, &QPushButton::clicked, sheet, [this, sheet, file = folders[i] + name] {
+            m_backingUp = true;
+            m_backup->reconsider();
+            const QPointer<DiagnosticsPage> self(this);
+            context().services.backUp(file, [self, file](const Result<void>& done) {
+                if (DiagnosticsPage* page = self.data()) {
+                    page->m_backingUp = false;
+                    page->m_backup->reconsider();
+                    page->context().notify(
+                        done ? tr("Backed up to %1").arg(file)
+                             : tr("Not backed up: %1").arg(sentenceText(done.error(), page->look().units())));
+                }
+            });
+            sheet->close();
+        });
+    }
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }
 
 void DiagnosticsPage::onStatus(const Status& status) {
@@ -99,6 +140,7 @@ void DiagnosticsPage::refresh() {
     m_late->setTitle(tr("lateness; height: share of all cycles"));
     m_engine->setTitle(tr("Engine"));
     m_link->setTitle(tr("Machine and versions"));
+    m_backup->setText(tr("Back up all data"));
     m_cycles.name->setText(tr("Cycles"));
     m_overruns.name->setText(tr("Overruns"));
     m_dropped.name->setText(tr("Chart samples dropped"));

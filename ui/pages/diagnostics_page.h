@@ -6,6 +6,7 @@
 
 #include "ui/charts/histogram_chart.h"
 #include "ui/shell/page.h"
+#include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
 namespace kerf::ui {
@@ -25,6 +26,7 @@ class DiagnosticsPage : public Page {
         QLabel* value;
     };
     Fact addFact(Card* card, const char* objectName);
+    void askBackup();
     void onStatus(const Status& status);
     void update(const Status& status);
 
@@ -39,6 +41,8 @@ class DiagnosticsPage : public Page {
     Fact m_dropped{};
     Fact m_speed{};
     QLabel* m_scheduling;
+    ActionButton* m_backup;
+    bool m_backingUp{false};
     Fact m_machine{};
     Fact m_state{};
     Fact m_clock{};

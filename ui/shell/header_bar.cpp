@@ -11,6 +11,7 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     : FaceWidget(look, parent),
       m_session(session),
       m_path(makeLabel(TextRole::Title, this)),
+      m_lots(new QPushButton(this)),
       m_link(new Lamp(look, this)),
       m_speed(new QPushButton(this)),
       m_clock(makeLabel(TextRole::Body, this)),
@@ -19,6 +20,8 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
       m_settings(new QPushButton(this)) {
     m_path->setObjectName(QStringLiteral("path"));
     m_path->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_lots->setObjectName(QStringLiteral("lots"));
+    m_lots->hide();
     m_speed->setObjectName(QStringLiteral("simulationSpeed"));
     m_operator->setObjectName(QStringLiteral("operator"));
     m_language->setObjectName(QStringLiteral("language"));
@@ -26,12 +29,14 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_path, 1);
+    row->addWidget(m_lots);
     row->addWidget(m_link);
     row->addWidget(m_speed);
     row->addWidget(m_clock);
     row->addWidget(m_operator);
     row->addWidget(m_language);
     row->addWidget(m_settings);
+    connect(m_lots, &QPushButton::clicked, this, &HeaderBar::lotsRequested);
     connect(m_operator, &QPushButton::clicked, this, &HeaderBar::operatorRequested);
     connect(m_speed, &QPushButton::clicked, this, &HeaderBar::speedRequested);
     connect(m_settings, &QPushButton::clicked, this, &HeaderBar::settingsRequested);
@@ -73,6 +78,11 @@ void HeaderBar::setWork(const BoringDeskView* view, const Status& status) {
         work << tr("part %1/%2")
                     .arg(std::min(part + (cutting ? 1 : 0), std::max(view->lotSize, part)))
                     .arg(view->lotSize);
+        if (view->lotClosed) {
+            work << tr("closed");
+        } else if (lotFull(*view) && !cutting) {
+            work << tr("full");
+        }
     }
     if (work != m_work) {
         m_work = work;
@@ -109,6 +119,7 @@ void HeaderBar::refresh() {
     m_language->setText(look().preferences().language == Language::Korean ? QStringLiteral("EN")
                                                                           : QStringLiteral("한"));
     m_language->setAccessibleName(tr("Language"));
+    m_lots->setText(tr("Lots"));
     m_settings->setText(tr("Settings"));
     layout()->setSpacing(look().metrics().touchGap());
     rebuild();

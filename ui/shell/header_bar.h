@@ -21,8 +21,11 @@ class HeaderBar : public FaceWidget {
     void setStatus(const Status& status, const Capabilities& capabilities);
     void setWork(const BoringDeskView* view, const Status& status);
     void setTime(const QString& clock);
+    /// Lots can be opened and closed here.
+    void setLots(bool there) { m_lots->setVisible(there); }
 
  signals:
+    void lotsRequested();
     void operatorRequested();
     void speedRequested();
     void settingsRequested();
@@ -35,6 +38,7 @@ class HeaderBar : public FaceWidget {
 
     OperatorSession& m_session;
     QLabel* m_path;
+    QPushButton* m_lots;
     Lamp* m_link;
     QPushButton* m_speed;
     QLabel* m_clock;

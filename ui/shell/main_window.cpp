@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/main_window.h"
 
+#include <QApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QElapsedTimer>
@@ -12,6 +13,7 @@
 #include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/settings_sheet.h"
 #include "ui/link/texts.h"
+#include "ui/pages/boring/lot_form.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/navigation.h"
 #include "ui/widgets/alarm_bar.h"
@@ -28,7 +30,7 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
       m_services(std::move(services)),
       m_pages(std::move(pages)),
       m_client(m_services.engine),
-      m_session(m_services.operators),
+      m_session(m_services.signOn),
       m_alarms(m_services.engine) {
     setObjectName(QStringLiteral("mainWindow"));
     buildFrame();
@@ -50,18 +52,35 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
             m_services.acknowledgeAlarm(code, author);
         }
     });
-    connect(&m_session, &OperatorSession::learned, this, [this](const QStringList& known) {
-        if (m_services.saveOperators) {
-            m_services.saveOperators(known);
+    connect(&m_session, &OperatorSession::settingsChanged, this, [this](const SignOnSettings& settings) {
+        if (m_services.saveSignOn) {
+            m_services.saveSignOn(settings);
         }
+    });
+    connect(&m_session, &OperatorSession::audited, this,
+            [this](const QString& author, const QString& action, const QString& detail) {
+                if (m_services.recordSession) {
+                    m_services.recordSession(author, action, detail);
+                }
+            });
+    // One place for all pages: nobody switches a loop who is not trusted with it.
+    m_client.setGuard([this](const Command& command) {
+        const bool mode = std::holds_alternative<SetLoopMode>(command.action);
+        return !mode || m_session.may(Role::Setter)
+                   ? Sentence()
+                   : Sentence(KERF_TEXT("Only a setter or a process engineer who is signed on may switch a loop."));
     });
     if (m_services.boringDesk != nullptr) {
         m_deskChanges = m_services.boringDesk->onChanged([this] { onStatus(m_client.status()); });
     }
     m_clock.setInterval(1000);
-    connect(&m_clock, &QTimer::timeout, this,
-            [this] { m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm"))); });
+    connect(&m_clock, &QTimer::timeout, this, [this] {
+        m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm")));
+        m_session.tick(m_sinceStart.elapsed());
+    });
     m_clock.start();
+    m_sinceStart.start();
+    qApp->installEventFilter(this);
     m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm")));
     refresh();
     m_client.tick();
@@ -123,7 +142,8 @@ void MainWindow::buildFrame() {
                               *m_sheets,
                               [this](const char* key) { showPage(key); },
                               [this](const QString& sentence) { m_alarmBar->notify(sentence); },
-                              [this](std::function<void()> action) { withOperator(std::move(action)); }};
+                              [this](std::function<void()> action) { withOperator(std::move(action)); },
+                              [this](Role least, std::function<void()> action) { withRole(least, std::move(action)); }};
     for (const PageEntry& entry : m_pages) {
         Page* made = entry.make(context);
         made->setProperty("pageKey", QLatin1String(entry.key));
@@ -131,6 +151,8 @@ void MainWindow::buildFrame() {
         m_made.push_back(made);
     }
     connect(m_navigation, &Navigation::chosen, this, [this](std::size_t index) { showPage(m_pages[index].key); });
+    m_header->setLots(m_services.boringLots != nullptr && m_services.boringDesk != nullptr);
+    connect(m_header, &HeaderBar::lotsRequested, this, [context] { LotForm::open(context); });
     connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
     connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
     connect(m_header, &HeaderBar::speedRequested, this, &MainWindow::chooseSpeed);
@@ -198,6 +220,20 @@ void MainWindow::changeEvent(QEvent* event) {
     }
 }
 
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::KeyPress:
+        case QEvent::MouseButtonPress:
+        case QEvent::TouchBegin:
+        case QEvent::Wheel:
+            m_session.touched(m_sinceStart.elapsed());
+            break;
+        default:
+            break;
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
 }
@@ -263,6 +299,16 @@ void MainWindow::withOperator(std::function<void()> action) {
     } else {
         chooseOperator(m_look, *m_sheets, m_session, std::move(action));
     }
+}
+
+void MainWindow::withRole(Role least, std::function<void()> action) {
+    withOperator([this, least, action = std::move(action)] {
+        if (const QString why = m_session.whyNot(least); why.isEmpty()) {
+            action();
+        } else {
+            m_alarmBar->notify(why);
+        }
+    });
 }
 
 }  // namespace kerf::ui

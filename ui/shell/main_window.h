@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTimer>
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
  protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
     void buildFrame();
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
     void showAlarm();
     void chooseSpeed();
     void withOperator(std::function<void()> action);
+    void withRole(Role least, std::function<void()> action);
 
     Look& m_look;
     Services m_services;
@@ -62,6 +65,7 @@ class MainWindow : public QMainWindow {
     AlarmList m_alarms;
     std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
     QTimer m_clock;
+    QElapsedTimer m_sinceStart;
 
     HeaderBar* m_header{nullptr};
     Navigation* m_navigation{nullptr};

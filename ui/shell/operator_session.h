@@ -4,32 +4,102 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace kerf::ui {
 
-/// Who stands at the machine. Every entry and correction carries this name.
+/// What somebody is trusted with; each role may do what the ones before it may.
+enum class Role {
+    Operator,  ///< enter, correct and undo diameters, acknowledge alarms, hold
+    Setter,    ///< open and close lots, switch loops between off, advise and control
+    Engineer,  ///< process engineer: recipes, limits, people
+};
+
+/// A person known at this machine.
+struct OperatorAccount {
+    QString name{};
+    Role role{Role::Operator};
+    QString pin{};  ///< "salt:digest", never the PIN itself; empty: none is asked
+
+    friend bool operator==(const OperatorAccount&, const OperatorAccount&) = default;
+};
+
+/// What is kept about signing on; the application stores it.
+struct SignOnSettings {
+    static constexpr int kNever = 0;
+
+    std::vector<OperatorAccount> accounts{};
+    int autoSignOff_min{15};  ///< without a touch or key; kNever: stays signed on
+
+    friend bool operator==(const SignOnSettings&, const SignOnSettings&) = default;
+};
+
+/// Who stands at the machine, and what he or she may do. Every entry and correction carries this name.
+///
+/// A PIN keeps colleagues apart; it is no protection against somebody who can read the data file. Time is handed in
+/// (milliseconds of any steady clock), so that signing off by itself can be tested without waiting.
 class OperatorSession : public QObject {
     Q_OBJECT
  public:
-    explicit OperatorSession(QStringList known = {}, QObject* parent = nullptr);
+    static constexpr int kShortestPin = 4;
+    static constexpr int kLongestPin = 8;
+
+    explicit OperatorSession(SignOnSettings settings = {}, QObject* parent = nullptr);
 
     [[nodiscard]] QString name() const { return m_name; }
     [[nodiscard]] bool signedOn() const { return !m_name.isEmpty(); }
     /// The name as the desk wants it.
     [[nodiscard]] std::string author() const { return m_name.toStdString(); }
-    [[nodiscard]] const QStringList& known() const { return m_known; }
+    /// Empty: nobody is signed on.
+    [[nodiscard]] std::optional<Role> role() const;
+    [[nodiscard]] const SignOnSettings& settings() const { return m_settings; }
+    [[nodiscard]] QStringList known() const;
+    /// Null: not known.
+    [[nodiscard]] const OperatorAccount* account(const QString& name) const;
 
-    void signOn(const QString& name);
+    /// Why the one who is signed on may not do what needs `least` ("Only a setter or an engineer …", translated). Empty
+    /// when it is allowed, and when nobody is signed on: then the action asks who is there first.
+    [[nodiscard]] QString whyNot(Role least) const;
+    /// Signed on, and trusted with it.
+    [[nodiscard]] bool may(Role least) const { return signedOn() && whyNot(least).isEmpty(); }
+    /// Why nobody's role can be set now; a machine without an engineer lets anybody name one.
+    [[nodiscard]] QString whyNoRoles() const;
+
+    /// A name not yet known is added with `roleOfNew`. False when a PIN is asked for and `pin` is not it.
+    bool signOn(const QString& name, Role roleOfNew = Role::Engineer, const QString& pin = {});
     void signOff();
+    /// @pre whyNoRoles() is empty
+    void setRole(const QString& name, Role role);
+    /// Digits only, kShortestPin to kLongestPin of them, or empty to ask for none. False when it is neither.
+    bool setPin(const QString& name, const QString& pin);
+    void setAutoSignOff_min(int minutes);
+
+    /// Somebody touched the screen or a key.
+    void touched(qint64 now_ms) { m_lastTouch_ms = now_ms; }
+    /// Now and then: signs off when nobody has touched anything for long enough.
+    void tick(qint64 now_ms);
 
  signals:
+    /// Another person, another role, or nobody.
     void changed();
-    void learned(const QStringList& known);
+    void settingsChanged(const kerf::ui::SignOnSettings& settings);
+    /// For the audit log, in English: "signed on", "signed off", "PIN refused", "role set" …
+    void audited(const QString& author, const QString& action, const QString& detail);
 
  private:
+    void leave(const QString& action);
+    OperatorAccount* find(const QString& name);
+
+    SignOnSettings m_settings;
     QString m_name;
-    QStringList m_known;
+    std::optional<qint64> m_lastTouch_ms{};
 };
+
+[[nodiscard]] QString roleName(Role role);
+/// "operator", "setter", "engineer": as stored.
+[[nodiscard]] const char* roleKey(Role role);
+[[nodiscard]] Role roleOf(const QString& key);
 
 }  // namespace kerf::ui

@@ -27,6 +27,8 @@ struct PageContext {
     std::function<void(const QString& sentence)> notify;  ///< a sentence on the bottom line
     /// Run an action that needs a name: asks who is there first when nobody is signed on.
     std::function<void(std::function<void()> action)> withOperator;
+    /// The same for what only some may do: asks who is there when nobody is, and says why not when it is refused.
+    std::function<void(Role least, std::function<void()> action)> withRole{};
 };
 
 /// A page of the console. Derive, build widgets in the constructor, set every text, size and colour in refresh(), call

@@ -8,10 +8,12 @@
 
 #include "engine/api/boring_desk.h"
 #include "engine/api/engine_api.h"
+#include "ui/shell/operator_session.h"
 
 namespace kerf {
 class AlarmReader;
 class AuditReader;
+class BoringLots;
 class LotReader;
 class MillingDesk;
 class PartReader;
@@ -30,6 +32,7 @@ struct Preferences;
 struct Services {
     EngineApi& engine;
     BoringDesk* boringDesk{nullptr};
+    BoringLots* boringLots{nullptr};
     MillingDesk* millingDesk{nullptr};
     TurningDesk* turningDesk{nullptr};
     ThermalDesk* thermalDesk{nullptr};
@@ -39,15 +42,27 @@ struct Services {
     AlarmReader* alarms{nullptr};
     AuditReader* audit{nullptr};
     SettingsReader* settings{nullptr};
-    QStringList operators{};  ///< names offered at sign-on
+    SignOnSettings signOn{};  ///< who is known, as stored
 
     /// A part reader of its own for a worker thread (export), called on that thread; empty: no export.
     std::function<std::unique_ptr<PartReader>()> openParts{};
 
     /// Called when the operator has changed language, unit, theme or scale; the application stores it.
     std::function<void(const Preferences&)> savePreferences{};
-    /// Called when an operator not yet in the list has signed on; the application stores the list.
-    std::function<void(const QStringList&)> saveOperators{};
+    /// Called when somebody new has signed on, or a role or PIN is another one; the application stores it.
+    std::function<void(const SignOnSettings&)> saveSignOn{};
+    /// Who signed on or off, who changed a role: for the audit log.
+    std::function<void(const QString& author, const QString& action, const QString& detail)> recordSession{};
+    /// Called on the GUI thread when it is done, or has failed and why.
+    using Done = std::function<void(const Result<void>&)>;
+    /// Give a finished part its serial number. Empty: not possible here.
+    std::function<void(std::int64_t part, const QString& serial, const QString& author, Done)> setSerial{};
+    /// One page about a part as PDF into `file`, on a worker.
+    std::function<void(std::int64_t part, const QString& file, Done)> writeReport{};
+    /// Where a backup can go: removable drives first, then the documents.
+    std::function<QStringList()> backupFolders{};
+    /// A checked copy of the whole data file into `file`, on a worker, while everything goes on.
+    std::function<void(const QString& file, Done)> backUp{};
     /// Called when alarms have been acknowledged by code; the application writes it to the history.
     std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
 };

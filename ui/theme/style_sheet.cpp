@@ -19,6 +19,7 @@ QFrame[role="card"] { background: @panel@; border: @hairline@px solid @line@; bo
 QLabel[role="card"] { font-size: @card@px; background: transparent; border: none; }
 QFrame[role="sheet"] { background: @panel@; border: @hairline@px solid @dim@; border-radius: @corner@px; }
 QFrame[role="bar"] { background: @panel@; border: none; }
+QScrollArea, QWidget[role="scrolled"] { background: transparent; border: none; }
 QFrame[role="rule"] { background: @line@; border: none; }
 QPushButton, QToolButton {
     background: @raised@; border: @hairline@px solid @line@; border-radius: @corner@px;

@@ -8,6 +8,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
+#include "ui/pages/boring/lot_form.h"
 #include "ui/pages/boring/measurement_list.h"
 #include "ui/widgets/label.h"
 
@@ -34,6 +35,9 @@ void BoringPage::build() {
     m_note = makeLabel(TextRole::Body, m_boreCard, true);
     m_note->setObjectName(QStringLiteral("boringNote"));
     m_key = makeLabel(TextRole::Dim, m_boreCard);
+    m_capability = makeLabel(TextRole::Body, m_boreCard);
+    m_capability->setObjectName(QStringLiteral("boringCapability"));
+    m_boreCard->header()->addWidget(m_capability);
     m_boreCard->header()->addWidget(m_key);
     m_boreCard->body()->addWidget(m_bore, 1);
     m_boreCard->body()->addWidget(m_note);
@@ -59,7 +63,11 @@ void BoringPage::build() {
         m_touched = number;
         showNote();
     });
-    connect(m_next, &NextPartPanel::modeRequested, this, &BoringPage::setMode);
+    connect(m_next, &NextPartPanel::modeRequested, this,
+            [this](LoopMode mode) { context().withRole(Role::Setter, [this, mode] { setMode(mode); }); });
+    connect(m_next, &NextPartPanel::lotsRequested, this, [this] { LotForm::open(context()); });
+    connect(&context().session, &OperatorSession::changed, this,
+            [this] { m_next->setWhyNoMode(context().session.whyNot(Role::Setter)); });
     connect(m_next, &NextPartPanel::acceptRequested, this,
             [this] { context().withOperator([this] { acceptSchedule(); }); });
     connect(m_entry, &EntryPanel::undoRequested, this, [this] { context().withOperator([this] { undoLast(); }); });
@@ -69,6 +77,7 @@ void BoringPage::build() {
             context().showPage("boring");
         }
     });
+    m_next->setLotsThere(context().services.boringLots != nullptr);
     EngineClient& client = context().client;
     connect(&client, &EngineClient::statusChanged, this, &BoringPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, m_feed, &FeedPanel::addSamples);
@@ -93,6 +102,7 @@ void BoringPage::refresh() {
             row->setSpacing(gap);
         }
         m_next->setFixedWidth(look().metrics().sideWidth());
+        m_next->setWhyNoMode(context().session.whyNot(Role::Setter));
         m_bore->retranslate();
         m_behind = true;
         onDeskChanged();
@@ -125,6 +135,12 @@ void BoringPage::onDeskChanged() {
                              .arg(look().units().of("mm").symbol, QString::fromStdString(view.lot)));
     m_bore->setView(view);
     m_key->setText(m_bore->key());
+    const auto& capable = view.capability;
+    m_capability->setVisible(capable.has_value());
+    if (capable && capable->depth < view.depths.size()) {
+        m_capability->setText(tr("Cpk %1 (%2)", "figure, depth")
+                                  .arg(UnitSystem::fixed(capable->cpk, 2), depthName(view.depths[capable->depth])));
+    }
     m_feed->setView(view);
     m_next->setView(view);
     m_estimates->setView(view);

@@ -21,10 +21,11 @@ namespace kerf::ui {
 ///
 /// Object names, stable for tests:
 ///   boringPage
-///   boringBoreChart, boringNote (words on the touched part, or why nothing can be stored)
+///   boringBoreChart, boringCapability, boringNote (words on the touched part, or why nothing can be stored)
 ///   boringFeedChart, boringLiveFeed
 ///   boringNextPart: boringNextDiameter0…, boringNextFeed, boringNextReason, boringNextLimited, boringAccept,
-///     boringLoopReason, boringModeOff, boringModeAdvise, boringModeControl
+///     boringNextLot (in its place when the lot is full or closed), boringLoopReason, boringModeOff, boringModeAdvise,
+///     boringModeControl
 ///   boringEstimates
 ///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
 ///     boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter), boringGauge, boringCorrect, boringUndo,
@@ -61,6 +62,7 @@ class BoringPage : public Page {
     GaugeWedge* m_wedge{nullptr};
     Card* m_boreCard{nullptr};
     BoreChart* m_bore{nullptr};
+    QLabel* m_capability{nullptr};
     QLabel* m_key{nullptr};
     QLabel* m_note{nullptr};
     FeedPanel* m_feed{nullptr};

@@ -21,6 +21,7 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
       m_why(makeLabel(TextRole::Body, this, true)),
       m_limited(new Lamp(look, this)),
       m_accept(new ActionButton(look, this)),
+      m_nextLot(new QPushButton(this)),
       m_loopReason(makeLabel(TextRole::Small, this, true)),
       m_modes(new QButtonGroup(this)),
       m_modeRow(new QHBoxLayout) {
@@ -29,6 +30,9 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     m_why->setObjectName(QStringLiteral("boringNextReason"));
     m_limited->setObjectName(QStringLiteral("boringNextLimited"));
     m_accept->setObjectName(QStringLiteral("boringAccept"));
+    m_nextLot->setObjectName(QStringLiteral("boringNextLot"));
+    m_nextLot->setProperty("primary", true);
+    m_nextLot->hide();
     m_loopReason->setObjectName(QStringLiteral("boringLoopReason"));
 
     body()->addLayout(m_diameters);
@@ -37,7 +41,9 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     body()->addWidget(m_limited);
     body()->addWidget(m_why);
     body()->addStretch(1);
+    body()->addWidget(m_nextLot);
     body()->addWidget(m_accept);
+    connect(m_nextLot, &QPushButton::clicked, this, &NextPartPanel::lotsRequested);
     body()->addWidget(m_loopReason);
     constexpr std::array<const char*, 3> names{"boringModeOff", "boringModeAdvise", "boringModeControl"};
     for (int mode = 0; mode < 3; ++mode) {
@@ -71,6 +77,7 @@ void NextPartPanel::changeEvent(QEvent* event) {
 void NextPartPanel::retranslate() {
     m_feedLabel->setText(tr("feed, top to bottom of the bore"));
     m_accept->setText(tr("Accept"));
+    m_nextLot->setText(tr("Next lot"));
     m_modeButtons[0]->setText(modeName(LoopMode::Off));
     m_modeButtons[1]->setText(modeName(LoopMode::Advise));
     m_modeButtons[2]->setText(modeName(LoopMode::Control));
@@ -89,8 +96,13 @@ void NextPartPanel::setView(const BoringDeskView& view) {
 
 void NextPartPanel::showNext() {
     const std::uint32_t number = m_view.parts.empty() ? 1 : m_view.parts.back().number + 1;
-    setTitle(m_view.lotSize > 0 && number > m_view.lotSize ? tr("Next part: the lot is complete")
-                                                           : tr("Next part: %1").arg(number));
+    const QString lot = QString::fromStdString(m_view.lot);
+    const bool over = m_view.lotClosed || lotFull(m_view);
+    setTitle(m_view.lotClosed  ? tr("Lot %1 is closed").arg(lot)
+             : lotFull(m_view) ? tr("Lot %1 is full: %2 parts").arg(lot).arg(m_view.lotSize)
+                               : tr("Next part: %1").arg(number));
+    m_nextLot->setVisible(over && m_lotsThere);
+    m_accept->setVisible(!over || !m_lotsThere);
     while (m_numbers.size() < m_view.depths.size()) {
         auto* display = new NumberDisplay(m_look, "mm", kDiameterDecimals, TextSize::Card, this);
         display->setObjectName(QStringLiteral("boringNextDiameter%1").arg(m_numbers.size()));
@@ -141,16 +153,29 @@ void NextPartPanel::setBusy(bool busy) {
     m_accept->reconsider();
 }
 
+void NextPartPanel::setLotsThere(bool there) {
+    m_lotsThere = there;
+    showNext();
+}
+
+void NextPartPanel::setWhyNoMode(const QString& why) {
+    m_whyNoMode = why;
+    showLoop();
+}
+
 void NextPartPanel::showLoop() {
     for (int mode = 0; mode < 3; ++mode) {
         QPushButton* button = m_modeButtons[static_cast<std::size_t>(mode)];
         button->setChecked(m_loop.mode == static_cast<LoopMode>(mode));
-        button->setEnabled(m_loop.fitted);
+        button->setEnabled(m_loop.fitted && m_whyNoMode.isEmpty());
     }
     const QString why = sentenceText(m_loop.reason, m_look.units());
     m_loopReason->setText(
         m_loop.fitted ? (why.isEmpty() ? stateName(m_loop.state) : stateName(m_loop.state) + QStringLiteral(": ") + why)
                       : tr("This machine has no boring loop: %1").arg(why));
+    if (m_loop.fitted && !m_whyNoMode.isEmpty()) {
+        m_loopReason->setText(m_loopReason->text() + u' ' + m_whyNoMode);
+    }
     m_accept->reconsider();
 }
 

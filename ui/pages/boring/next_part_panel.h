@@ -31,10 +31,15 @@ class NextPartPanel : public Card {
     void setLoop(const LoopStatus& loop);
     /// An answer of the desk is awaited: no second accept meanwhile.
     void setBusy(bool busy);
+    /// A full or closed lot then offers the next one.
+    void setLotsThere(bool there);
+    /// Why the one at the machine may not switch the loop (translated); empty: he or she may.
+    void setWhyNoMode(const QString& why);
 
  signals:
     void acceptRequested();
     void modeRequested(kerf::LoopMode mode);
+    void lotsRequested();
 
  protected:
     void changeEvent(QEvent* event) override;
@@ -53,12 +58,15 @@ class NextPartPanel : public Card {
     QLabel* m_why;
     Lamp* m_limited;
     ActionButton* m_accept;
+    QPushButton* m_nextLot;
     QLabel* m_loopReason;
     QButtonGroup* m_modes;
     QHBoxLayout* m_modeRow;
     std::array<QPushButton*, 3> m_modeButtons{};
     BoringDeskView m_view{};
     LoopStatus m_loop{};
+    QString m_whyNoMode{};
+    bool m_lotsThere{false};
     bool m_busy{false};
 };
 

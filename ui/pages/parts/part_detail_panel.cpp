@@ -36,6 +36,8 @@ PartDetailPanel::PartDetailPanel(Look& look, std::function<QString()> whyNoChang
       m_history(new QTableWidget(this)),
       m_correct(new ActionButton(look, this)),
       m_void(new ActionButton(look, this)),
+      m_serial(new ActionButton(look, this)),
+      m_report(new ActionButton(look, this)),
       m_buttons(new QHBoxLayout) {
     setObjectName(QStringLiteral("partDetail"));
     m_facts->setObjectName(QStringLiteral("partFacts"));
@@ -59,6 +61,18 @@ PartDetailPanel::PartDetailPanel(Look& look, std::function<QString()> whyNoChang
     body()->addWidget(m_history, 3);
     m_buttons->addWidget(m_correct, 1);
     m_buttons->addWidget(m_void, 1);
+    m_buttons->addWidget(m_serial, 1);
+    m_buttons->addWidget(m_report, 1);
+    m_serial->setObjectName(QStringLiteral("partSerial"));
+    m_report->setObjectName(QStringLiteral("partReport"));
+    m_serial->setPredicate([this] {
+        return !m_canSerial ? tr("no database") : m_part ? QString() : tr("no part chosen");
+    });
+    m_report->setPredicate([this] {
+        return !m_canReport ? tr("no database") : m_part ? QString() : tr("no part chosen");
+    });
+    connect(m_serial, &QPushButton::clicked, this, &PartDetailPanel::serialRequested);
+    connect(m_report, &QPushButton::clicked, this, &PartDetailPanel::reportRequested);
     body()->addLayout(m_buttons);
     m_correct->setPredicate([this] { return whyNot(); });
     m_void->setPredicate([this] { return whyNot(); });
@@ -96,6 +110,8 @@ void PartDetailPanel::retranslate() {
     m_chart->setEmptyText(tr("The feed of the part appears here when one is chosen."));
     m_correct->setText(tr("Correct"));
     m_void->setText(tr("Take out"));
+    m_serial->setText(tr("Serial"));
+    m_report->setText(tr("Report"));
     m_buttons->setSpacing(m_look.metrics().touchGap());
     m_history->verticalHeader()->setMinimumSectionSize(m_look.metrics().touch());
     m_history->verticalHeader()->setDefaultSectionSize(m_look.metrics().touch());
@@ -159,8 +175,16 @@ void PartDetailPanel::showPart() {
     m_chart->setPoints(m_schedule, wanted);
     m_chart->setPoints(m_cut, cut);
     showHistory();
-    m_correct->reconsider();
-    m_void->reconsider();
+    for (ActionButton* button : {m_correct, m_void, m_serial, m_report}) {
+        button->reconsider();
+    }
+}
+
+void PartDetailPanel::setFileActions(bool serial, bool report) {
+    m_canSerial = serial;
+    m_canReport = report;
+    m_serial->reconsider();
+    m_report->reconsider();
 }
 
 void PartDetailPanel::showHistory() {

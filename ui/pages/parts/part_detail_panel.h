@@ -20,11 +20,15 @@ class PartDetailPanel : public Card {
     void show(const std::optional<PartDetail>& part);
     /// Instead of a part: why it could not be read.
     void showProblem(const Sentence& problem);
+    /// Whether serial numbers and reports can be made here.
+    void setFileActions(bool serial, bool report);
     [[nodiscard]] const std::optional<PartDetail>& part() const { return m_part; }
 
  signals:
     void correctRequested(const kerf::MeasurementRow& row);
     void voidRequested(const kerf::MeasurementRow& row);
+    void serialRequested();
+    void reportRequested();
 
  protected:
     void changeEvent(QEvent* event) override;
@@ -46,7 +50,11 @@ class PartDetailPanel : public Card {
     QTableWidget* m_history;
     ActionButton* m_correct;
     ActionButton* m_void;
+    ActionButton* m_serial;
+    ActionButton* m_report;
     QHBoxLayout* m_buttons;
+    bool m_canSerial{false};
+    bool m_canReport{false};
     std::optional<PartDetail> m_part;
     Sentence m_problem{};
 };

@@ -63,7 +63,6 @@ void PartsPage::build() {
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setAlternatingRowColors(true);
     m_table->setShowGrid(false);
     m_table->setWordWrap(false);
@@ -71,6 +70,7 @@ void PartsPage::build() {
     // What is looked for first stands left; the rest is there for those who scroll.
     QHeaderView* header = m_table->horizontalHeader();
     header->setStretchLastSection(true);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const std::array order{PartsModel::Part,    PartsModel::Lot,      PartsModel::Ended,  PartsModel::Diameters,
                            PartsModel::Changes, PartsModel::PartType, PartsModel::Serial, PartsModel::Result};
     for (int place = 0; place < static_cast<int>(order.size()); ++place) {
@@ -106,6 +106,11 @@ void PartsPage::build() {
             [this](const MeasurementRow& row) { context().withOperator([this, row] { openForm(row, false); }); });
     connect(m_detail, &PartDetailPanel::voidRequested, this,
             [this](const MeasurementRow& row) { context().withOperator([this, row] { openForm(row, true); }); });
+    m_detail->setFileActions(static_cast<bool>(context().services.setSerial),
+                             static_cast<bool>(context().services.writeReport));
+    connect(m_detail, &PartDetailPanel::serialRequested, this,
+            [this] { context().withOperator([this] { askSerial(); }); });
+    connect(m_detail, &PartDetailPanel::reportRequested, this, &PartsPage::openReport);
     connect(m_exporter, &PartExport::finished, this, [this](const QString& file, qulonglong rows) {
         m_export->reconsider();
         context().notify(tr("%1 rows written to %2.").arg(rows).arg(file));
@@ -179,13 +184,125 @@ void PartsPage::update() {
 }
 
 void PartsPage::afterReading() {
-    m_table->resizeColumnsToContents();
+    fitColumns();
     showCount();
     if (!m_table->currentIndex().isValid() && m_model->rowCount() > 0) {
         m_table->selectRow(0);
     } else if (m_chosen) {
         choose(*m_chosen);  // its measurements may have changed
     }
+}
+
+// Nobody scrolls sideways with gloves: what the chosen part's panel says anyway goes first when it is narrow.
+void PartsPage::fitColumns() {
+    constexpr std::array kExpendable{PartsModel::Result, PartsModel::PartType, PartsModel::Changes, PartsModel::Serial,
+                                     PartsModel::Ended};
+    for (int column = 0; column < PartsModel::ColumnCount; ++column) {
+        m_table->setColumnHidden(column, false);
+    }
+    m_table->resizeColumnsToContents();
+    int width = 0;
+    for (int column = 0; column < PartsModel::ColumnCount; ++column) {
+        width += m_table->columnWidth(column);
+    }
+    for (const int column : kExpendable) {
+        if (width <= m_table->viewport()->width()) {
+            break;
+        }
+        width -= m_table->columnWidth(column);
+        m_table->setColumnHidden(column, true);
+    }
+}
+
+void PartsPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    if (m_table != nullptr) {
+        QMetaObject::invokeMethod(
+            this, [this] { fitColumns(); }, Qt::QueuedConnection);  // once the table has its new width
+    }
+}
+
+void PartsPage::askSerial() {
+    if (!m_detail->part()) {
+        return;
+    }
+    const PartRow& part = m_detail->part()->part;
+    Sheet* sheet = context().sheets.open(tr("Serial number of part %1").arg(part.number),
+                                         tr("Type it or read it with a scanner."));
+    auto* edit = new QLineEdit(QString::fromStdString(part.serial), sheet);
+    edit->setObjectName(QStringLiteral("serialNumber"));
+    edit->selectAll();
+    sheet->body()->addWidget(edit);
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto save = [this, id = part.id, edit] {
+        const QPointer<PartsPage> self(this);
+        context().services.setSerial(
+            id, edit->text().simplified(), context().session.name(), [self](const Result<void>& stored) {
+                if (PartsPage* page = self.data()) {
+                    page->context().notify(stored ? tr("The serial number is stored.")
+                                                  : sentenceText(stored.error(), page->look().units()));
+                    page->update();
+                }
+            });
+    };
+    QPushButton* accept = sheet->addButton(
+        tr("Save"),
+        [save, sheet] {
+            save();
+            sheet->close();
+        },
+        false);
+    accept->setObjectName(QStringLiteral("serialSave"));
+    connect(edit, &QLineEdit::returnPressed, accept, &QPushButton::click);
+    edit->setFocus();
+}
+
+void PartsPage::openReport() {
+    if (!m_detail->part()) {
+        return;
+    }
+    const PartRow& part = m_detail->part()->part;
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString name = part.serial.empty()
+                             ? QStringLiteral("lot%1_part%2").arg(QString::fromStdString(part.lotName)).arg(part.number)
+                             : QString::fromStdString(part.serial);
+    Sheet* sheet = context().sheets.open(tr("Report of part %1").arg(part.number),
+                                         tr("One page as PDF, or its measurements as CSV."));
+    auto* file = new QLineEdit(folder + QStringLiteral("/kerf_") + QString(name).replace(u'/', u'_'), sheet);
+    file->setObjectName(QStringLiteral("reportFile"));
+    sheet->body()->addWidget(file);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("reportClose"));
+    QPushButton* csv = sheet->addButton(
+        tr("CSV"),
+        [this, sheet, file, id = part.id] {
+            if (!m_exporter->running()) {
+                PartQuery only;
+                only.after = id - 1;
+                only.before = id + 1;
+                m_exporter->start(context().services.openParts, only, PartExport::What::Measurements,
+                                  file->text().trimmed() + QStringLiteral(".csv"));
+                sheet->close();
+            }
+        },
+        false);
+    csv->setObjectName(QStringLiteral("reportCsv"));
+    csv->setEnabled(static_cast<bool>(context().services.openParts));
+    QPushButton* pdf = sheet->addButton(
+        tr("PDF"),
+        [this, sheet, file, id = part.id] {
+            const QString target = file->text().trimmed() + QStringLiteral(".pdf");
+            const QPointer<PartsPage> self(this);
+            context().services.writeReport(id, target, [self, target](const Result<void>& written) {
+                if (PartsPage* page = self.data()) {
+                    page->context().notify(written ? tr("Written: %1").arg(target)
+                                                   : sentenceText(written.error(), page->look().units()));
+                }
+            });
+            sheet->close();
+        },
+        false);
+    pdf->setObjectName(QStringLiteral("reportPdf"));
+    pdf->setEnabled(static_cast<bool>(context().services.writeReport));
 }
 
 void PartsPage::showCount() {

@@ -19,7 +19,9 @@ namespace kerf::ui {
 ///
 /// Object names, stable for tests:
 ///   partsPage, partsSearch, partsThisLot (switch), partsExport, partsCount, partsTable
-///   partDetail: partFacts, partFeedChart, partMeasurements (one row per accepted row), partCorrect, partVoid
+///   partDetail: partFacts, partFeedChart, partMeasurements (one row per accepted row), partCorrect, partVoid,
+///     partSerial, partReport
+///   sheet of partSerial: serialNumber, serialSave; of partReport: reportFile, reportPdf, reportCsv, reportClose
 ///   sheet of partsExport: exportFile, exportParts, exportMeasurements, exportFeed, exportClose
 ///   sheet of correct / take out: see MeasurementForm
 class PartsPage : public Page {
@@ -31,12 +33,16 @@ class PartsPage : public Page {
  protected:
     void refresh() override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
  private:
     void build();
     void search();
     void update();
     void afterReading();
+    void fitColumns();
+    void askSerial();
+    void openReport();
     void showCount();
     void choose(PartId id);
     void openForm(const MeasurementRow& row, bool takeOut);

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/part_report.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "ui/charts/decimate.h"
+#include "ui/link/texts.h"
+
+namespace kerf::console {
+namespace {
+
+struct PartReport {
+    Q_DECLARE_TR_FUNCTIONS(PartReport)
+};
+
+constexpr int kResolution_dpi = 300;
+constexpr double kMargin_mm = 18.0;
+constexpr double kLine_mm = 6.0;
+constexpr double kChart_mm = 70.0;
+constexpr int kPointsOfCurve = 64;
+constexpr int kDecimals = 3;
+
+/// A pen that walks down the page; everything in millimetres.
+class Sheet {
+ public:
+    explicit Sheet(QPdfWriter& pdf) : m_painter(&pdf), m_perMm(kResolution_dpi / 25.4), m_width(pdf.width()) {}
+
+    [[nodiscard]] QPainter& painter() { return m_painter; }
+    [[nodiscard]] double mm(double length) const { return length * m_perMm; }
+    [[nodiscard]] double width() const { return m_width; }
+    [[nodiscard]] double y() const { return m_y; }
+    void skip(double height_mm) { m_y += mm(height_mm); }
+    void font(double size_pt, bool bold = false) {
+        QFont font(QStringLiteral("Noto Sans"));
+        font.setFamilies({QStringLiteral("Noto Sans"), QStringLiteral("Noto Sans CJK KR")});
+        font.setPointSizeF(size_pt);
+        font.setBold(bold);
+        m_painter.setFont(font);
+    }
+    void line(const QString& text, double height_mm = kLine_mm) {
+        const QRectF wanted(0.0, m_y, m_width, mm(4.0 * height_mm));
+        QRectF used;
+        m_painter.drawText(wanted, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text, &used);
+        m_y += std::max(mm(height_mm), used.height());
+    }
+    void row(const QStringList& cells, const std::vector<double>& shares) {
+        double x = 0.0;
+        double height = mm(kLine_mm);
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            const double cell = shares[static_cast<std::size_t>(i)] * m_width;
+            QRectF used;
+            m_painter.drawText(QRectF(x, m_y, cell - mm(2.0), mm(4.0 * kLine_mm)),
+                               Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, cells[i], &used);
+            height = std::max(height, used.height() + mm(1.0));
+            x += cell;
+        }
+        m_y += height;
+    }
+    void rule() {
+        m_painter.drawLine(QPointF(0.0, m_y), QPointF(m_width, m_y));
+        m_y += mm(1.5);
+    }
+
+ private:
+    QPainter m_painter;
+    double m_perMm;
+    double m_width;
+    double m_y{0.0};
+};
+
+void drawFeed(Sheet& sheet, const PartDetail& part, const ui::UnitSystem& units) {
+    const BoringSchedule& schedule = part.schedule->schedule;
+    const ui::DisplayUnit across = units.of("mm");
+    const ui::DisplayUnit up = units.of("mm/rev");
+    const double from = across.toShown(schedule.overhangFrom_mm);
+    const double to = across.toShown(schedule.overhangTo_mm);
+    QPolygonF wanted;
+    QPolygonF cut;
+    double highest = 0.0;
+    for (int i = 0; i < kPointsOfCurve; ++i) {
+        const double overhang_mm =
+            std::lerp(schedule.overhangFrom_mm, schedule.overhangTo_mm, i / (kPointsOfCurve - 1.0));
+        wanted << QPointF(across.toShown(overhang_mm), up.toShown(schedule.feed_mmPerRev(overhang_mm)));
+        highest = std::max(highest, wanted.last().y());
+    }
+    for (std::size_t i = 0; i < part.feed.count; ++i) {
+        cut << QPointF(across.toShown(static_cast<double>(part.feed.overhang_mm[i])),
+                       up.toShown(static_cast<double>(part.feed.feed_mmPerRev[i])));
+        highest = std::max(highest, cut.last().y());
+    }
+    const ui::AxisRange yRange = ui::roundRange(0.0, highest);
+    const ui::AxisRange xRange = ui::roundRange(from, to);
+    const QRectF plot(sheet.mm(14.0), sheet.y(), sheet.width() - sheet.mm(16.0), sheet.mm(kChart_mm - 12.0));
+    const auto place = [&](const QPointF& p) {
+        return QPointF(plot.left() + (p.x() - from) / (to - from) * plot.width(),
+                       plot.bottom() - (p.y() - yRange.from) / (yRange.to - yRange.from) * plot.height());
+    };
+    QPainter& painter = sheet.painter();
+    sheet.font(8.0);
+    const double thin = sheet.mm(0.15);
+    for (double tick = yRange.from; tick <= yRange.to + yRange.step / 2.0; tick += yRange.step) {
+        const double y = place({from, tick}).y();
+        painter.setPen(QPen(Qt::lightGray, thin));
+        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        painter.setPen(Qt::black);
+        painter.drawText(QRectF(0.0, y - sheet.mm(3.0), sheet.mm(12.5), sheet.mm(6.0)),
+                         Qt::AlignRight | Qt::AlignVCenter, ui::UnitSystem::fixed(tick, yRange.decimals));
+    }
+    for (double tick = xRange.from; tick <= to + 1e-9; tick += xRange.step) {
+        if (tick < from - 1e-9) {
+            continue;
+        }
+        const double x = place({tick, 0.0}).x();
+        painter.setPen(QPen(Qt::lightGray, thin));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        painter.setPen(Qt::black);
+        painter.drawText(QRectF(x - sheet.mm(10.0), plot.bottom() + sheet.mm(0.5), sheet.mm(20.0), sheet.mm(5.0)),
+                         Qt::AlignCenter, ui::UnitSystem::fixed(tick, xRange.decimals));
+    }
+    const auto curve = [&](const QPolygonF& points, const QPen& pen) {
+        QPolygonF placed;
+        for (const QPointF& p : points) {
+            placed << place(p);
+        }
+        painter.setPen(pen);
+        painter.drawPolyline(placed);
+    };
+    curve(cut, QPen(Qt::darkBlue, sheet.mm(0.5)));
+    curve(wanted, QPen(Qt::black, sheet.mm(0.3), Qt::DashLine));
+    painter.setPen(Qt::black);
+    sheet.skip(kChart_mm - 6.0);
+    sheet.line(PartReport::tr("Feed over overhang, %1 over %2: dashed the schedule, solid as cut.", "units")
+                   .arg(up.symbol, across.symbol));
+}
+
+QString whatHappened(const MeasurementRow& row) {
+    QString what;
+    switch (row.kind) {
+        case MeasurementKind::Entry:
+            what = row.source == MeasurementSource::Gauge ? PartReport::tr("gauge") : PartReport::tr("typed");
+            break;
+        case MeasurementKind::Correction:
+            what = PartReport::tr("correction");
+            break;
+        case MeasurementKind::Void:
+            what = PartReport::tr("taken out");
+            break;
+    }
+    if (row.confirmed) {
+        what += QStringLiteral(", ") + PartReport::tr("confirmed");
+    }
+    return row.reason.empty() ? what : what + QStringLiteral(": ") + QString::fromStdString(row.reason);
+}
+
+void drawMeasurements(Sheet& sheet, const PartRow& part, const ui::UnitSystem& units) {
+    const std::vector<double> shares{0.14, 0.16, 0.3, 0.4};
+    sheet.font(10.0, true);
+    sheet.row({PartReport::tr("Depth"), PartReport::tr("⌀, %1").arg(units.of("mm").symbol), PartReport::tr("By, when"),
+               PartReport::tr("What, why")},
+              shares);
+    sheet.rule();
+    sheet.font(10.0);
+    for (const MeasurementRow& row : part.measurements) {
+        const bool replaced = std::ranges::any_of(
+            part.measurements, [&row](const MeasurementRow& later) { return later.replaces == row.id; });
+        const QString value = row.diameter_mm ? units.number(*row.diameter_mm, "mm", kDecimals) : QStringLiteral("–");
+        QString what = whatHappened(row);
+        if (replaced && row.kind != MeasurementKind::Void) {
+            what += QStringLiteral(" – ") + PartReport::tr("no longer holds");
+        }
+        sheet.row({units.withUnit(row.position_mm, "mm", 0), value,
+                   QString::fromStdString(row.author) + QStringLiteral(", ") +
+                       QDateTime::fromMSecsSinceEpoch(row.acceptedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+                   what},
+                  shares);
+    }
+    if (part.measurements.empty()) {
+        sheet.line(PartReport::tr("Nothing was measured."));
+    }
+}
+
+void draw(QPdfWriter& pdf, const PartDetail& detail, const ui::UnitSystem& units) {
+    Sheet sheet(pdf);
+    const PartRow& part = detail.part;
+    sheet.font(18.0, true);
+    sheet.line(PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName)), 10.0);
+    sheet.font(11.0);
+    sheet.line(part.serial.empty() ? PartReport::tr("No serial number")
+                                   : PartReport::tr("Serial number %1").arg(QString::fromStdString(part.serial)));
+    const double time_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) * 1e-9;
+    QStringList facts{ui::processName(part.process), QString::fromStdString(part.partTypeName),
+                      QDateTime::fromMSecsSinceEpoch(part.endedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+                      PartReport::tr("cut in %1 s").arg(ui::UnitSystem::fixed(time_s, 0)),
+                      part.complete ? PartReport::tr("finished") : PartReport::tr("aborted")};
+    facts.removeAll(QString());
+    sheet.line(facts.join(QStringLiteral(" · ")));
+    for (const PartFigure& figure : part.figures) {
+        sheet.line(ui::figureText(part.process, figure, units));
+    }
+    if (std::ranges::any_of(detail.states, &EstimatorStateRow::perturbed)) {
+        sheet.line(PartReport::tr("The estimator noticed a process change with this part."));
+    }
+    sheet.skip(4.0);
+    if (detail.schedule && part.process == ProcessId::Boring) {
+        drawFeed(sheet, detail, units);
+        sheet.skip(4.0);
+        drawMeasurements(sheet, part, units);
+    }
+    sheet.skip(6.0);
+    sheet.font(8.0);
+    sheet.line(PartReport::tr("Kerf %1, written %2")
+                   .arg(QStringLiteral(KERF_VERSION),
+                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))));
+}
+
+}  // namespace
+
+Result<void> writePartReport(const PartDetail& part, const ui::UnitSystem& units, const QString& file) {
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter pdf(&bytes);
+        pdf.setResolution(kResolution_dpi);
+        pdf.setPageSize(QPageSize(QPageSize::A4));
+        pdf.setPageMargins(QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm), QPageLayout::Millimeter);
+        pdf.setTitle(
+            PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)));
+        pdf.setCreator(QStringLiteral("Kerf"));
+        draw(pdf, part, units);
+    }
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    QSaveFile target(file);
+    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
+        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
+    }
+    return {};
+}
+
+}  // namespace kerf::console

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QComboBox>
+#include <QFile>
+#include <QTableWidget>
+#include <QTest>
+#include <cmath>
+
+#include "db/migrator.h"
+#include "tests/support/console_bench.h"
+#include "tests/support/layout_check.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/value_field.h"
+
+using namespace kerf;
+
+/// Lots, part types, recipes and roles on the real console.
+class TestConsoleLots : public QObject {
+    Q_OBJECT
+
+    static console::Options options(std::uint32_t lotSize, bool automatic) {
+        console::Options options;
+        options.lotSize = lotSize;
+        options.preparedParts = automatic ? 100 : 0;
+        options.autoOperator = automatic;
+        options.simulationSpeed = 0.0;
+        options.changeAtPart = 0;
+        return options;
+    }
+    static void start(test::ConsoleBench& bench, const console::Options& options) {
+        bench.start(options);
+        QTRY_VERIFY2_WITH_TIMEOUT(bench.up(), qPrintable(bench.failure()), 20'000);
+    }
+    static void signOn(test::ConsoleBench& bench, const char* name, ui::Role role) {
+        bench.console().window()->session().signOff();
+        QVERIFY(bench.console().window()->session().signOn(QLatin1String(name), role));
+    }
+    static void look(test::ConsoleBench& bench, const char* what) {
+        ui::MainWindow* window = bench.console().window();
+        for (int i = 0; i < 3; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+        window->grab().save(QLatin1String(what) + QStringLiteral(".png"));
+        const QStringList clipped = test::clippedTexts(window);
+        QVERIFY2(clipped.isEmpty(), qPrintable(QLatin1String(what) + u'\n' + clipped.join(u'\n')));
+        const QStringList small = test::smallTargets(window, bench.console().look());
+        QVERIFY2(small.isEmpty(), qPrintable(QLatin1String(what) + u'\n' + small.join(u'\n')));
+    }
+    static bool waitForFullLot(test::ConsoleBench& bench) {
+        return QTest::qWaitFor([&bench] { return lotFull(bench.desk()) && !bench.desk().awaiting; }, 60'000);
+    }
+
+ private slots:
+    void aFullLotSaysSoAndOffersTheNextOne() {
+        test::ConsoleBench bench;
+        start(bench, options(3, true));
+        QVERIFY(waitForFullLot(bench));
+        bench.console().window()->showPage("boring");
+        QTRY_VERIFY(bench.find<QPushButton>("boringNextLot") != nullptr);
+        QTRY_VERIFY(bench.text("path").contains(QStringLiteral("full")));
+        look(bench, "full");
+        QVERIFY(bench.press("boringNextLot"));
+        QCOMPARE(bench.find<QLineEdit>("lotName")->text(), QStringLiteral("2"));
+        signOn(bench, "Kim", ui::Role::Setter);
+        look(bench, "lots");
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30\'000);
+        QTRY_VERIFY(bench.text("path").contains(QStringLiteral("lot 2")));
+        QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
+        QVERIFY(waitForFullLot(bench));  // the shift goes on by itself
+        QCOMPARE(bench.desk().parts.size(), std::size_t{3});
+        bench.stop();
+        start(bench, options(3, true));
+        QCOMPARE(bench.desk().lot, std::string("2"));
+        QCOMPARE(bench.desk().parts.size(), std::size_t{3});
+        QVERIFY(bench.console().boringDesk().restartFinding().empty());
+    }
+    void anEarlierLotGoesOnAndCanBeClosed() {
+        test::ConsoleBench bench;
+        start(bench, options(2, true));
+        QVERIFY(waitForFullLot(bench));
+        signOn(bench, "Kim", ui::Role::Setter);
+        QVERIFY(bench.press("lots"));
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30\'000);
+        QVERIFY(waitForFullLot(bench));
+        QVERIFY(bench.press("lots"));
+        auto* table = bench.find<QTableWidget>("lotTable");
+        QCOMPARE(table->rowCount(), 2);
+        table->selectRow(1);
+        QVERIFY(bench.press("lotChoose"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("1"), 30\'000);
+        QCOMPARE(bench.desk().parts.size(), std::size_t{2});
+        QVERIFY(bench.press("lots"));
+        QVERIFY(bench.press("lotClose"));
+        QTRY_VERIFY(bench.desk().lotClosed);
+        QTRY_VERIFY(bench.text("path").contains(QStringLiteral("closed")));
+    }
+    void onlyASetterOpensLotsAndTheButtonSaysSo() {
+        test::ConsoleBench bench;
+        start(bench, options(1, true));
+        QVERIFY(waitForFullLot(bench));
+        signOn(bench, "Lee", ui::Role::Engineer);
+        signOn(bench, "Kim", ui::Role::Operator);
+        QVERIFY(bench.press("lots"));
+        auto* open = bench.find<ui::ActionButton>("lotOpen");
+        QVERIFY(!open->isEnabled());
+        QVERIFY(open->reason().contains(QStringLiteral("Only a setter")));
+        QVERIFY(!bench.find<ui::ActionButton>("lotNewPartType")->isEnabled());
+        look(bench, "lots_operator");
+        QVERIFY(bench.press("lotCancel"));
+        bench.console().window()->showPage("boring");
+        QVERIFY(!bench.find<QPushButton>("boringModeAdvise")->isEnabled());
+        QTRY_VERIFY(bench.text("boringLoopReason").contains(QStringLiteral("Only a setter")));
+        bench.console().window()->client().sendAction(SetLoopMode{ProcessId::Boring, LoopMode::Off});
+        QVERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("Only a setter")));
+        signOn(bench, "Lee", ui::Role::Engineer);
+        QVERIFY(bench.press("boringModeAdvise"));
+        QTRY_COMPARE(bench.status().loops[static_cast<std::size_t>(ProcessId::Boring)].mode, LoopMode::Advise);
+    }
+    void anEngineerMakesAPartTypeAndRollsItsRecipeBack() {
+        test::ConsoleBench bench;
+        start(bench, options(1, true));
+        QVERIFY(waitForFullLot(bench));
+        signOn(bench, "Lee", ui::Role::Engineer);
+        QVERIFY(bench.press("lots"));
+        QVERIFY(bench.press("lotNewPartType"));
+        bench.find<QLineEdit>("recipeName")->setText(QStringLiteral("Sleeve 50"));
+        bench.find<ui::ValueField>("recipeField2")->setValue(49.0);  // largest diameter below the target
+        emit bench.find<ui::ValueField>("recipeField2")->edited();
+        QVERIFY(!bench.find<QPushButton>("recipeSave")->isEnabled());
+        QVERIFY(bench.text("recipeMessage").contains(QStringLiteral("target diameter")));
+        bench.find<ui::ValueField>("recipeField2")->setValue(50.03);
+        QVERIFY(bench.press("recipeDepthAdd"));
+        bench.find<ui::ValueField>("recipeDepth2")->setValue(175.0);
+        emit bench.find<ui::ValueField>("recipeField2")->edited();
+        look(bench, "recipe_new");
+        QVERIFY(bench.press("recipeSave"));
+        QTRY_VERIFY(bench.find<QComboBox>("lotPartType") != nullptr);
+        QCOMPARE(bench.find<QComboBox>("lotPartType")->currentText(), QStringLiteral("Sleeve 50"));
+
+        QVERIFY(bench.press("lotRecipe"));
+        bench.find<ui::ValueField>("recipeField2")->setValue(50.02);
+        emit bench.find<ui::ValueField>("recipeField2")->edited();
+        QVERIFY(bench.text("recipeDifference").contains(QStringLiteral("50.030")));
+        QVERIFY(!bench.find<QPushButton>("recipeSave")->isEnabled());  // no reason yet
+        bench.find<QLineEdit>("recipeReason")->setText(QStringLiteral("drawing B"));
+        QVERIFY(bench.press("recipeSave"));
+        QTRY_COMPARE(bench.find<QTableWidget>("recipeRevisions")->rowCount(), 2);
+        bench.find<QTableWidget>("recipeRevisions")->selectRow(1);
+        QCOMPARE(bench.find<ui::ValueField>("recipeField2")->value(), 50.03);
+        bench.find<QLineEdit>("recipeReason")->setText(QStringLiteral("drawing A holds"));
+        look(bench, "recipe");
+        QVERIFY(bench.press("recipeRestore"));
+        QTRY_COMPARE(bench.find<QTableWidget>("recipeRevisions")->rowCount(), 3);
+        QVERIFY(bench.press("recipeCancel"));
+
+        bench.find<QComboBox>("lotPartType")->setCurrentText(QStringLiteral("Sleeve 50"));
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_COMPARE(bench.desk().partType, std::string("Sleeve 50"));
+        QCOMPARE(bench.desk().upperTolerance_mm, 50.03);
+        QCOMPARE(bench.desk().depths.size(), std::size_t{3});
+        QCOMPARE(bench.desk().recipeRevision, 3U);
+        bench.stop();
+        start(bench, options(1, true));
+        QCOMPARE(bench.desk().partType, std::string("Sleeve 50"));
+    }
+    void aPartGetsItsSerialAndItsReportAndAllDataABackup() {
+        test::ConsoleBench bench;
+        start(bench, options(1, true));
+        QVERIFY(waitForFullLot(bench));
+        signOn(bench, "Kim", ui::Role::Operator);
+        bench.console().window()->showPage("parts");
+        QTRY_VERIFY(bench.find<ui::ActionButton>("partSerial")->isEnabled());
+        look(bench, "parts");
+        QVERIFY(bench.press("partSerial"));
+        bench.find<QLineEdit>("serialNumber")->setText(QStringLiteral("SN-0001"));
+        QVERIFY(bench.press("serialSave"));
+        QTRY_VERIFY(bench.text("partFacts").contains(QStringLiteral("SN-0001")));
+
+        QVERIFY(bench.press("partReport"));
+        const QString file = bench.folder() + QStringLiteral("/reports/one");
+        bench.find<QLineEdit>("reportFile")->setText(file);
+        QVERIFY(bench.press("reportPdf"));
+        QTRY_VERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("one.pdf")));
+        QFile pdf(file + QStringLiteral(".pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly));
+        QVERIFY(pdf.read(5) == "%PDF-");
+        QVERIFY(bench.press("partReport"));
+        bench.find<QLineEdit>("reportFile")->setText(file);
+        QVERIFY(bench.press("reportCsv"));
+        QTRY_VERIFY(QFile::exists(file + QStringLiteral(".csv")));
+        QFile csv(file + QStringLiteral(".csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), 3);  // head and two diameters
+
+        const QString copy = bench.folder() + QStringLiteral("/copy/kerf.db");
+        bool done = false;
+        Result<void> result;
+        ui::Services services = bench.console().services();
+        QVERIFY(!services.backupFolders().isEmpty());
+        services.backUp(copy, [&](const Result<void>& backedUp) {
+            result = backedUp;
+            done = true;
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(done, 20'000);
+        QVERIFY2(result.has_value(), result ? "" : result.error().english().c_str());
+        QVERIFY(db::checkDatabase(copy.toStdString()).has_value());
+        bench.console().window()->showPage("diagnostics");
+        look(bench, "diagnostics");
+        QVERIFY(bench.press("backup"));
+        QVERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
+    }
+    void aBoreThatWaitsCanBeGaugedAfterARestart() {
+        test::ConsoleBench bench;
+        console::Options first = options(5, false);
+        first.changeAtPart = 1;
+        start(bench, first);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.desk().awaiting.has_value(), 60'000);
+        const PartId part = *bench.desk().awaiting;
+        const auto before = bench.console().boringDesk().gaugeReading_mm(part, 1);
+        QVERIFY(before.has_value());
+        bench.stop();
+        start(bench, first);
+        QCOMPARE(*bench.desk().awaiting, part);
+        const auto after = bench.console().boringDesk().gaugeReading_mm(part, 1);
+        QVERIFY(after.has_value());
+        QVERIFY2(std::abs(*after - *before) < 0.0015, qPrintable(QString::number(*after - *before)));
+        QCOMPARE(*bench.console().boringDesk().gaugeReading_mm(part, 1), *after);
+    }
+};
+
+QTEST_MAIN(TestConsoleLots)
+#include "tst_console_lots.moc"
