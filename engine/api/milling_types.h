@@ -50,6 +50,20 @@ struct MillingBlank {
 };
 static_assert(std::is_trivially_copyable_v<MillingBlank>);
 
+inline constexpr std::size_t kMillingKxFilters = 6;
+
+/// What is learnt of the tool in the spindle: its wear over parts and its stiffness. All that a restart needs to go on.
+struct MillingToolState {
+    std::uint32_t parts{0};      ///< cut with this tool
+    double firstStiffness{0.0};  ///< mean ln(C b) of its first part
+    double lastStiffness{0.0};   ///< of its last one
+    double sumRise{0.0};         ///< Σ y and Σ i·y over its parts i = 0, 1, …; y: rise of ln(C b) since the first
+    double sumIndexRise{0.0};
+    std::array<double, kMillingKxFilters> kxLogWeight{};  ///< of the stiffness filters, soft to stiff; highest is 0
+    friend bool operator==(const MillingToolState&, const MillingToolState&) = default;
+};
+static_assert(std::is_trivially_copyable_v<MillingToolState>);
+
 /// One cut as the log keeps it; part of PartRecord.
 struct MillingCut {
     MillingLaw law{MillingLaw::Constant};
@@ -97,7 +111,14 @@ struct MillingStatus {
     double wear{0.0};              ///< rise of mean ln(C b) since the tool was new
     double wearPerPart{0.0};       ///< trend
     std::uint32_t partsWithTool{0};
-    double savedTime_s{0.0};  ///< this cut: against the planned feed; advising: what control would save
+    double wearWarning{0.0};      ///< threshold of `wear`
+    MillingToolState tool{};      ///< to be stored after each part
+    double savedTime_s{0.0};      ///< this cut: against the planned feed; advising: what control would save
+    double overReference_s{0.0};  ///< this cut: time with more than 110 % of the reference
+    double peakForce_N{0.0};      ///< this cut: highest averaged force, and where
+    double peakAt_mm{0.0};
+    double meanForce_N{0.0};  ///< this cut, or the last one; 0: nothing to teach from
+    std::uint32_t stops{0};   ///< this cut: feed holds; advising: those that control would have made
     std::uint32_t partsCut{0};
 };
 static_assert(std::is_trivially_copyable_v<MillingStatus>);
