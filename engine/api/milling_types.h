@@ -28,7 +28,7 @@ struct MillingSetup {
     double entryFeed_mmPerS{1.0};    ///< in air, > 0
     double spindleSpeed_rpm{600.0};  ///< 60…12,000
     double from_mm{-5.0};            ///< path, begins in air
-    double to_mm{100.0};
+    double to_mm{110.0};
     double toolRadius_mm{5.0};
     std::uint8_t flutes{4};         ///< 1…16
     double exponent{0.85};          ///< m of the material
@@ -43,7 +43,8 @@ static_assert(std::is_trivially_copyable_v<MillingSetup>);
 /// Blank profile for the preview law: steps that begin at `begin_mm` with `height_mm`; air before and after.
 struct MillingBlank {
     static constexpr std::size_t kMaxSteps = 32;
-    std::uint16_t count{0};  ///< 0: no profile
+    std::uint32_t revision{0};  ///< told back in the status
+    std::uint16_t count{0};     ///< 0: no profile
     std::array<double, kMaxSteps> begin_mm{};
     std::array<double, kMaxSteps> height_mm{};
     double end_mm{0.0};
@@ -92,6 +93,7 @@ struct MillingStatus {
     MillingLaw law{MillingLaw::Model};                        ///< wanted
     std::array<Sentence, kMillingLawCount> lawUnavailable{};  ///< empty: the law can be chosen
     std::uint32_t setup{0};                                   ///< revision in use
+    std::uint32_t blank{0};                                   ///< revision of the blank profile in use
     Reading force_N{};                                        ///< averaged over the last revolution
     double forceLow_N{0.0};                                   ///< raw force within it
     double forceHigh_N{0.0};

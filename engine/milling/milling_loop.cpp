@@ -508,6 +508,7 @@ void MillingLoop::report(Status& status) const noexcept {
         out.lawUnavailable[i] = whyUnavailable(static_cast<MillingLaw>(i));
     }
     out.setup = m_setup.revision;
+    out.blank = m_blank.revision;
     out.reference_N = m_setup.reference_N;
     out.overload_N = m_setup.overload_N;
     out.wantedFeed_mmPerS = m_wanted_mmPerS;
