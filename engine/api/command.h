@@ -91,6 +91,11 @@ struct TeachMillingReference {
 struct ReleaseMillingStop {
     static constexpr ProcessId kProcess = ProcessId::Milling;
 };
+/// Milling: what was learnt of the tool before a restart; refused while a part is being cut.
+struct RestoreMillingTool {
+    static constexpr ProcessId kProcess = ProcessId::Milling;
+    MillingToolState tool{};
+};
 /// Milling: a new tool; wear and tool stiffness are learnt anew.
 struct NewMillingTool {
     static constexpr ProcessId kProcess = ProcessId::Milling;
@@ -101,7 +106,7 @@ struct Command {
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
                  LoadTurningSetup, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap, LoadMillingSetup,
                  LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference, ReleaseMillingStop,
-                 NewMillingTool>
+                 RestoreMillingTool, NewMillingTool>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

@@ -28,7 +28,7 @@ struct MillingSetup {
     double entryFeed_mmPerS{1.0};    ///< in air, > 0
     double spindleSpeed_rpm{600.0};  ///< 60…12,000
     double from_mm{-5.0};            ///< path, begins in air
-    double to_mm{100.0};
+    double to_mm{110.0};
     double toolRadius_mm{5.0};
     std::uint8_t flutes{4};         ///< 1…16
     double exponent{0.85};          ///< m of the material
@@ -43,12 +43,27 @@ static_assert(std::is_trivially_copyable_v<MillingSetup>);
 /// Blank profile for the preview law: steps that begin at `begin_mm` with `height_mm`; air before and after.
 struct MillingBlank {
     static constexpr std::size_t kMaxSteps = 32;
-    std::uint16_t count{0};  ///< 0: no profile
+    std::uint32_t revision{0};  ///< told back in the status
+    std::uint16_t count{0};     ///< 0: no profile
     std::array<double, kMaxSteps> begin_mm{};
     std::array<double, kMaxSteps> height_mm{};
     double end_mm{0.0};
 };
 static_assert(std::is_trivially_copyable_v<MillingBlank>);
+
+inline constexpr std::size_t kMillingKxFilters = 6;
+
+/// What is learnt of the tool in the spindle: its wear over parts and its stiffness. All that a restart needs to go on.
+struct MillingToolState {
+    std::uint32_t parts{0};      ///< cut with this tool
+    double firstStiffness{0.0};  ///< mean ln(C b) of its first part
+    double lastStiffness{0.0};   ///< of its last one
+    double sumRise{0.0};         ///< Σ y and Σ i·y over its parts i = 0, 1, …; y: rise of ln(C b) since the first
+    double sumIndexRise{0.0};
+    std::array<double, kMillingKxFilters> kxLogWeight{};  ///< of the stiffness filters, soft to stiff; highest is 0
+    friend bool operator==(const MillingToolState&, const MillingToolState&) = default;
+};
+static_assert(std::is_trivially_copyable_v<MillingToolState>);
 
 /// One cut as the log keeps it; part of PartRecord.
 struct MillingCut {
@@ -78,6 +93,7 @@ struct MillingStatus {
     MillingLaw law{MillingLaw::Model};                        ///< wanted
     std::array<Sentence, kMillingLawCount> lawUnavailable{};  ///< empty: the law can be chosen
     std::uint32_t setup{0};                                   ///< revision in use
+    std::uint32_t blank{0};                                   ///< revision of the blank profile in use
     Reading force_N{};                                        ///< averaged over the last revolution
     double forceLow_N{0.0};                                   ///< raw force within it
     double forceHigh_N{0.0};
@@ -97,7 +113,14 @@ struct MillingStatus {
     double wear{0.0};              ///< rise of mean ln(C b) since the tool was new
     double wearPerPart{0.0};       ///< trend
     std::uint32_t partsWithTool{0};
-    double savedTime_s{0.0};  ///< this cut: against the planned feed; advising: what control would save
+    double wearWarning{0.0};      ///< threshold of `wear`
+    MillingToolState tool{};      ///< to be stored after each part
+    double savedTime_s{0.0};      ///< this cut: against the planned feed; advising: what control would save
+    double overReference_s{0.0};  ///< this cut: time with more than 110 % of the reference
+    double peakForce_N{0.0};      ///< this cut: highest averaged force, and where
+    double peakAt_mm{0.0};
+    double meanForce_N{0.0};  ///< this cut, or the last one; 0: nothing to teach from
+    std::uint32_t stops{0};   ///< this cut: feed holds; advising: those that control would have made
     std::uint32_t partsCut{0};
 };
 static_assert(std::is_trivially_copyable_v<MillingStatus>);

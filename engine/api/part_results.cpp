@@ -34,8 +34,18 @@ constexpr std::array kMilling{
         [](const PartRecord& p) { return std::optional(p.milling.plannedTime_s); }},
     Row{{"controlled_time_s", KERF_TEXT("Time under control"), "s", 1},
         [](const PartRecord& p) { return std::optional(p.milling.controlledTime_s); }},
+    Row{{"saved_s", KERF_TEXT("Saved"), "s", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.plannedTime_s - p.milling.controlledTime_s); }},
+    Row{{"reference_N", KERF_TEXT("Reference force"), "N", 0},
+        [](const PartRecord& p) { return std::optional(p.milling.reference_N); }},
+    Row{{"over_reference_s", KERF_TEXT("Time above reference"), "s", 1},
+        [](const PartRecord& p) { return std::optional(p.milling.overReference_s); }},
+    Row{{"stops", KERF_TEXT("Stops by the loop"), "", 0},
+        [](const PartRecord& p) { return std::optional(static_cast<double>(p.milling.stops)); }},
     Row{{"stiffness", KERF_TEXT("Cutting stiffness ln(C b)"), "", 3},
         [](const PartRecord& p) { return std::optional(p.milling.stiffnessMean); }},
+    Row{{"stiffness_half95", KERF_TEXT("Its 95 % half width"), "", 3},
+        [](const PartRecord& p) { return std::optional(p.milling.stiffnessHalf95); }},
 };
 
 constexpr std::array kTurning{

@@ -31,7 +31,8 @@ Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t 
     }
     m_program = program;
     m_blank = m_params.blanks[m_partsBegun % m_params.blanks.size()];
-    m_coefficient = m_params.plant.cuttingCoefficient * std::exp(m_params.wearPerPart * m_partsBegun);
+    m_coefficient = m_params.plant.cuttingCoefficient *
+                    std::exp(m_params.wearPerPart * m_partsWithTool.fetch_add(1, std::memory_order_relaxed));
     ++m_partsBegun;
     m_axis_mm = program.from_mm;
     m_tip_mm = program.from_mm;

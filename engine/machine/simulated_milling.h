@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -26,7 +27,7 @@ class SimulatedMilling final : public SimulatedProcess {
         double sampleRate_Hz{5000.0};
         double sampleNoise_N{5.0};     ///< standard deviation of one sample
         double sensorRange_N{5000.0};  ///< beyond: saturated
-        double wearPerPart{0.0};       ///< rise of ln C with every part
+        double wearPerPart{0.0};       ///< rise of ln C with every part of the tool
         double driveLag_s{0.02};
         std::uint64_t seed{1};
     };
@@ -37,6 +38,9 @@ class SimulatedMilling final : public SimulatedProcess {
     [[nodiscard]] Result<void> begin(const StartProgram& program, std::uint32_t partSequence) noexcept override;
     void abort() noexcept override { m_running = false; }
     bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept override;
+
+    /// Any one thread: a tool with which `parts` have been cut is in the spindle from the next part on.
+    void setTool(std::uint32_t parts) noexcept { m_partsWithTool.store(parts, std::memory_order_relaxed); }
 
     /// True normal force, for tests: what the sensor would average without noise and ripple.
     [[nodiscard]] double trueForce_N() const noexcept { return m_force_N; }
@@ -59,6 +63,7 @@ class SimulatedMilling final : public SimulatedProcess {
     double m_force_N{0.0};
     double m_samplesOwed{0.0};
     std::uint32_t m_partsBegun{0};
+    std::atomic<std::uint32_t> m_partsWithTool{0};
     bool m_running{false};
     Reading m_lastSample_N{};
     Reading m_lastSpeed_rpm{};

@@ -80,13 +80,10 @@ void CutRecord::addWall(double position_mm, double deviation_um) noexcept {
 void WearTrend::addPart(double meanStiffness) noexcept {
     m_first = m_parts == 0 ? meanStiffness : m_first;
     m_last = meanStiffness;
-    const double x = m_parts;
     const double y = meanStiffness - m_first;
-    ++m_parts;
-    m_sumX += x;
     m_sumY += y;
-    m_sumXx += x * x;
-    m_sumXy += x * y;
+    m_sumXy += m_parts * y;
+    ++m_parts;
 }
 
 double WearTrend::perPart() const noexcept {
@@ -94,7 +91,25 @@ double WearTrend::perPart() const noexcept {
         return 0.0;
     }
     const double n = m_parts;
-    return (n * m_sumXy - m_sumX * m_sumY) / (n * m_sumXx - m_sumX * m_sumX);
+    const double sumX = n * (n - 1.0) / 2.0;
+    const double sumXx = sumX * (2.0 * n - 1.0) / 3.0;
+    return (n * m_sumXy - sumX * m_sumY) / (n * sumXx - sumX * sumX);
+}
+
+void WearTrend::save(MillingToolState& tool) const noexcept {
+    tool.parts = m_parts;
+    tool.firstStiffness = m_first;
+    tool.lastStiffness = m_last;
+    tool.sumRise = m_sumY;
+    tool.sumIndexRise = m_sumXy;
+}
+
+void WearTrend::restore(const MillingToolState& tool) noexcept {
+    m_parts = tool.parts;
+    m_first = tool.firstStiffness;
+    m_last = tool.lastStiffness;
+    m_sumY = tool.sumRise;
+    m_sumXy = tool.sumIndexRise;
 }
 
 }  // namespace kerf::milling

@@ -76,11 +76,15 @@ class WearTrend {
     /// Slope of the least-squares line; 0 before the third part.
     [[nodiscard]] double perPart() const noexcept;
 
+    /// To and from what is stored; the k_x weights are not the trend's.
+    void save(MillingToolState& tool) const noexcept;
+    void restore(const MillingToolState& tool) noexcept;
+
  private:
     std::uint32_t m_parts{0};
     double m_first{0.0};
     double m_last{0.0};
-    double m_sumX{0.0}, m_sumY{0.0}, m_sumXx{0.0}, m_sumXy{0.0};
+    double m_sumY{0.0}, m_sumXy{0.0};  // sums of x follow from the number of parts
 };
 
 }  // namespace kerf::milling

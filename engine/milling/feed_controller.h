@@ -78,6 +78,13 @@ class FeedController {
     [[nodiscard]] int period() const noexcept { return m_period; }
     /// A new tool: k_x is learnt anew.
     void newTool() noexcept { m_estimator = StiffnessEstimator(m_params.stiffness); }
+    /// Between cuts: k_x as learnt before (StiffnessEstimator::kxLogWeights).
+    bool restoreKx(const std::array<double, StiffnessEstimator::kFilters>& weights) noexcept {
+        return m_estimator.setKxLogWeights(weights);
+    }
+    [[nodiscard]] const std::array<double, StiffnessEstimator::kFilters>& kxLogWeights() const noexcept {
+        return m_estimator.kxLogWeights();
+    }
 
     [[nodiscard]] LawKind law() const noexcept { return m_law; }
     [[nodiscard]] const StiffnessEstimate& stiffness() const noexcept { return m_estimator.estimate(); }

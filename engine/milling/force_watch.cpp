@@ -10,6 +10,21 @@ void ForceWatch::disarm() noexcept {
     m_peak_N = {};
     m_peakNow_N = 0.0;
     m_collapsed = false;
+    m_teeth = 0;
+    m_sumNow_N = 0.0;
+    m_countNow = 0;
+}
+
+double ForceWatch::revolutionMean_N() const noexcept {
+    const int flutes = std::clamp(m_params.flutes, 1, kMaxFlutes);
+    if (m_teeth <= flutes) {  // the first tooth since the gap was not whole
+        return 0.0;
+    }
+    double sum_N = 0.0;
+    for (int i = 1; i <= flutes; ++i) {
+        sum_N += m_mean_N[static_cast<std::size_t>((m_teeth - i) % kMaxFlutes)];
+    }
+    return sum_N / flutes;
 }
 
 void ForceWatch::nextTooth(std::int64_t tooth) noexcept {
@@ -18,6 +33,10 @@ void ForceWatch::nextTooth(std::int64_t tooth) noexcept {
     } else {
         m_peak_N = {m_peakNow_N, m_peak_N[0], m_peak_N[1]};
         m_peakNow_N = 0.0;
+        m_mean_N[static_cast<std::size_t>(m_teeth % kMaxFlutes)] = m_countNow > 0 ? m_sumNow_N / m_countNow : 0.0;
+        ++m_teeth;
+        m_sumNow_N = 0.0;
+        m_countNow = 0;
         const double limit_N = m_params.collapseShare * m_peak_N[2];
         m_collapsed =
             m_collapsed || (m_peak_N[2] > m_params.inWork_N && m_peak_N[1] < limit_N && m_peak_N[0] < limit_N);
@@ -42,6 +61,8 @@ void ForceWatch::add(const FastSample& sample) noexcept {
         nextTooth(tooth);
     }
     m_peakNow_N = std::max(m_peakNow_N, sample.force_N);
+    m_sumNow_N += sample.force_N;
+    ++m_countNow;
     m_any = true;
     m_lastForce_N = sample.force_N;
     m_trustedAngle_rev = m_angle_rev;

@@ -36,6 +36,9 @@ class ForceWatch {
     /// `revolution_s`: duration of a revolution as last known.
     [[nodiscard]] bool blind(std::int64_t now_ns, double revolution_s) const noexcept;
     [[nodiscard]] bool collapsed() const noexcept { return m_collapsed; }
+    /// Mean force of the last whole revolution, known anew after every tooth and so earlier than from mark to mark; 0
+    /// until a revolution has been seen without a gap.
+    [[nodiscard]] double revolutionMean_N() const noexcept;
     /// Worst thing seen lately, for the alarm's text.
     [[nodiscard]] Quality quality() const noexcept { return m_quality; }
 
@@ -51,6 +54,11 @@ class ForceWatch {
     std::int64_t m_tooth{0};
     std::array<double, 3> m_peak_N{};  ///< of the last whole teeth, newest first; 0: not known
     double m_peakNow_N{0.0};           ///< of the tooth in the work
+    static constexpr int kMaxFlutes = 16;
+    std::array<double, kMaxFlutes> m_mean_N{};  ///< of the last teeth, a ring
+    int m_teeth{0};                             ///< whole teeth since the last gap
+    double m_sumNow_N{0.0};
+    int m_countNow{0};
     bool m_collapsed{false};
     Quality m_quality{Quality::Missing};
 };

@@ -17,11 +17,13 @@ inline constexpr AlarmCode kToolWorn = 205;
 inline constexpr AlarmCode kReferenceOutOfReach = 206;
 
 inline constexpr std::array kSpecs{
-    AlarmSpec{kForceUnknown, 2, KERF_TEXT("Cutting force unknown"),
-              KERF_TEXT("The force signal is missing, old, stuck, at the end of its range or not a number."),
-              KERF_TEXT("The feed is not controlled: it stays, or falls to the planned feed if it was faster."),
-              KERF_TEXT("Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal "
-                        "is back.")},
+    AlarmSpec{
+        kForceUnknown, 2, KERF_TEXT("Cutting force unknown"),
+        KERF_TEXT("The force signal is missing, old, stuck, at the end of its range or not a number."),
+        KERF_TEXT("The feed is not controlled: it stays, or falls to the planned feed if it was faster. Overload and "
+                  "breakage are not noticed."),
+        KERF_TEXT("Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal "
+                  "is back.")},
     AlarmSpec{kToolBroken, 1, KERF_TEXT("Tool broken?"),
               KERF_TEXT("The cutting force collapsed within half a revolution while the tool was in the work."),
               KERF_TEXT("Under control the feed is held; advising, Kerf only reports it."),

@@ -76,6 +76,9 @@ CommandResult MillingLoop::handle(const Command& command) noexcept {
         m_releaseWanted = m_stopAlarm != 0;
         return CommandResult::ok();
     }
+    if (const auto* restored = std::get_if<RestoreMillingTool>(&command.action)) {
+        return load(restored->tool);
+    }
     if (std::holds_alternative<NewMillingTool>(command.action)) {
         if (m_inPart) {
             return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
@@ -102,10 +105,29 @@ CommandResult MillingLoop::load(const MillingSetup& setup) noexcept {
     if (const std::optional<Sentence> why = milling::whyUnusable(setup)) {
         return CommandResult::refused(*why);
     }
+    if (setup.law == MillingLaw::Preview && m_blank.count == 0) {
+        return CommandResult::refused(whyUnavailable(setup.law));
+    }
+    const auto kx = m_controller.kxLogWeights();  // the tool's, not the setup's
     m_setup = setup;
     m_law = setup.law;
     m_controller = FeedController(milling::controllerParams(setup), m_law);
     m_controller.setBlank(milling::profileOf(m_blank));
+    (void)m_controller.restoreKx(kx);
+    return CommandResult::ok();
+}
+
+CommandResult MillingLoop::load(const MillingToolState& tool) noexcept {
+    if (m_inPart) {
+        return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+    }
+    const bool sound = std::isfinite(tool.firstStiffness) && std::isfinite(tool.lastStiffness) &&
+                       std::isfinite(tool.sumRise) && std::isfinite(tool.sumIndexRise) &&
+                       m_controller.restoreKx(tool.kxLogWeight);
+    if (!sound) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The stored state of the tool cannot be used.")));
+    }
+    m_wear.restore(tool);
     return CommandResult::ok();
 }
 
@@ -160,6 +182,10 @@ CommandResult MillingLoop::setReference(double reference_N) noexcept {
 
 void MillingLoop::setMode(LoopMode mode) noexcept {
     if (mode == LoopMode::Control && m_mode != LoopMode::Control) {
+        if (m_inPart && !m_paused) {  // from the feed really made on, not from what advising would have made
+            m_wanted_mmPerS =
+                std::min(m_feedKnown ? m_made_mmPerS : m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS);
+        }
         m_controller.follow(m_wanted_mmPerS);
         m_releaseWanted = m_stopAlarm != 0;  // what was only reported must not hold the feed now
     }
@@ -208,6 +234,9 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
                 events.clear(alarm.code);
             }
         }
+        events.set(milling_alarm::kToolWorn, m_wear.parts() > 0 && m_wear.rise() > m_setup.wearWarning,
+                   Sentence(KERF_TEXT("The cutting stiffness has risen by %1 % since the tool was new."),
+                            {100.0 * (std::exp(m_wear.rise()) - 1.0), 0}));
         m_last_ns = inputs.time_ns;
         const bool control = m_mode == LoopMode::Control;
         return {control ? LoopState::Controlling : LoopState::Advising,
@@ -244,6 +273,7 @@ void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_decision = {};
     m_record = milling::CutRecord(milling::recordParams(m_setup), m_law, m_mode != LoopMode::Control);
     m_status.waviness_um = 0.0;
+    m_status.wallDeviation_um = 0.0;
     m_status.force_N = {};
 }
 
@@ -259,9 +289,6 @@ void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     m_status.partsCut += complete ? 1U : 0U;
     if (complete && m_part.milling.stiffnessMean != 0.0) {
         m_wear.addPart(m_part.milling.stiffnessMean);
-        events.set(milling_alarm::kToolWorn, m_wear.rise() > m_setup.wearWarning,
-                   Sentence(KERF_TEXT("The cutting stiffness has risen by %1 % since the tool was new."),
-                            {100.0 * (std::exp(m_wear.rise()) - 1.0), 0}));
     }
 }
 
@@ -328,6 +355,9 @@ void MillingLoop::beginGroup() noexcept {
 
 void MillingLoop::takePeriod(double feed_mm, const MachineInputs& inputs) noexcept {
     const double force_N = m_groupForce_N / m_groupCount;
+    if (m_mode != LoopMode::Control && m_law == MillingLaw::Pi) {
+        m_controller.follow(feed_mm / m_group_s);  // its integral must not run away on a feed it does not make
+    }
     const bool overridden = std::abs(inputs.operatorOverride - 1.0) > kKnobAtRest;
     m_decision = m_controller.update(
         {m_groupTrusted ? std::optional(force_N) : std::nullopt, feed_mm, m_status.position_mm, m_group_s, overridden});
@@ -376,7 +406,7 @@ void MillingLoop::watchForStops(const MachineInputs& inputs, EventSink& events) 
     if (m_watch.collapsed()) {
         stop(milling_alarm::kToolBroken, {}, events);
     }
-    const double force_N = m_status.force_N.good() ? m_status.force_N.value : 0.0;
+    const double force_N = std::max(m_status.force_N.good() ? m_status.force_N.value : 0.0, m_watch.revolutionMean_N());
     if (force_N > m_setup.overload_N || m_cyclePeak_N > kPeakOverLimit * m_setup.overload_N) {
         stop(milling_alarm::kOverload,
              Sentence(KERF_TEXT("%1 N at %2 mm; the limit is %3 N."), {std::max(force_N, m_cyclePeak_N), 0},
@@ -390,7 +420,8 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
     m_last_ns = inputs.time_ns;
     m_feedKnown = inputs.actualFeed_mmPerS.good();
     if (m_feedKnown) {
-        m_travel_mm += inputs.actualFeed_mmPerS.value * dt_s;
+        m_made_mmPerS = inputs.actualFeed_mmPerS.value;
+        m_travel_mm += m_made_mmPerS * dt_s;
     }
     m_status.position_mm = inputs.position_mm[0].good() ? inputs.position_mm[0].value : m_setup.from_mm + m_travel_mm;
     const bool standing =
@@ -410,7 +441,9 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
     if (blind) {  // at once, not only when the revolution is over
         m_wanted_mmPerS = std::min(m_wanted_mmPerS, m_setup.plannedFeed_mmPerS);
     }
-    const bool forceBlind = blind && m_feedKnown && m_law != MillingLaw::Constant && !m_paused;
+    // With the constant law nothing is controlled, but breakage and overload are watched: that must not end in silence.
+    const bool watched = m_law != MillingLaw::Constant || m_forceFitted;
+    const bool forceBlind = blind && m_feedKnown && watched && !m_paused;
     events.set(milling_alarm::kForceUnknown, forceBlind, forceDetail(m_watch.quality()));
     events.set(milling_alarm::kFeedUnknown, !m_feedKnown);
     watchForStops(inputs, events);
@@ -475,6 +508,7 @@ void MillingLoop::report(Status& status) const noexcept {
         out.lawUnavailable[i] = whyUnavailable(static_cast<MillingLaw>(i));
     }
     out.setup = m_setup.revision;
+    out.blank = m_blank.revision;
     out.reference_N = m_setup.reference_N;
     out.overload_N = m_setup.overload_N;
     out.wantedFeed_mmPerS = m_wanted_mmPerS;
@@ -490,6 +524,15 @@ void MillingLoop::report(Status& status) const noexcept {
     out.wear = m_wear.rise();
     out.wearPerPart = m_wear.perPart();
     out.partsWithTool = m_wear.parts();
+    out.wearWarning = m_setup.wearWarning;
+    m_wear.save(out.tool);
+    out.tool.kxLogWeight = m_controller.kxLogWeights();
+    const MillingCut& cut = m_record.cut();
+    out.overReference_s = cut.overReference_s;
+    out.peakForce_N = cut.peakForce_N;
+    out.peakAt_mm = cut.peakAt_mm;
+    out.meanForce_N = cut.meanForce_N;
+    out.stops = cut.stops;
     out.savedTime_s = m_record.saved_s();
 }
 

@@ -31,6 +31,7 @@ class MillingLoop final : public ProcessLoop {
  private:
     [[nodiscard]] CommandResult load(const MillingSetup& setup) noexcept;
     [[nodiscard]] CommandResult load(const MillingBlank& blank) noexcept;
+    [[nodiscard]] CommandResult load(const MillingToolState& tool) noexcept;
     [[nodiscard]] CommandResult select(MillingLaw law) noexcept;
     [[nodiscard]] CommandResult setReference(double reference_N) noexcept;
     [[nodiscard]] Sentence whyUnavailable(MillingLaw law) const noexcept;
@@ -81,6 +82,7 @@ class MillingLoop final : public ProcessLoop {
     double m_travel_mm{0.0};      ///< of the axis in this cut
     double m_markTravel_mm{0.0};  ///< at the last revolution's mark
     bool m_feedKnown{true};
+    double m_made_mmPerS{0.0};  ///< feed really made, as last known in this cut
     double m_cyclePeak_N{0.0};  ///< highest sample of this cycle
     float m_rawLow_N{0.0F};     ///< since the last chart sample
     float m_rawHigh_N{0.0F};

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "engine/api/milling_fields.h"
 #include "engine/milling/cut_record.h"
 #include "engine/milling/feed_controller.h"
 
 /// From the plain values of engine/api to what the room works with. All functions may run in the cycle.
 namespace kerf::milling {
+
+/// Every number of the setup that a person can change, in the order of the sheet.
+[[nodiscard]] std::span<const MillingField> setupFields() noexcept;
 
 /// Sentence for the operator; empty when the loop can work with it.
 [[nodiscard]] std::optional<Sentence> whyUnusable(const MillingSetup& setup) noexcept;

@@ -94,6 +94,16 @@ StiffnessEstimator::StiffnessEstimator(const Params& params) noexcept : m_params
     m_estimate.valid = false;
 }
 
+bool StiffnessEstimator::setKxLogWeights(const std::array<double, kFilters>& weights) noexcept {
+    if (!std::ranges::all_of(weights, [](double weight) { return weight <= 0.0 && weight >= kLeastLogWeight; })) {
+        return false;
+    }
+    m_logWeight = weights;
+    combine();
+    m_estimate.valid = false;
+    return true;
+}
+
 void StiffnessEstimator::leaveWork() noexcept {
     m_estimate.valid = false;
 }

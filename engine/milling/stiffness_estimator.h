@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/api/milling_types.h"
 #include "engine/core/units.h"
 
 namespace kerf::milling {
@@ -79,7 +80,7 @@ class StiffnessFilter {
 /// comparison).
 class StiffnessEstimator {
  public:
-    static constexpr std::size_t kFilters = 6;
+    static constexpr std::size_t kFilters = kMillingKxFilters;
     struct Params {
         StiffnessAssumptions assume{};
         double softest_NPerMm{22.0 * kNewtonPerKilogramForce};  ///< k_x of the first filter
@@ -98,6 +99,9 @@ class StiffnessEstimator {
     void shift(double change) noexcept;
     /// Forget the cut (the tool has left the work); what was learnt of k_x stays.
     void leaveWork() noexcept;
+    /// What was learnt of k_x: to keep it over a change of setup or a restart. Weights that are no numbers are refused.
+    [[nodiscard]] const std::array<double, kFilters>& kxLogWeights() const noexcept { return m_logWeight; }
+    bool setKxLogWeights(const std::array<double, kFilters>& weights) noexcept;
     [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimate; }
     [[nodiscard]] double airForce_N() const noexcept { return m_params.airForce_N; }
 

@@ -97,6 +97,10 @@
             <source>Parts</source>
             <translation>Parts</translation>
         </message>
+        <message>
+            <source>Waviness of the cut</source>
+            <translation>Waviness of the cut</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -2032,6 +2036,94 @@
             <source>work order</source>
             <translation>work order</translation>
         </message>
+        <message>
+            <source>%1 rows; a blank profile needs from 2 to %2, the last one ends the blank.</source>
+            <translation>%1 rows; a blank profile needs from 2 to %2, the last one ends the blank.</translation>
+        </message>
+        <message>
+            <source>Blank ends at</source>
+            <translation>Blank ends at</translation>
+        </message>
+        <message>
+            <source>Height of the step</source>
+            <translation>Height of the step</translation>
+        </message>
+        <message>
+            <source>Its 95 % half width</source>
+            <translation>Its 95 % half width</translation>
+        </message>
+        <message>
+            <source>Line %1, column %2: “%3” is not a number.</source>
+            <translation>Line %1, column %2: “%3” is not a number.</translation>
+        </message>
+        <message>
+            <source>Line %1, column height_mm: %2 mm must be from 0 to %3 mm.</source>
+            <translation>Line %1, column height_mm: %2 mm must be from 0 to %3 mm.</translation>
+        </message>
+        <message>
+            <source>Line %1, column x_mm: %2 mm must lie beyond the step before, %3 mm.</source>
+            <translation>Line %1, column x_mm: %2 mm must lie beyond the step before, %3 mm.</translation>
+        </message>
+        <message>
+            <source>Line %1: %2 columns, expected are 2: x_mm,height_mm.</source>
+            <translation>Line %1: %2 columns, expected are 2: x_mm,height_mm.</translation>
+        </message>
+        <message>
+            <source>Line %1: the first line must name the columns x_mm,height_mm.</source>
+            <translation>Line %1: the first line must name the columns x_mm,height_mm.</translation>
+        </message>
+        <message>
+            <source>Oh and Jeong (1987)</source>
+            <translation>Oh and Jeong (1987)</translation>
+        </message>
+        <message>
+            <source>Saved</source>
+            <translation>Saved</translation>
+        </message>
+        <message>
+            <source>Sign on first: a change needs a name.</source>
+            <translation>Sign on first: a change needs a name.</translation>
+        </message>
+        <message>
+            <source>Step begins at</source>
+            <translation>Step begins at</translation>
+        </message>
+        <message>
+            <source>Stops by the loop</source>
+            <translation>Stops by the loop</translation>
+        </message>
+        <message>
+            <source>The feed is not controlled: it stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</source>
+            <translation>The feed is not controlled: it stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</translation>
+        </message>
+        <message>
+            <source>The file cannot be read. Check its name and folder.</source>
+            <translation>The file cannot be read. Check its name and folder.</translation>
+        </message>
+        <message>
+            <source>The file is too large for a blank profile.</source>
+            <translation>The file is too large for a blank profile.</translation>
+        </message>
+        <message>
+            <source>The stored state of the tool cannot be used.</source>
+            <translation>The stored state of the tool cannot be used.</translation>
+        </message>
+        <message>
+            <source>Time above reference</source>
+            <translation>Time above reference</translation>
+        </message>
+        <message>
+            <source>What was stored for milling cannot be read.</source>
+            <translation>What was stored for milling cannot be read.</translation>
+        </message>
+        <message>
+            <source>calibrated on the published cuts</source>
+            <translation>calibrated on the published cuts</translation>
+        </message>
+        <message>
+            <source>part program</source>
+            <translation>part program</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -3021,6 +3113,10 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
         </message>
+        <message>
+            <source>Next part: the lot is complete</source>
+            <translation>Next part: the lot is complete</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -3616,6 +3712,530 @@
         <message>
             <source>Must be from %1 to %2.</source>
             <translation>Must be from %1 to %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Milling</name>
+        <message>
+            <source>Constant feed</source>
+            <translation>Constant feed</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Model</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>Preview</translation>
+        </message>
+        <message>
+            <source>as long as planned</source>
+            <translation>as long as planned</translation>
+        </message>
+        <message>
+            <source>%1 s faster than planned</source>
+            <translation>%1 s faster than planned</translation>
+        </message>
+        <message>
+            <source>%1 s slower than planned</source>
+            <translation>%1 s slower than planned</translation>
+        </message>
+        <message>
+            <source>control would be %1</source>
+            <translation>control would be %1</translation>
+        </message>
+        <message>
+            <source>peak %1 at %2</source>
+            <translation>peak %1 at %2</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>waviness %1</translation>
+        </message>
+        <message>
+            <source>would have been stopped</source>
+            <translation>would have been stopped</translation>
+        </message>
+        <message>
+            <source>was stopped</source>
+            <translation>was stopped</translation>
+        </message>
+        <message>
+            <source>Cut %1: %2.</source>
+            <translation>Cut %1: %2.</translation>
+        </message>
+        <message>
+            <source>Cut %1, aborted: %2.</source>
+            <translation>Cut %1, aborted: %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>MillingCutLog</name>
+        <message>
+            <source>%1, aborted</source>
+            <translation>%1, aborted</translation>
+        </message>
+        <message>
+            <source>Last cuts</source>
+            <translation>Last cuts</translation>
+        </message>
+        <message>
+            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
+            <translation>An advised cut was made at the planned feed; its controlled time is what control would have taken.</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>cut</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>law</translation>
+        </message>
+        <message>
+            <source>mode</source>
+            <translation>mode</translation>
+        </message>
+        <message>
+            <source>planned
+%1</source>
+            <translation>planned
+%1</translation>
+        </message>
+        <message>
+            <source>controlled
+%1</source>
+            <translation>controlled
+%1</translation>
+        </message>
+        <message>
+            <source>peak
+%1</source>
+            <translation>peak
+%1</translation>
+        </message>
+        <message>
+            <source>at
+%1</source>
+            <translation>at
+%1</translation>
+        </message>
+        <message>
+            <source>waviness
+%1</source>
+            <translation>waviness
+%1</translation>
+        </message>
+        <message>
+            <source>stops</source>
+            <translation>stops</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingBlankForm</name>
+        <message>
+            <source>There is no step.</source>
+            <translation>There is no step.</translation>
+        </message>
+        <message>
+            <source>Blank profile of %1</source>
+            <translation>Blank profile of %1</translation>
+        </message>
+        <message>
+            <source>Height of the blank over the finished wall, step by step along the path.</source>
+            <translation>Height of the blank over the finished wall, step by step along the path.</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>path</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>height</translation>
+        </message>
+        <message>
+            <source>The profile appears here with its first step.</source>
+            <translation>The profile appears here with its first step.</translation>
+        </message>
+        <message>
+            <source>Blank profile along the path</source>
+            <translation>Blank profile along the path</translation>
+        </message>
+        <message>
+            <source>Add step</source>
+            <translation>Add step</translation>
+        </message>
+        <message>
+            <source>Remove last</source>
+            <translation>Remove last</translation>
+        </message>
+        <message>
+            <source>Import CSV</source>
+            <translation>Import CSV</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>Save and use</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n steps imported; look at the profile, then save.</source>
+            <translation>
+                <numerusform>%n step imported; look at the profile, then save.</numerusform>
+                <numerusform>%n steps imported; look at the profile, then save.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingControlPanel</name>
+        <message>
+            <source>Nothing is stopped.</source>
+            <translation>Nothing is stopped.</translation>
+        </message>
+        <message>
+            <source>reference force</source>
+            <translation>reference force</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>gain margin, times</translation>
+        </message>
+        <message>
+            <source>peak of this cut</source>
+            <translation>peak of this cut</translation>
+        </message>
+        <message>
+            <source>Feed law</source>
+            <translation>Feed law</translation>
+        </message>
+        <message>
+            <source>Teach reference from this cut</source>
+            <translation>Teach reference from this cut</translation>
+        </message>
+        <message>
+            <source>Start cut</source>
+            <translation>Start cut</translation>
+        </message>
+        <message>
+            <source>Release feed</source>
+            <translation>Release feed</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Milling</translation>
+        </message>
+        <message>
+            <source>control would save</source>
+            <translation>control would save</translation>
+        </message>
+        <message>
+            <source>saved so far</source>
+            <translation>saved so far</translation>
+        </message>
+        <message>
+            <source>%1 s above 110 % of the reference</source>
+            <translation>%1 s above 110 % of the reference</translation>
+        </message>
+        <message>
+            <source>; control would have stopped the feed</source>
+            <translation>; control would have stopped the feed</translation>
+        </message>
+        <message>
+            <source>; the feed was stopped</source>
+            <translation>; the feed was stopped</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop: %1</source>
+            <translation>This machine has no milling loop: %1</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet.</source>
+            <translation>No cut to learn from yet.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>Start the program at the control.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>This machine has no milling loop.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>No link to the machine.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>The machine is off.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>Hold is in force.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>Finished parts are not stored yet.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>The machine is busy: %1.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>No milling setup is loaded.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingLivePanel</name>
+        <message>
+            <source>Force per revolution, %1, and feed, %2</source>
+            <comment>units</comment>
+            <translation>Force per revolution, %1, and feed, %2</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>force</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>feed</translation>
+        </message>
+        <message>
+            <source>average</source>
+            <translation>average</translation>
+        </message>
+        <message>
+            <source>wanted</source>
+            <translation>wanted</translation>
+        </message>
+        <message>
+            <source>The cutting force appears here with the next cut.</source>
+            <translation>The cutting force appears here with the next cut.</translation>
+        </message>
+        <message>
+            <source>The feed appears here with the next cut.</source>
+            <translation>The feed appears here with the next cut.</translation>
+        </message>
+        <message>
+            <source>Cutting force averaged per revolution, over time</source>
+            <translation>Cutting force averaged per revolution, over time</translation>
+        </message>
+        <message>
+            <source>Feed made and wanted, over time</source>
+            <translation>Feed made and wanted, over time</translation>
+        </message>
+        <message>
+            <source>Raw force</source>
+            <translation>Raw force</translation>
+        </message>
+        <message>
+            <source>planned</source>
+            <translation>planned</translation>
+        </message>
+        <message>
+            <source>reference</source>
+            <translation>reference</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingPage</name>
+        <message>
+            <source>Nothing cut yet.</source>
+            <translation>Nothing cut yet.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>This machine has no milling loop.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>Setup</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>Blank profile</translation>
+        </message>
+        <message>
+            <source>Cut log</source>
+            <translation>Cut log</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>New tool</translation>
+        </message>
+        <message>
+            <source>Milling data: %1</source>
+            <translation>Milling data: %1</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>New tool?</source>
+            <translation>New tool?</translation>
+        </message>
+        <message>
+            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
+            <translation>Wear and stiffness of the tool are learnt anew from the next cut on.</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>No</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingSetupForm</name>
+        <message>
+            <source>This part type is open.</source>
+            <translation>This part type is open.</translation>
+        </message>
+        <message>
+            <source>No part type of this name is stored.</source>
+            <translation>No part type of this name is stored.</translation>
+        </message>
+        <message>
+            <source>%1: %2 to %3; default %4, %5.</source>
+            <comment>label, lowest, highest, default, source</comment>
+            <translation>%1: %2 to %3; default %4, %5.</translation>
+        </message>
+        <message>
+            <source>Setup of a milled part type</source>
+            <translation>Setup of a milled part type</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>Force and feed</translation>
+        </message>
+        <message>
+            <source>Path and tool</source>
+            <translation>Path and tool</translation>
+        </message>
+        <message>
+            <source>Model and gains</source>
+            <translation>Model and gains</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Open</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>Save and use</translation>
+        </message>
+        <message>
+            <source>Stored part types ▾</source>
+            <translation>Stored part types ▾</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingToolPanel</name>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>Tool: mean ln(C·b) per part</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>ln(C·b)</source>
+            <translation>ln(C·b)</translation>
+        </message>
+        <message>
+            <source>The wear of the tool appears here after its first part.</source>
+            <translation>The wear of the tool appears here after its first part.</translation>
+        </message>
+        <message>
+            <source>Mean cutting stiffness over the parts cut with this tool</source>
+            <translation>Mean cutting stiffness over the parts cut with this tool</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>ln(C·b) now</translation>
+        </message>
+        <message>
+            <source>change the tool</source>
+            <translation>change the tool</translation>
+        </message>
+        <message>
+            <source>New tool: nothing cut with it yet.</source>
+            <translation>New tool: nothing cut with it yet.</translation>
+        </message>
+        <message>
+            <source>Part %1 with this tool, stiffness %2 % above new.</source>
+            <comment>parts, rise</comment>
+            <translation>Part %1 with this tool, stiffness %2 % above new.</translation>
+        </message>
+        <message>
+            <source>Trend %1 % per part.</source>
+            <translation>Trend %1 % per part.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingWallPanel</name>
+        <message>
+            <source>Wall deviation, %1</source>
+            <comment>unit</comment>
+            <translation>Wall deviation, %1</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>path</translation>
+        </message>
+        <message>
+            <source>deviation</source>
+            <translation>deviation</translation>
+        </message>
+        <message>
+            <source>cut before</source>
+            <translation>cut before</translation>
+        </message>
+        <message>
+            <source>The estimated wall appears here while a part is being cut.</source>
+            <translation>The estimated wall appears here while a part is being cut.</translation>
+        </message>
+        <message>
+            <source>Estimated deviation of the wall along the path</source>
+            <translation>Estimated deviation of the wall along the path</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>waviness %1</translation>
         </message>
     </context>
 </TS>

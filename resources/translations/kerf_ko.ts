@@ -97,6 +97,10 @@
             <source>Parts</source>
             <translation>공작물</translation>
         </message>
+        <message>
+            <source>Waviness of the cut</source>
+            <translation>절삭의 파상도</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -2032,6 +2036,94 @@
             <source>work order</source>
             <translation>작업 지시서</translation>
         </message>
+        <message>
+            <source>%1 rows; a blank profile needs from 2 to %2, the last one ends the blank.</source>
+            <translation>%1행입니다. 소재 형상은 2행에서 %2행까지이며 마지막 행이 소재의 끝입니다.</translation>
+        </message>
+        <message>
+            <source>Blank ends at</source>
+            <translation>소재 끝 위치</translation>
+        </message>
+        <message>
+            <source>Height of the step</source>
+            <translation>단 높이</translation>
+        </message>
+        <message>
+            <source>Its 95 % half width</source>
+            <translation>그 95 % 반폭</translation>
+        </message>
+        <message>
+            <source>Line %1, column %2: “%3” is not a number.</source>
+            <translation>%1행 %2열: “%3”은(는) 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Line %1, column height_mm: %2 mm must be from 0 to %3 mm.</source>
+            <translation>%1행 height_mm열: %2 mm은(는) 0에서 %3 mm까지여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Line %1, column x_mm: %2 mm must lie beyond the step before, %3 mm.</source>
+            <translation>%1행 x_mm열: %2 mm은(는) 앞 단의 위치 %3 mm보다 뒤여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Line %1: %2 columns, expected are 2: x_mm,height_mm.</source>
+            <translation>%1행: %2열입니다. x_mm,height_mm 2열이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Line %1: the first line must name the columns x_mm,height_mm.</source>
+            <translation>%1행: 첫 행에는 열 이름 x_mm,height_mm이 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>Oh and Jeong (1987)</source>
+            <translation>Oh, Jeong(1987)</translation>
+        </message>
+        <message>
+            <source>Saved</source>
+            <translation>절약</translation>
+        </message>
+        <message>
+            <source>Sign on first: a change needs a name.</source>
+            <translation>먼저 로그인하십시오. 변경에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Step begins at</source>
+            <translation>단 시작 위치</translation>
+        </message>
+        <message>
+            <source>Stops by the loop</source>
+            <translation>루프에 의한 정지</translation>
+        </message>
+        <message>
+            <source>The feed is not controlled: it stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</source>
+            <translation>이송을 제어하지 않습니다. 그대로 두거나, 더 빨랐으면 계획 이송으로 낮춥니다. 과부하와 파손을 알아차리지 못합니다.</translation>
+        </message>
+        <message>
+            <source>The file cannot be read. Check its name and folder.</source>
+            <translation>파일을 읽을 수 없습니다. 이름과 폴더를 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The file is too large for a blank profile.</source>
+            <translation>소재 형상 파일로는 너무 큽니다.</translation>
+        </message>
+        <message>
+            <source>The stored state of the tool cannot be used.</source>
+            <translation>저장된 공구 상태를 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Time above reference</source>
+            <translation>기준 초과 시간</translation>
+        </message>
+        <message>
+            <source>What was stored for milling cannot be read.</source>
+            <translation>밀링에 저장된 내용을 읽을 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>calibrated on the published cuts</source>
+            <translation>발표된 절삭으로 교정</translation>
+        </message>
+        <message>
+            <source>part program</source>
+            <translation>가공 프로그램</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -3020,6 +3112,10 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>로트 %1 완료: 공작물 %2개</translation>
         </message>
+        <message>
+            <source>Next part: the lot is complete</source>
+            <translation>다음 공작물: 로트가 끝났습니다</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -3615,6 +3711,529 @@
         <message>
             <source>Must be from %1 to %2.</source>
             <translation>%1에서 %2 사이여야 합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Milling</name>
+        <message>
+            <source>Constant feed</source>
+            <translation>일정 이송</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>모델</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>예측</translation>
+        </message>
+        <message>
+            <source>as long as planned</source>
+            <translation>계획과 같은 시간</translation>
+        </message>
+        <message>
+            <source>%1 s faster than planned</source>
+            <translation>계획보다 %1 s 빠름</translation>
+        </message>
+        <message>
+            <source>%1 s slower than planned</source>
+            <translation>계획보다 %1 s 느림</translation>
+        </message>
+        <message>
+            <source>control would be %1</source>
+            <translation>제어하면 %1</translation>
+        </message>
+        <message>
+            <source>peak %1 at %2</source>
+            <translation>최대 %1, 위치 %2</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>파상도 %1</translation>
+        </message>
+        <message>
+            <source>would have been stopped</source>
+            <translation>제어했다면 정지</translation>
+        </message>
+        <message>
+            <source>was stopped</source>
+            <translation>정지됨</translation>
+        </message>
+        <message>
+            <source>Cut %1: %2.</source>
+            <translation>절삭 %1: %2.</translation>
+        </message>
+        <message>
+            <source>Cut %1, aborted: %2.</source>
+            <translation>절삭 %1, 중단: %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>MillingCutLog</name>
+        <message>
+            <source>%1, aborted</source>
+            <translation>%1, 중단</translation>
+        </message>
+        <message>
+            <source>Last cuts</source>
+            <translation>최근 절삭</translation>
+        </message>
+        <message>
+            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
+            <translation>조언 절삭은 계획 이송으로 가공했으며, 제어 시간은 제어했을 때 걸렸을 시간입니다.</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>절삭</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>mode</source>
+            <translation>모드</translation>
+        </message>
+        <message>
+            <source>planned
+%1</source>
+            <translation>계획
+%1</translation>
+        </message>
+        <message>
+            <source>controlled
+%1</source>
+            <translation>제어
+%1</translation>
+        </message>
+        <message>
+            <source>peak
+%1</source>
+            <translation>최대
+%1</translation>
+        </message>
+        <message>
+            <source>at
+%1</source>
+            <translation>위치
+%1</translation>
+        </message>
+        <message>
+            <source>waviness
+%1</source>
+            <translation>파상도
+%1</translation>
+        </message>
+        <message>
+            <source>stops</source>
+            <translation>정지</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingBlankForm</name>
+        <message>
+            <source>There is no step.</source>
+            <translation>단이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Blank profile of %1</source>
+            <translation>%1의 소재 형상</translation>
+        </message>
+        <message>
+            <source>Height of the blank over the finished wall, step by step along the path.</source>
+            <translation>경로를 따라 단마다, 완성된 벽 위 소재의 높이입니다.</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>경로</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>높이</translation>
+        </message>
+        <message>
+            <source>The profile appears here with its first step.</source>
+            <translation>첫 단을 넣으면 형상이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Blank profile along the path</source>
+            <translation>경로를 따른 소재 형상</translation>
+        </message>
+        <message>
+            <source>Add step</source>
+            <translation>단 추가</translation>
+        </message>
+        <message>
+            <source>Remove last</source>
+            <translation>마지막 삭제</translation>
+        </message>
+        <message>
+            <source>Import CSV</source>
+            <translation>CSV 가져오기</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>저장하고 사용</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n steps imported; look at the profile, then save.</source>
+            <translation>
+                <numerusform>%n단을 가져왔습니다. 형상을 확인한 뒤 저장하십시오.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingControlPanel</name>
+        <message>
+            <source>Nothing is stopped.</source>
+            <translation>멈춘 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>reference force</source>
+            <translation>기준 힘</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>이득 여유, 배</translation>
+        </message>
+        <message>
+            <source>peak of this cut</source>
+            <translation>이번 절삭의 최대</translation>
+        </message>
+        <message>
+            <source>Feed law</source>
+            <translation>이송 법칙</translation>
+        </message>
+        <message>
+            <source>Teach reference from this cut</source>
+            <translation>이 절삭에서 기준 힘 배우기</translation>
+        </message>
+        <message>
+            <source>Start cut</source>
+            <translation>절삭 시작</translation>
+        </message>
+        <message>
+            <source>Release feed</source>
+            <translation>이송 해제</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>밀링</translation>
+        </message>
+        <message>
+            <source>control would save</source>
+            <translation>제어하면 절약</translation>
+        </message>
+        <message>
+            <source>saved so far</source>
+            <translation>지금까지 절약</translation>
+        </message>
+        <message>
+            <source>%1 s above 110 % of the reference</source>
+            <translation>기준 힘의 110 %를 %1 s 동안 넘음</translation>
+        </message>
+        <message>
+            <source>; control would have stopped the feed</source>
+            <translation>; 제어했다면 이송을 멈췄음</translation>
+        </message>
+        <message>
+            <source>; the feed was stopped</source>
+            <translation>; 이송을 멈췄음</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop: %1</source>
+            <translation>이 기계에는 밀링 루프가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet.</source>
+            <translation>아직 배울 절삭이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>기계와 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>기계가 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>홀드 상태입니다.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>기계가 사용 중입니다: %1.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>밀링 설정이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingLivePanel</name>
+        <message>
+            <source>Force per revolution, %1, and feed, %2</source>
+            <comment>units</comment>
+            <translation>회전당 힘, %1, 이송, %2</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>시간</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>힘</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>average</source>
+            <translation>평균</translation>
+        </message>
+        <message>
+            <source>wanted</source>
+            <translation>요구</translation>
+        </message>
+        <message>
+            <source>The cutting force appears here with the next cut.</source>
+            <translation>다음 절삭부터 절삭력이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>The feed appears here with the next cut.</source>
+            <translation>다음 절삭부터 이송이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Cutting force averaged per revolution, over time</source>
+            <translation>시간에 따른 회전당 평균 절삭력</translation>
+        </message>
+        <message>
+            <source>Feed made and wanted, over time</source>
+            <translation>시간에 따른 실제 이송과 요구 이송</translation>
+        </message>
+        <message>
+            <source>Raw force</source>
+            <translation>원시 힘</translation>
+        </message>
+        <message>
+            <source>planned</source>
+            <translation>계획</translation>
+        </message>
+        <message>
+            <source>reference</source>
+            <translation>기준</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>한계</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingPage</name>
+        <message>
+            <source>Nothing cut yet.</source>
+            <translation>아직 가공한 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>소재 형상</translation>
+        </message>
+        <message>
+            <source>Cut log</source>
+            <translation>절삭 기록</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>새 공구</translation>
+        </message>
+        <message>
+            <source>Milling data: %1</source>
+            <translation>밀링 데이터: %1</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장하는 중</translation>
+        </message>
+        <message>
+            <source>New tool?</source>
+            <translation>새 공구입니까?</translation>
+        </message>
+        <message>
+            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
+            <translation>다음 절삭부터 공구의 마모와 강성을 새로 배웁니다.</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>아니요</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingSetupForm</name>
+        <message>
+            <source>This part type is open.</source>
+            <translation>이 품종이 열려 있습니다.</translation>
+        </message>
+        <message>
+            <source>No part type of this name is stored.</source>
+            <translation>이 이름으로 저장된 품종이 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2 to %3; default %4, %5.</source>
+            <comment>label, lowest, highest, default, source</comment>
+            <translation>%1: %2에서 %3까지, 기본값 %4, %5.</translation>
+        </message>
+        <message>
+            <source>Setup of a milled part type</source>
+            <translation>밀링 품종 설정</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>품종</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>힘과 이송</translation>
+        </message>
+        <message>
+            <source>Path and tool</source>
+            <translation>경로와 공구</translation>
+        </message>
+        <message>
+            <source>Model and gains</source>
+            <translation>모델과 게인</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>열기</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>저장하고 사용</translation>
+        </message>
+        <message>
+            <source>Stored part types ▾</source>
+            <translation>저장된 품종 ▾</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingToolPanel</name>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>공구: 공작물별 평균 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>ln(C·b)</source>
+            <translation>ln(C·b)</translation>
+        </message>
+        <message>
+            <source>The wear of the tool appears here after its first part.</source>
+            <translation>첫 공작물이 끝나면 공구 마모가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Mean cutting stiffness over the parts cut with this tool</source>
+            <translation>이 공구로 가공한 공작물별 평균 절삭 강성</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>현재 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>change the tool</source>
+            <translation>공구 교환</translation>
+        </message>
+        <message>
+            <source>New tool: nothing cut with it yet.</source>
+            <translation>새 공구: 아직 가공하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 with this tool, stiffness %2 % above new.</source>
+            <comment>parts, rise</comment>
+            <translation>이 공구로 %1번째, 강성이 새 공구보다 %2 % 높음.</translation>
+        </message>
+        <message>
+            <source>Trend %1 % per part.</source>
+            <translation>추세 공작물당 %1 %.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingWallPanel</name>
+        <message>
+            <source>Wall deviation, %1</source>
+            <comment>unit</comment>
+            <translation>벽 편차, %1</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>경로</translation>
+        </message>
+        <message>
+            <source>deviation</source>
+            <translation>편차</translation>
+        </message>
+        <message>
+            <source>cut before</source>
+            <translation>앞 절삭</translation>
+        </message>
+        <message>
+            <source>The estimated wall appears here while a part is being cut.</source>
+            <translation>가공하는 동안 추정한 벽이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Estimated deviation of the wall along the path</source>
+            <translation>경로를 따라 추정한 벽의 편차</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>파상도 %1</translation>
         </message>
     </context>
 </TS>

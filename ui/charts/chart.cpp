@@ -337,8 +337,17 @@ void Chart::drawForeground(QPainter* painter, const QRectF&) {
 void Chart::paintLowTitle(QPainter& painter, const QRectF& plot) const {
     painter.setFont(m_look.font(TextSize::Label));
     painter.setPen(m_look.color(Token::Dim));
-    painter.drawText(QRectF(0.0, plot.bottom(), plot.right(), viewport()->height() - plot.bottom()),
-                     Qt::AlignLeft | Qt::AlignBottom, m_x->titleText());
+    const QRectF row(0.0, plot.bottom(), plot.right(), viewport()->height() - plot.bottom());
+    const QFontMetricsF metrics(painter.font());
+    const double titleEnd = metrics.horizontalAdvance(m_x->titleText()) + m_look.space(Space::Small);
+    const double tick = m_x->tickAnchor();  // the first one: its label gives way to a title that reaches it
+    const double half = metrics.horizontalAdvance(UnitSystem::fixed(tick, 0)) / 2.0 + m_look.space(Space::Small);
+    const double tickAt = place({tick, m_y->min()}).x();
+    if (tickAt - half < titleEnd) {
+        painter.fillRect(QRectF(0.0, row.top() + 0.45 * metrics.height(), tickAt + half, row.height()),
+                         m_look.color(Token::Panel));
+    }
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignBottom, m_x->titleText());
 }
 
 void Chart::paintLines(QPainter&, const QRectF&) const {}

@@ -4,6 +4,8 @@
 #include "ui/pages/boring/boring_page.h"
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/diagnostics_page.h"
+#include "ui/pages/milling/milling_page.h"
+#include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
 
@@ -49,6 +51,25 @@ KeyFigure boringFigure(const Services& services, const Status& status) {
     return figure;
 }
 
+/// Waviness of the cut under way or of the last one; its course is that of the last cuts.
+KeyFigure millingFigure(const Services& services, const Status& status) {
+    KeyFigure figure{Pages::tr("Waviness of the cut"), "um", kWallDecimals, {}, {}, status.feedScaleLimited, {}};
+    if (services.millingDesk != nullptr) {
+        for (const MillingCutView& cut : services.millingDesk->view().cuts) {
+            if (cut.complete && cut.cut.waviness_um > 0.0) {
+                figure.course.push_back(cut.cut.waviness_um);
+            }
+        }
+    }
+    if (status.milling.cutting && status.milling.waviness_um > 0.0) {
+        figure.value = status.milling.waviness_um;
+    } else if (!figure.course.empty()) {
+        figure.value = figure.course.back();
+    }
+    figure.limited = figure.limited && status.milling.cutting;
+    return figure;
+}
+
 }  // namespace
 
 // One row per page, in the order of the navigation. A room adds its page here, with nothing else to change.
@@ -57,6 +78,8 @@ PageList standardPages() {
         {"overview", [] { return Pages::tr("Overview"); }, {}, makePage<OverviewPage>, {}},
         {"boring", [] { return processName(ProcessId::Boring); }, ProcessId::Boring, makePage<BoringPage>,
          boringFigure},
+        {"milling", [] { return processName(ProcessId::Milling); }, ProcessId::Milling, makePage<MillingPage>,
+         millingFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},

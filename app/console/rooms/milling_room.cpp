@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "engine/machine/simulated_milling.h"
 #include "engine/milling/milling_loop.h"
 
 namespace kerf::console {
@@ -17,12 +16,31 @@ std::unique_ptr<SimulatedProcess> MillingRoom::makePlant(const Options& options)
     constexpr double kSegment_mm = 20.0;
     SimulatedMilling::Params params;
     params.blanks = {milling::BlankProfile::ofSegments(kHeights_mm, kSegment_mm)->inAir(true, true)};
+    params.wearPerPart = 0.015;  // twenty parts to the usual threshold: a shift sees the trend
     params.seed = options.seed;
-    return std::make_unique<SimulatedMilling>(params);
+    auto plant = std::make_unique<SimulatedMilling>(params);
+    m_plant = plant.get();
+    return plant;
 }
 
 std::unique_ptr<ProcessLoop> MillingRoom::makeLoop() {
     return std::make_unique<MillingLoop>();
+}
+
+void MillingRoom::open(const Context& context) {
+    StoredMillingDesk::Links links{context.writer, context.engine, context.author, {}};
+    if (m_plant != nullptr) {
+        links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
+    }
+    m_desk = std::make_unique<StoredMillingDesk>(std::move(links), context.reader, context.reader);
+}
+
+void MillingRoom::serve(ui::Services& services) {
+    services.millingDesk = m_desk.get();
+}
+
+void MillingRoom::poll() {
+    m_desk->poll();
 }
 
 }  // namespace kerf::console

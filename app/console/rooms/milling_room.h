@@ -2,16 +2,25 @@
 #pragma once
 
 #include "app/console/rooms/room.h"
+#include "app/desk/milling_desk.h"
+#include "engine/machine/simulated_milling.h"
 
 namespace kerf::console {
 
-/// Milling on the console: the built-in machine's plant and the force loop.
+/// Milling on the console: the built-in machine's plant, the force loop, and its desk.
 class MillingRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Milling; }
     [[nodiscard]] bool fits(const std::string& machineKind) const override;
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
+    void open(const Context& context) override;
+    void serve(ui::Services& services) override;
+    void poll() override;
+
+ private:
+    SimulatedMilling* m_plant{nullptr};  ///< null: a real machine
+    std::unique_ptr<StoredMillingDesk> m_desk;
 };
 
 }  // namespace kerf::console

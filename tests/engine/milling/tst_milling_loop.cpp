@@ -128,6 +128,82 @@ class TestMillingLoop : public QObject {
         QVERIFY(bench.alarmRaised(milling_alarm::kOverload));
         QVERIFY(bench.status().milling.stopped);
     }
+    void overloadIsKnownWithinOneRevolution() {
+        const milling::ForceShape shape;
+        for (const double at_rev : {10.0, 10.1, 10.37, 10.62, 10.9}) {  // where the force leaps
+            milling::ForceWatch watch;
+            double known_rev = 0.0;
+            for (int i = 0; i < 10000 && known_rev == 0.0; ++i) {
+                FastSample sample;
+                sample.spindleAngle_rev = i / 500.0;
+                sample.stamp_ns = static_cast<std::int64_t>(i) * 200'000;
+                sample.quality = Quality::Good;
+                sample.force_N = milling::sampledForce_N(shape, sample.spindleAngle_rev < at_rev ? 400.0 : 900.0,
+                                                         sample.spindleAngle_rev);
+                watch.add(sample);
+                known_rev = watch.revolutionMean_N() > 650.0 ? sample.spindleAngle_rev : 0.0;
+            }
+            QVERIFY2(known_rev > at_rev && known_rev - at_rev <= 1.0, qPrintable(QString::number(known_rev)));
+        }
+    }
+    void faultReactionsKeepTheirRevolutionAtEverySpeed() {
+        for (const double speed_rpm : {120.0, 3000.0}) {
+            MillingSetup setup = test::millingSetup();
+            const double faster = speed_rpm / 600.0;
+            setup.spindleSpeed_rpm = speed_rpm;
+            setup.plannedFeed_mmPerS *= faster;
+            setup.highestFeed_mmPerS *= faster;
+            setup.lowestFeed_mmPerS *= faster;
+            setup.entryFeed_mmPerS *= faster;
+            setup.overload_N = 1500.0;  // the drive lags by several revolutions at 3000 rpm
+            for (const bool broken : {false, true}) {
+                MillingBench bench;
+                QVERIFY(bench.start(LoopMode::Control, setup) && bench.cutTo(12.0));
+                InjectedFaults faults;
+                faults.toolBroken = broken;
+                faults.force = broken ? SignalFault::None : SignalFault::Unplugged;
+                bench.machine->inject(faults);
+                bench.runRevolutions(1.0);
+                QCOMPARE(bench.status().milling.stopped, broken);
+                QVERIFY(broken || bench.status().milling.blind);
+                QVERIFY(broken || bench.status().milling.wantedFeed_mmPerS <= setup.plannedFeed_mmPerS + 1e-9);
+            }
+        }
+    }
+    void constantLawTellsThatNothingIsWatched() {
+        MillingBench bench;
+        MillingSetup setup = test::millingSetup();
+        setup.law = MillingLaw::Constant;
+        QVERIFY(bench.start(LoopMode::Control, setup) && bench.cutTo(12.0));
+        InjectedFaults faults;
+        faults.force = SignalFault::Unplugged;
+        bench.machine->inject(faults);
+        bench.runRevolutions(2.0);
+        QVERIFY(bench.alarmRaised(milling_alarm::kForceUnknown));
+        QVERIFY(bench.status().actualFeed_mmPerS.value <= 1.5 + 1e-3);
+    }
+    void controlTakesOverFromAdviceWithoutABump() {
+        for (const MillingLaw law : {MillingLaw::Pi, MillingLaw::Model}) {
+            for (const double at_mm : {14.0, 50.0}) {  // planned feed too slow, too fast for the reference
+                MillingBench bench({}, 3.0);
+                MillingSetup setup = test::millingSetup();
+                setup.law = law;
+                QVERIFY(bench.start(LoopMode::Advise, setup) && bench.cutTo(at_mm));
+                const double before_mmPerS = bench.status().actualFeed_mmPerS.value;
+                QVERIFY(bench.execute(SetLoopMode{ProcessId::Milling, LoopMode::Control}).done);
+                QVERIFY(std::abs(bench.status().milling.wantedFeed_mmPerS - before_mmPerS) < 1e-6);
+                double highest_N = 0.0;
+                for (int i = 0; i < 4000; ++i) {
+                    const double feed_mmPerS = bench.status().actualFeed_mmPerS.value;
+                    bench.engine->runCycles(1);
+                    QVERIFY(std::abs(bench.status().actualFeed_mmPerS.value - feed_mmPerS) < 0.05);
+                    highest_N = i < 1000 ? 0.0 : std::max(highest_N, bench.milling->trueForce_N());
+                }
+                QVERIFY2(highest_N < 470.0, qPrintable(QString::number(highest_N)));
+                QVERIFY(std::abs(bench.status().milling.force_N.value - 392.0) < 60.0);
+            }
+        }
+    }
     void stoppedFeedGoesOnOnlyWhenReleased() {
         MillingBench bench;
         QVERIFY(bench.start(LoopMode::Control) && bench.cutTo(30.0));
@@ -358,6 +434,46 @@ class TestMillingLoop : public QObject {
         QVERIFY(bench.execute(NewMillingTool{}).done);
         QCOMPARE(bench.status().milling.partsWithTool, 0U);
     }
+    void newToolEndsTheWarning() {
+        SimulatedMilling::Params params;
+        params.wearPerPart = 0.4;
+        MillingBench bench(params);
+        for (int i = 0; i < 2; ++i) {
+            PartRecord part;
+            QVERIFY(bench.start(LoopMode::Control) && bench.finish(part));
+        }
+        QVERIFY(bench.alarmRaised(milling_alarm::kToolWorn));
+        QVERIFY(bench.execute(NewMillingTool{}).done);
+        bench.engine->runCycles(2);
+        AlarmEvent event;
+        bool ended = false;
+        while (bench.engine->nextAlarm(event)) {
+            ended = ended || (event.code == milling_alarm::kToolWorn && !event.raised);
+        }
+        QVERIFY(ended);
+    }
+    void restoredToolGoesOnWhereItWas() {
+        SimulatedMilling::Params params;
+        params.wearPerPart = 0.08;
+        MillingBench before(params);
+        PartRecord part;
+        for (int i = 0; i < 4; ++i) {
+            QVERIFY(before.start(LoopMode::Control) && before.finish(part));
+        }
+        const MillingStatus then = before.status().milling;
+        MillingBench after(params);
+        QVERIFY(after.execute(RestoreMillingTool{then.tool}).done);
+        QVERIFY(after.execute(LoadMillingSetup{test::millingSetup()}).done);  // k_x is the tool's, not the setup's
+        const MillingStatus now = after.status().milling;
+        QCOMPARE(now.tool, then.tool);
+        QCOMPARE(now.wear, then.wear);
+        QCOMPARE(now.wearPerPart, then.wearPerPart);
+        QCOMPARE(now.partsWithTool, 4U);
+        MillingToolState bad = then.tool;
+        bad.kxLogWeight[2] = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!after.execute(RestoreMillingTool{bad}).done);
+        QCOMPARE(after.status().milling.tool, then.tool);
+    }
     void unusableSetupsAreRefusedWithAReason() {
         MillingBench bench;
         const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -374,6 +490,11 @@ class TestMillingLoop : public QObject {
         QVERIFY(refused([](MillingSetup& s) { s.spindleSpeed_rpm = 13000.0; }));
         QVERIFY(refused([](MillingSetup& s) { s.to_mm = s.from_mm; }));
         QVERIFY(refused([](MillingSetup& s) { s.ki_mmPerSPerN = 2.0 * s.kp_mmPerSPerN; }));
+        QVERIFY(refused([](MillingSetup& s) { s.law = MillingLaw::Preview; }));  // no blank profile
+        for (const MillingField& field : milling::setupFields()) {
+            QVERIFY(refused([&](MillingSetup& s) { field.set(s, field.spec.max * 1.1 + 1.0); }));
+            QCOMPARE(field.get(MillingSetup{}), field.spec.fallback);
+        }
         QVERIFY(!bench.execute(StartPart{ProcessId::Milling}).done);
         MillingBlank blank;
         blank.count = 2;

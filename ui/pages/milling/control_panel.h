@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "engine/api/milling_desk.h"
+#include "engine/api/status.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/lamp.h"
+#include "ui/widgets/number_display.h"
+
+class QButtonGroup;
+class QGridLayout;
+
+namespace kerf::ui {
+
+/// What the loop does and what it may be told: state, law, reference, start and release, mode. Emits what was touched.
+class MillingControlPanel : public Card {
+    Q_OBJECT
+ public:
+    explicit MillingControlPanel(Look& look, QWidget* parent = nullptr);
+
+    void setView(const MillingDeskView& view);
+    void setStatus(const Status& status, const Capabilities& capabilities);
+
+ signals:
+    void lawRequested(kerf::MillingLaw law);
+    void teachRequested();
+    void startRequested();
+    void releaseRequested();
+    void modeRequested(kerf::LoopMode mode);
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    void retranslate();
+    void showLoop();
+    void showNumbers();
+    [[nodiscard]] QString whyNotLaw(MillingLaw law) const;
+    [[nodiscard]] QString whyNotStart() const;
+    [[nodiscard]] QString whyNotTeach() const;
+
+    Look& m_look;
+    Lamp* m_lamp;
+    QLabel* m_reason;
+    QGridLayout* m_numbers;
+    NumberDisplay* m_reference;
+    NumberDisplay* m_margin;
+    NumberDisplay* m_peak;
+    NumberDisplay* m_saved;
+    QLabel* m_advice;
+    QLabel* m_lawLabel;
+    QGridLayout* m_laws;
+    std::array<ActionButton*, kMillingLawCount> m_lawButtons{};
+    ActionButton* m_teach;
+    ActionButton* m_start;
+    ActionButton* m_release;
+    QGridLayout* m_actions;
+    QButtonGroup* m_modes;
+    QHBoxLayout* m_modeRow;
+    std::array<QPushButton*, 3> m_modeButtons{};
+    MillingDeskView m_view{};
+    Status m_status{};
+    Capability m_cycleStart{};
+};
+
+}  // namespace kerf::ui

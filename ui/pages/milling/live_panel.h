@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "engine/api/milling_desk.h"
+#include "engine/api/status.h"
+#include "ui/charts/live_plot.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/number_display.h"
+
+class QGridLayout;
+class QPushButton;
+
+namespace kerf::ui {
+
+/// Averaged force with its reference and limit over the feed made and wanted, both running with the machine's time.
+/// The raw force stands behind the average on demand.
+class MillingLivePanel : public Card {
+    Q_OBJECT
+ public:
+    explicit MillingLivePanel(Look& look, QWidget* parent = nullptr);
+
+    void setSetup(const MillingSetup& setup);
+    void setStatus(const Status& status);
+    /// Samples that came while milling; `blind`: their force is not to be trusted.
+    void addSamples(std::span<const Sample> samples, bool blind);
+
+    [[nodiscard]] LivePlot* forceChart() const { return m_force; }
+    [[nodiscard]] LivePlot* feedChart() const { return m_feed; }
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    void retranslate();
+    void showLimits(double reference_N, double overload_N);
+
+    Look& m_look;
+    QGridLayout* m_grid;
+    LivePlot* m_force;
+    LivePlot* m_feed;
+    NumberDisplay* m_forceNow;
+    NumberDisplay* m_feedNow;
+    QPushButton* m_raw;
+    Chart::CurveId m_rawCurve;
+    Chart::CurveId m_average;
+    Chart::CurveId m_wanted;
+    Chart::CurveId m_made;
+    MillingSetup m_setup{};
+    double m_reference_N{0.0};
+    double m_overload_N{0.0};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/milling/milling_texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <cmath>
+
+namespace kerf::ui {
+namespace {
+struct Milling {
+    Q_DECLARE_TR_FUNCTIONS(Milling)
+};
+}  // namespace
+
+QString lawName(MillingLaw law) {
+    switch (law) {
+        case MillingLaw::Constant:
+            return Milling::tr("Constant feed");
+        case MillingLaw::Pi:
+            return Milling::tr("PI");
+        case MillingLaw::Model:
+            return Milling::tr("Model");
+        case MillingLaw::Preview:
+            return Milling::tr("Preview");
+    }
+    return {};
+}
+
+QString savedText(double saved_s) {
+    const QString time = UnitSystem::fixed(std::abs(saved_s), 1);
+    if (std::abs(saved_s) < 0.05) {
+        return Milling::tr("as long as planned");
+    }
+    return saved_s > 0.0 ? Milling::tr("%1 s faster than planned").arg(time)
+                         : Milling::tr("%1 s slower than planned").arg(time);
+}
+
+QString cutText(const MillingCutView& view, const UnitSystem& units) {
+    const MillingCut& cut = view.cut;
+    QStringList parts;
+    const QString saved = savedText(cut.plannedTime_s - cut.controlledTime_s);
+    parts << (cut.advised ? Milling::tr("control would be %1").arg(saved) : saved);
+    parts << Milling::tr("peak %1 at %2")
+                 .arg(units.withUnit(cut.peakForce_N, "N", kForceDecimals), units.withUnit(cut.peakAt_mm, "mm", 1));
+    if (cut.waviness_um > 0.0) {
+        parts << Milling::tr("waviness %1").arg(units.withUnit(cut.waviness_um, "um", kWallDecimals));
+    }
+    if (cut.stops > 0) {
+        parts << (cut.advised ? Milling::tr("would have been stopped") : Milling::tr("was stopped"));
+    }
+    const QString head = view.complete ? Milling::tr("Cut %1: %2.") : Milling::tr("Cut %1, aborted: %2.");
+    return head.arg(view.number).arg(parts.join(QStringLiteral("; ")));
+}
+
+}  // namespace kerf::ui
