@@ -6,6 +6,7 @@
 #include "ui/pages/diagnostics_page.h"
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
+#include "ui/pages/turning/turning_page.h"
 
 #include <QCoreApplication>
 
@@ -57,6 +58,8 @@ PageList standardPages() {
         {"overview", [] { return Pages::tr("Overview"); }, {}, makePage<OverviewPage>, {}},
         {"boring", [] { return processName(ProcessId::Boring); }, ProcessId::Boring, makePage<BoringPage>,
          boringFigure},
+        {"turning", [] { return processName(ProcessId::Turning); }, ProcessId::Turning, makePage<TurningPage>,
+         turningFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},
