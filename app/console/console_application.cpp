@@ -86,6 +86,12 @@ Result<void> ConsoleApplication::start() {
     return {};
 }
 
+Room* ConsoleApplication::room(ProcessId process) const noexcept {
+    const auto found = std::find_if(m_rooms.begin(), m_rooms.end(),
+                                    [process](const auto& room) { return room->process() == process; });
+    return found == m_rooms.end() ? nullptr : found->get();
+}
+
 void ConsoleApplication::makeEngine() {
     std::vector<std::unique_ptr<ProcessLoop>> loops;
     if (bores(m_options)) {

@@ -42,6 +42,8 @@ class ConsoleApplication : public QObject {
     /// Null with a real machine.
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
     [[nodiscard]] SimulatedShift* shift() const noexcept { return m_shift.get(); }
+    /// Null: not on this machine.
+    [[nodiscard]] Room* room(ProcessId process) const noexcept;
     [[nodiscard]] ui::Look& look() noexcept { return *m_look; }
     [[nodiscard]] const std::string& databasePath() const noexcept { return m_databasePath; }
 

@@ -276,6 +276,7 @@ class TestTurningPage : public QObject {
         preferences.length = inch ? LengthUnit::Inch : LengthUnit::Millimetre;
         m_bench->look.apply(preferences);
         m_bench->show<TurningPage>(size);
+        m_wanted = size;
         const QString name = QStringLiteral("turning_%1").arg(QLatin1String(QTest::currentDataTag()));
         if (!full) {
             check(m_bench->page, name);
@@ -380,12 +381,18 @@ class TestTurningPage : public QObject {
     }
     void check(QWidget* shown, const QString& name) {
         m_bench->save(name + QStringLiteral(".png"));
+        QVERIFY2(m_bench->window.height() <= m_wanted.height() && m_bench->window.width() <= m_wanted.width(),
+                 qPrintable(QStringLiteral("%1 grows to %2×%3")
+                                .arg(name)
+                                .arg(m_bench->window.width())
+                                .arg(m_bench->window.height())));
         const QStringList problems = test::clippedTexts(shown) + test::smallTargets(shown, m_bench->look);
         if (!problems.isEmpty()) {
             QTest::qFail(qPrintable(name + u'\n' + problems.join(u'\n')), __FILE__, __LINE__);
         }
     }
 
+    QSize m_wanted;
     std::unique_ptr<FakeTurningDesk> m_desk;
     std::unique_ptr<PageBench> m_bench;
 };

@@ -16,6 +16,7 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] const StoredTurningDesk& desk() const { return *m_desk; }
 
  private:
     std::unique_ptr<TurningExchange> m_exchange{std::make_unique<TurningExchange>()};

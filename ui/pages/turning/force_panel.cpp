@@ -49,13 +49,15 @@ ForcePanel::ForcePanel(Look& look, QWidget* parent)
 
 void ForcePanel::retranslate() {
     layout()->setSpacing(m_look.space(Space::Medium));
-    m_forceCard->setTitle(tr("Normal force, %1", "unit").arg(m_look.units().of("N").symbol));
-    m_depthCard->setTitle(tr("Depth cut, %1", "unit").arg(m_look.units().of("um").symbol));
-    m_force->setXAxis(tr("time"), "s");
-    m_depth->setXAxis(tr("time"), "s");
+    m_forceCard->setTitle(tr("Force, %1: extremes and mean, last %2 s", "unit, seconds")
+                              .arg(m_look.units().of("N").symbol)
+                              .arg(kWindow_s, 0, 'f', 0));
+    m_depthCard->setTitle(
+        tr("Depth, %1, last %2 s", "unit, seconds").arg(m_look.units().of("um").symbol).arg(kWindow_s, 0, 'f', 0));
+    m_force->setXAxis(QStringLiteral("s"), "");
+    m_depth->setXAxis(QStringLiteral("s"), "");
     m_force->setYAxis(tr("force"), "N");
     m_depth->setYAxis(tr("depth"), "um");
-    m_force->setCurveLabel(m_mean, tr("mean"));
     m_depth->setCurveLabel(m_estimate, tr("from the force"));
     m_force->setEmptyText(tr("The force appears here as soon as a part is cut."));
     m_depth->setEmptyText(tr("The depth that is really cut appears here with the first chip."));

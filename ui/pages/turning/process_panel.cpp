@@ -50,9 +50,9 @@ ProcessPanel::ProcessPanel(Look& look, QWidget* parent)
     m_grid->setColumnStretch(1, 1);
     body()->addLayout(m_grid);
     auto* row = new QHBoxLayout;
+    row->addWidget(m_excitation, 3);
     row->addWidget(m_traceName);
-    row->addWidget(m_trace, 1);
-    body()->addWidget(m_excitation);
+    row->addWidget(m_trace, 2);
     body()->addLayout(row);
     body()->addWidget(m_note);
     body()->addStretch(1);
@@ -115,13 +115,14 @@ void ProcessPanel::show(const TurningStatus& turning) {
                                   : QStringLiteral("–"));
         m_law[i]->setText(units.number(law[i], kUnits[i], kDecimals));
     }
+    m_traceName->setVisible(known);
+    m_trace->setVisible(known);
     m_excitation->setText(known ? excitationText(found) : QString());
-    m_excitation->setVisible(known);
     const auto retuned = static_cast<int>(turning.retuned);
-    m_note->setText(!found.available && turning.stage == TurningStage::Cutting
-                        ? tr("Identified only with a sensor of the tool's motion; the law assumes its values.")
-                    : retuned > 0 ? tr("The law was tuned anew %n time(s): the process had moved.", nullptr, retuned)
-                                  : tr("The law is tuned anew when the process moves by 5 %."));
+    const bool assumed = !found.available && turning.stage != TurningStage::Idle;
+    m_note->setText(assumed ? tr("Identified only with a sensor of the tool's motion; the law assumes its values.")
+                            : tr("The law was tuned anew %n time(s): the process had moved.", nullptr, retuned));
+    m_note->setVisible(assumed || retuned > 0);
 }
 
 }  // namespace kerf::ui

@@ -30,7 +30,7 @@ SpectrumChart::SpectrumChart(Look& look, QWidget* parent)
 }
 
 void SpectrumChart::retranslate() {
-    setXAxis(tr("frequency"), "Hz");
+    setXAxis(QStringLiteral("Hz"), "");
     setYAxis(tr("amplitude"), "um");
     setCurveLabel(m_untreated, tr("without the trim"));
     setCurveLabel(m_treated, tr("predicted surface"));
@@ -77,6 +77,10 @@ void SpectrumChart::fitRanges() {
     if (most_um > 0.0) {
         setYRange(0.0, most_um * kHeadroom);
     }
+}
+
+QString SpectrumChart::axesText() const {
+    return tr("amplitude, %1, over frequency, Hz", "unit").arg(look().units().of("um").symbol);
 }
 
 QString SpectrumChart::toneLabel(const TurningTone& tone) const {

@@ -20,6 +20,8 @@ class SpectrumChart : public Chart {
     [[nodiscard]] const std::vector<TurningTone>& tones() const { return m_tones; }
     /// Texts in the present language.
     void retranslate();
+    /// What the axes mean, for the title of the card: the chart is low and has no titles of its own.
+    [[nodiscard]] QString axesText() const;
     /// What stands above a tone (tests).
     [[nodiscard]] QString toneLabel(const TurningTone& tone) const;
 

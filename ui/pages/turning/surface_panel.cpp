@@ -18,6 +18,7 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
       m_pv(new NumberDisplay(look, "um", kSurfaceDecimals, TextSize::Card, this)),
       m_without(new NumberDisplay(look, "um", kSurfaceDecimals, TextSize::Card, this)),
       m_spectrum(new SpectrumChart(look, this)),
+      m_axes(makeLabel(TextRole::Dim, this)),
       m_blind(makeLabel(TextRole::Body, this, true)),
       m_useSpeed(new ActionButton(look, this)),
       m_columns(new QHBoxLayout),
@@ -36,6 +37,8 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
         m_numbers->addWidget(number);
     }
     m_numbers->addStretch(1);
+    header()->addWidget(m_axes);
+    m_useSpeed->setFocusPolicy(Qt::TabFocus);
     m_columns->addLayout(m_numbers);
     m_columns->addWidget(m_spectrum, 1);
     m_blindRow->addWidget(m_blind, 1);
@@ -66,6 +69,7 @@ void SurfacePanel::retranslate() {
     m_columns->setSpacing(m_look.space(Space::Large));
     m_blindRow->setSpacing(m_look.metrics().touchGap());
     m_spectrum->retranslate();
+    m_axes->setText(m_spectrum->axesText());
     showBlind();
 }
 

@@ -38,6 +38,7 @@ class SurfacePanel : public Card {
     NumberDisplay* m_pv;
     NumberDisplay* m_without;
     SpectrumChart* m_spectrum;
+    QLabel* m_axes;
     QLabel* m_blind;
     ActionButton* m_useSpeed;
     QHBoxLayout* m_columns;

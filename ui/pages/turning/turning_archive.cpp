@@ -2,7 +2,7 @@
 #include "ui/pages/turning/turning_archive.h"
 
 #include <QDateTime>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScroller>
@@ -31,11 +31,13 @@ TurningArchive::TurningArchive(Look& look, const TurningDesk& desk, Sheet* sheet
       m_sheet(sheet),
       m_table(new QTableWidget(this)),
       m_text(makeLabel(TextRole::Small, this, true)),
+      m_spectrumTitle(makeLabel(TextRole::Dim, this)),
+      m_forceTitle(makeLabel(TextRole::Dim, this)),
       m_spectrum(new SpectrumChart(look, this)),
       m_force(new Chart(look, this)),
       m_swing(m_force->addBand(Token::Past)),
       m_mean(m_force->addCurve({Token::Measured, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Normal})),
-      m_charts(new QHBoxLayout),
+      m_charts(new QGridLayout),
       m_close(new QPushButton) {
     setObjectName(QStringLiteral("turningArchiveSheet"));
     m_table->setObjectName(QStringLiteral("turningArchiveTable"));
@@ -51,8 +53,13 @@ TurningArchive::TurningArchive(Look& look, const TurningDesk& desk, Sheet* sheet
     m_table->verticalHeader()->hide();
     QScroller::grabGesture(m_table->viewport(), QScroller::TouchGesture);
     m_force->setLowTitles(true);
-    m_charts->addWidget(m_spectrum, 3);
-    m_charts->addWidget(m_force, 2);
+    m_charts->addWidget(m_spectrumTitle, 0, 0);
+    m_charts->addWidget(m_forceTitle, 0, 1);
+    m_charts->addWidget(m_spectrum, 1, 0);
+    m_charts->addWidget(m_force, 1, 1);
+    m_charts->setColumnStretch(0, 3);
+    m_charts->setColumnStretch(1, 2);
+    m_charts->setRowStretch(1, 1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(m_table, 1);
@@ -70,7 +77,9 @@ void TurningArchive::refresh() {
     }
     m_close->setText(tr("Close"));
     m_spectrum->retranslate();
-    m_force->setXAxis(tr("along the face"), "%");
+    m_spectrumTitle->setText(m_spectrum->axesText());
+    m_forceTitle->setText(tr("force, %1, along the face, %", "unit").arg(look().units().of("N").symbol));
+    m_force->setXAxis(QStringLiteral("%"), "");
     m_force->setYAxis(tr("force"), "N");
     m_force->setEmptyText(tr("This part has no force trace."));
     m_force->setAccessibleName(tr("Force along the face"));
@@ -78,7 +87,8 @@ void TurningArchive::refresh() {
     m_table->verticalHeader()->setDefaultSectionSize(touch);
     m_table->verticalHeader()->setMinimumSectionSize(touch);
     m_table->setMinimumHeight(kRowsShown * touch);
-    m_charts->setSpacing(look().space(Space::Large));
+    m_charts->setHorizontalSpacing(look().space(Space::Large));
+    m_charts->setVerticalSpacing(0);
     layout()->setSpacing(look().space(Space::Medium));
     setMinimumWidth(2 * look().metrics().sideWidth());
     fill();
@@ -95,7 +105,7 @@ void TurningArchive::fill() {
                              tr("controller"),
                              titled(tr("RMS"), "um"),
                              titled(tr("P-V"), "um"),
-                             titled(tr("without trim"), "um"),
+                             titled(tr("open", "surface without the trim"), "um"),
                              titled(tr("mean force"), "N")};
     m_table->setColumnCount(static_cast<int>(titles.size()));
     m_table->setHorizontalHeaderLabels(titles);

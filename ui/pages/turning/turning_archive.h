@@ -7,6 +7,7 @@
 #include "ui/dialogs/sheet.h"
 #include "ui/pages/turning/spectrum_chart.h"
 
+class QGridLayout;
 class QTableWidget;
 
 namespace kerf::ui {
@@ -33,11 +34,13 @@ class TurningArchive : public FaceWidget {
     QPointer<Sheet> m_sheet;
     QTableWidget* m_table;
     QLabel* m_text;
+    QLabel* m_spectrumTitle;
+    QLabel* m_forceTitle;
     SpectrumChart* m_spectrum;
     Chart* m_force;
     Chart::BandId m_swing;
     Chart::CurveId m_mean;
-    QHBoxLayout* m_charts;
+    QGridLayout* m_charts;
     QPushButton* m_close;
     int m_row{0};
 };

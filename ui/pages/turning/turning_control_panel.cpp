@@ -22,6 +22,7 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
       m_modes(new QButtonGroup(this)),
       m_controllers(new QButtonGroup(this)),
       m_modeRow(new QHBoxLayout),
+      m_partRow(new QHBoxLayout),
       m_controllerGrid(new QGridLayout),
       m_controllerTitle(makeLabel(TextRole::Small, this)),
       m_setup(makeLabel(TextRole::Small, this, true)),
@@ -65,8 +66,9 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
     body()->addLayout(m_controllerGrid);
     body()->addStretch(1);
     body()->addWidget(m_setup);
-    body()->addWidget(m_change);
-    body()->addWidget(m_start);
+    m_partRow->addWidget(m_change, 1);
+    m_partRow->addWidget(m_start, 1);
+    body()->addLayout(m_partRow);
     connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
         showLoop();  // the engine says what the mode is, not the touch
         emit modeRequested(static_cast<LoopMode>(id));
@@ -98,8 +100,9 @@ void TurningControlPanel::retranslate() {
     }
     m_controllerTitle->setText(tr("controller"));
     m_start->setText(tr("Start part"));
-    m_change->setText(tr("Setup of the next part"));
+    m_change->setText(tr("Setup"));
     m_modeRow->setSpacing(m_look.metrics().touchGap());
+    m_partRow->setSpacing(m_look.metrics().touchGap());
     m_controllerGrid->setSpacing(m_look.metrics().touchGap());
     m_progress->setFixedHeight(m_look.space(Space::Medium));
     setView(m_view);

@@ -50,6 +50,7 @@ class TurningControlPanel : public Card {
     std::array<QPushButton*, 3> m_modeButtons{};
     std::array<QPushButton*, kTurningControllers> m_controllerButtons{};
     QHBoxLayout* m_modeRow;
+    QHBoxLayout* m_partRow;
     QGridLayout* m_controllerGrid;
     QLabel* m_controllerTitle;
     QLabel* m_setup;
