@@ -149,7 +149,7 @@ Result<void> ConsoleApplication::openMachine() {
     params.seed = m_options.seed;
     params.changeAtPart = m_options.changeAtPart;
     PartQuery newest;
-    newest.process = ProcessId::Boring;
+    newest.process = bores(m_options) ? ProcessId::Boring : ProcessId::Turning;
     newest.limit = 1;
     if (const auto parts = m_reader->parts(newest); parts && !parts->empty()) {
         params.partsSoFar = parts->front().number;  // the machine goes on where it was
