@@ -32,9 +32,9 @@ bool bores(const Options& options) {
 }
 
 /// Parts ever bored, up to and with `last` (all when empty).
-std::uint32_t boredUpTo(PartReader& reader, std::optional<PartId> last) {
+std::uint32_t madeUpTo(PartReader& reader, ProcessId process, std::optional<PartId> last) {
     PartQuery query;
-    query.process = ProcessId::Boring;
+    query.process = process;
     if (last) {
         query.before = *last + 1;
     }
@@ -101,6 +101,12 @@ Result<void> ConsoleApplication::start() {
     return {};
 }
 
+Room* ConsoleApplication::room(ProcessId process) const noexcept {
+    const auto found = std::find_if(m_rooms.begin(), m_rooms.end(),
+                                    [process](const auto& room) { return room->process() == process; });
+    return found == m_rooms.end() ? nullptr : found->get();
+}
+
 void ConsoleApplication::makeEngine() {
     std::vector<std::unique_ptr<ProcessLoop>> loops;
     if (bores(m_options)) {
@@ -157,7 +163,7 @@ Result<void> ConsoleApplication::openMachine() {
     Simulator::Params params;
     params.seed = m_options.seed;
     params.changeAtPart = m_options.changeAtPart;
-    params.boredSoFar = boredUpTo(*m_reader, {});  // the machine goes on where it was
+    params.partsSoFar = madeUpTo(*m_reader, bores(m_options) ? ProcessId::Boring : ProcessId::Turning, {});
     params.diamondLathe = !bores(m_options);
     Simulator::Plants plants;
     for (const auto& room : m_rooms) {
@@ -185,7 +191,8 @@ void ConsoleApplication::openLots() {
             return std::nullopt;
         }
         const Simulator::Bore bore{recipe.targetDiameter_mm, recipe.targetDeflection_mm, recipe.phi_deg};
-        const Simulator::GaugedPart gauged{part.id, part.sequence, boredUpTo(*m_reader, part.id), part.feed};
+        const Simulator::GaugedPart gauged{part.id, part.sequence, madeUpTo(*m_reader, ProcessId::Boring, part.id),
+                                           part.feed};
         return m_simulator->gaugeReading_mm(gauged, overhang_mm, bore);
     };
     m_lots = std::make_unique<StoredBoringLots>(links, *m_reader, first, [this] { lotIsOpen(); });

@@ -45,6 +45,8 @@ class ConsoleApplication : public QObject {
     /// Null with a real machine.
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
     [[nodiscard]] SimulatedShift* shift() const noexcept { return m_shift.get(); }
+    /// Null: not on this machine.
+    [[nodiscard]] Room* room(ProcessId process) const noexcept;
     [[nodiscard]] ui::Look& look() noexcept { return *m_look; }
     /// What the pages work with.
     [[nodiscard]] ui::Services services();

@@ -28,7 +28,7 @@ std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
 
 Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
     SimulatedMachine::Params machine;
-    machine.partsSoFar = params.boredSoFar;
+    machine.partsSoFar = params.partsSoFar;
     if (params.diamondLathe) {
         machine.name = "Kerf diamond lathe";
         machine.cycle_ns = kLatheCycle_ns;
@@ -39,7 +39,7 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
             Sentence(KERF_TEXT("On the built-in diamond lathe: start the console with --machine diamond-lathe."));
         SimulatedBoring::Params boring;
         boring.truths = truths(params.changeAtPart);
-        boring.boredSoFar = params.boredSoFar;
+        boring.boredSoFar = params.partsSoFar;
         auto plant = std::make_unique<SimulatedBoring>(boring);
         m_boring = plant.get();
         plants.push_back(std::move(plant));

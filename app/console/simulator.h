@@ -17,7 +17,7 @@ namespace kerf::console {
 class Simulator {
  public:
     struct Params {
-        std::uint32_t boredSoFar{0};
+        std::uint32_t partsSoFar{0};  ///< of what the machine is there for: bored, or turned
         std::uint64_t seed{1};
         double gaugeSigma_mm{0.005};     ///< standard deviation of one gauged deflection
         std::uint32_t changeAtPart{14};  ///< a new insert: the process is another one from here on; 0: never

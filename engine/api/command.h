@@ -43,6 +43,11 @@ struct LoadTurningSetup {
     static constexpr ProcessId kProcess = ProcessId::Turning;
     TurningSetup setup{};
 };
+/// Turning: another law, bumpless, also while cutting.
+struct SetTurningController {
+    static constexpr ProcessId kProcess = ProcessId::Turning;
+    TurningController controller{TurningController::Tones};
+};
 /// Tapping: what is tapped. Between taps only; its first tap is made in the air.
 struct LoadTappingJob {
     static constexpr ProcessId kProcess = ProcessId::Tapping;
@@ -104,9 +109,9 @@ struct NewMillingTool {
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
-                 LoadTurningSetup, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap, LoadMillingSetup,
-                 LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference, ReleaseMillingStop,
-                 RestoreMillingTool, NewMillingTool>
+                 LoadTurningSetup, SetTurningController, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap,
+                 LoadMillingSetup, LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference,
+                 ReleaseMillingStop, RestoreMillingTool, NewMillingTool>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

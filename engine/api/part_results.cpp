@@ -19,6 +19,10 @@ std::optional<double> ofTurning(const PartRecord& part, double value) {
     return part.turning.valid ? std::optional(value) : std::nullopt;
 }
 
+std::optional<double> ofSecondHalf(const PartRecord& part, double value) {
+    return part.turning.valid && part.turning.steadyRms_um > 0.0 ? std::optional(value) : std::nullopt;
+}
+
 constexpr std::array kMilling{
     Row{{"waviness_um", KERF_TEXT("Waviness"), "um", 1},
         [](const PartRecord& p) { return std::optional(p.milling.waviness_um); }},
@@ -51,6 +55,10 @@ constexpr std::array kMilling{
 constexpr std::array kTurning{
     Row{{"surface_rms_um", KERF_TEXT("Surface RMS"), "um", 3},
         [](const PartRecord& p) { return ofTurning(p, p.turning.surfaceRms_um); }},
+    Row{{"steady_rms_um", KERF_TEXT("RMS, second half"), "um", 3},
+        [](const PartRecord& p) { return ofSecondHalf(p, p.turning.steadyRms_um); }},
+    Row{{"steady_pv_um", KERF_TEXT("P-V, second half"), "um", 3},
+        [](const PartRecord& p) { return ofSecondHalf(p, p.turning.steadyPv_um); }},
     Row{{"surface_pv_um", KERF_TEXT("Surface P-V"), "um", 3},
         [](const PartRecord& p) { return ofTurning(p, p.turning.surfacePv_um); }},
     Row{{"untreated_rms_um", KERF_TEXT("Without the loop"), "um", 3},
@@ -61,6 +69,10 @@ constexpr std::array kTurning{
         [](const PartRecord& p) { return std::optional(p.forcePeak_N); }},
     Row{{"trim_peak_um", KERF_TEXT("Largest trim"), "um", 2},
         [](const PartRecord& p) { return ofTurning(p, p.turning.trimPeak_um); }},
+    Row{{"touch_off_mm", KERF_TEXT("Touch-off"), "mm", 4},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.touchOff_mm); }},
+    Row{{"controlled", KERF_TEXT("Under control"), "", 0},
+        [](const PartRecord& p) { return ofTurning(p, p.turning.controlled ? 1.0 : 0.0); }},
 };
 
 std::span<const Row> rowsOf(ProcessId process) noexcept {

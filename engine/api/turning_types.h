@@ -13,6 +13,15 @@ namespace kerf {
 
 inline constexpr std::size_t kTurningTones = 8;
 
+/// Which law trims the tool. All of them act on the depth error d0 − û only.
+enum class TurningController : std::uint8_t {
+    Open,   ///< no trim; the disturbance is watched
+    Paper,  ///< the paper's PI with its own gain
+    Pi,     ///< the same law, tuned
+    Tones,  ///< the default: cancels the tones of the disturbance
+};
+inline constexpr std::size_t kTurningControllers = 4;
+
 /// The next part's cut. A part being cut keeps the setup it began with.
 struct TurningSetup {
     std::uint32_t revision{0};        ///< 0: none loaded
@@ -43,11 +52,20 @@ struct TurningTone {
     double amplitude_um{0.0};
     double visibility{0.0};  ///< |1 − exp(−jωd)|, 0 blind to 2
     bool blind{false};       ///< the force cannot see it at this speed
+    double share{0.0};       ///< of a new deviation that the tone's amplitude takes over per sample (Kalman gain)
+};
+
+/// Cutting process as plain numbers: F(k) = a1 F(k−1) + b0 u(k) + b1 u(k−1); b0 and b1 in N/µm.
+struct TurningProcess {
+    double a1{0.8725};
+    double b0{0.7470};
+    double b1{-0.7164};
 };
 
 /// a1, b0, b1 with the half width of their 95 % intervals.
 struct TurningIdentification {
     bool available{false};  ///< needs a sensor of the tool's motion
+    bool sure{false};       ///< excited, and the intervals are narrow: good enough to tune the law by
     std::array<double, 3> value{};
     std::array<double, 3> half95{};
     double trace{0.0};
@@ -78,7 +96,10 @@ struct TurningStatus {
     std::array<TurningTone, kTurningTones> tones{};
     std::uint8_t toneCount{0};
     TurningIdentification identification{};
-    double gainRatio{1.0};  ///< mean force over its value at the start of this cut
+    TurningController controller{TurningController::Tones};
+    TurningProcess lawProcess{};  ///< what the law is tuned to
+    std::uint32_t retuned{0};     ///< times the law was tuned anew since the engine began
+    double gainRatio{1.0};        ///< mean force over its value at the start of this cut
     std::uint32_t partsCut{0};
 };
 static_assert(std::is_trivially_copyable_v<TurningStatus>);
@@ -87,13 +108,26 @@ static_assert(std::is_trivially_copyable_v<TurningStatus>);
 struct TurningRecord {
     bool valid{false};
     TurningSetup setup{};
-    double surfaceRms_um{0.0};
-    double surfacePv_um{0.0};
-    double untreatedRms_um{0.0};
+    TurningController controller{TurningController::Tones};
+    bool controlled{false};        ///< the loop was in control from the touch to the end
+    double surfaceRms_um{0.0};     ///< from .4 s after the touch to the end
+    double surfacePv_um{0.0};      ///< of the last whole revolution
+    double untreatedRms_um{0.0};   ///< what the RMS would have been without the trim
+    double steadyRms_um{0.0};      ///< second half of the face, about its level; 0: not reached
+    double steadyPv_um{0.0};       ///< highest minus lowest of the second half
+    double steadyForce_N{0.0};     ///< mean force of the second half
+    double openSteadyRms_um{0.0};  ///< the same second half without the trim
+    double openSteadyPv_um{0.0};
     double forceTarget_N{0.0};
+    double forceZero_N{0.0};  ///< taken in the air before the touch
     double touchOff_mm{0.0};
     double trimPeak_um{0.0};
     bool leftLoop{false};  ///< the loop let go before the end
+    std::array<TurningTone, kTurningTones> tones{};
+    std::uint8_t toneCount{0};
+    TurningIdentification identification{};
+    TurningProcess lawProcess{};
+    std::uint32_t retuned{0};  ///< times within this part
 };
 static_assert(std::is_trivially_copyable_v<TurningRecord>);
 

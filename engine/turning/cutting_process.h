@@ -49,6 +49,11 @@ class CuttingProcess {
     }
     [[nodiscard]] constexpr const ProcessParams& params() const noexcept { return m_params; }
     constexpr void setParams(const ProcessParams& params) noexcept { m_params = params; }
+    /// The same force is now another chip: the memory is put over, so that invert() goes on without a step.
+    constexpr void retune(const ProcessParams& params) noexcept {
+        m_chip_um *= m_params.dcGain() / params.dcGain();
+        m_params = params;
+    }
     /// Start in the steady state of a chip.
     constexpr void settle(double chip_um) noexcept {
         m_chip_um = chip_um;

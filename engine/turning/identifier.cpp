@@ -57,8 +57,10 @@ void ProcessIdentifier::reset() noexcept {
     m_samples = m_sinceSurprise = 0;
 }
 
-void ProcessIdentifier::start(const ProcessParams& process, double variance) noexcept {
+void ProcessIdentifier::start(const ProcessParams& process, double variance, double force_N, double chip_um) noexcept {
     reset();
+    m_lastForce_N = m_modelForce_N = force_N;
+    m_lastChip_um = m_chipMean_um = chip_um;
     m_theta = {process.a1, process.b0, process.b1};
     m_p = Eigen::Matrix3d::Identity() * variance;
 }

@@ -56,8 +56,8 @@ class ProcessIdentifier {
 
     void update(double force_N, double chip_um) noexcept;
     void reset() noexcept;
-    /// Begin from a known process instead of zero.
-    void start(const ProcessParams& process, double variance) noexcept;
+    /// Begin from a known process, with the force and the chip of the sample before: in mid-cut, without a jolt.
+    void start(const ProcessParams& process, double variance, double force_N = 0.0, double chip_um = 0.0) noexcept;
 
     [[nodiscard]] const Eigen::Vector3d& theta() const noexcept { return m_theta; }
     [[nodiscard]] const Eigen::Matrix3d& covariance() const noexcept { return m_p; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <complex>
 #include <functional>
+#include <span>
 #include <string_view>
 
 #include "engine/turning/depth_path.h"
@@ -21,7 +22,8 @@ using LoopResponse = std::function<std::complex<double>(double omega_radPerSampl
 [[nodiscard]] double gainLimit(const LoopResponse& loop);
 
 struct Margins {
-    double gain{0.0};       ///< factor
+    double gain{0.0};       ///< factor by which the loop gain may grow
+    double gainLow{0.0};    ///< factor to which it may fall; 0: no limit
     double phase_deg{0.0};  ///< smallest over all crossings of |L| = 1
     double delay_samples{0.0};
     double modulus{0.0};  ///< smallest |1 + L|
@@ -37,8 +39,31 @@ struct NamedLimit {
 /// PC, C, PC/.24 with unit gain; R0 as a factor on (1 − µ) = .02; R1 as a factor on g = .3, times one over g.
 [[nodiscard]] std::array<NamedLimit, 5> paperLimits(const ProcessParams& process);
 
-/// Margins of a PI law on the way the plant gives it (DepthPath, delay included).
-[[nodiscard]] Margins lawMargins(PlantKind plant, const PiGains& gains, const ProcessParams& process);
+/// Margins of a PI law on the way the plant gives it (DepthPath, delay included), when `truth` cuts and the law is
+/// tuned to `process`. On B2 the law rebuilds x_i by F/P: the loop gets the factor truth/process.
+[[nodiscard]] Margins lawMargins(PlantKind plant, const PiGains& gains, const ProcessParams& process,
+                                 const ProcessParams& truth);
+[[nodiscard]] inline Margins lawMargins(PlantKind plant, const PiGains& gains, const ProcessParams& process) {
+    return lawMargins(plant, gains, process, process);
+}
+
+/// One tone that the default law follows: its frequency and κ, the Kalman gain of its amplitude per sample.
+struct FollowedTone {
+    double frequency_Hz{0.0};
+    double share{0.0};
+};
+/// Margins of the default law on B2 as it stands: all tones together, tuned to `process`, while `truth` cuts.
+///
+/// With the amplitudes' Kalman gains constant and the frequencies held the law is linear and time-invariant:
+///   B_j(z) = κ_j/(1 − e^{jω_j} z⁻¹)·e, e = m − Σ Re{e^{jω_j} z⁻¹ B_j}, w = −Σ Re{B_j/path(ω_j)}, m = x_i − path·w
+/// so L = r·G·path/(1 + G_p − G·path), r = truth/process. gainLow may be above 0: the law knows its own path.
+/// A finite tone list; empty: no loop, nothing to lose (infinite margins). Not in the cycle.
+[[nodiscard]] Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& process,
+                                  const ProcessParams& truth, double sampleRate_Hz);
+
+/// The worst of what `ofTruth` gives over the 95 % box of an identified process: guaranteed margins.
+[[nodiscard]] Margins guaranteedMargins(const ProcessParams& identified, const std::array<double, 3>& half95,
+                                        const std::function<Margins(const ProcessParams&)>& ofTruth);
 
 /// What the default law guarantees at every tone when tones are far apart against the filter's bandwidth: in the tone's
 /// frame the loop is a real integrator with the ratio of true to modelled path as its gain.

@@ -38,6 +38,8 @@ class PiLaw {
     }
     /// Take this command as the last one (limits, a held output): the integral follows.
     constexpr void track(double command_um) noexcept { m_command_um = command_um; }
+    /// Only this much more of the command has really acted (limits): the integral follows.
+    constexpr void shift(double more_um) noexcept { m_command_um += more_um; }
     constexpr void reset() noexcept { m_command_um = m_error_um = 0.0; }
 
  private:

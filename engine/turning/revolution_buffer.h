@@ -28,6 +28,8 @@ class RevolutionBuffer {
         m_values[m_next] = value;
         m_next = m_next + 1 == m_samples ? 0 : m_next + 1;
     }
+    /// The value pushed last is another one.
+    void replaceNewest(double value) noexcept { m_values[(m_next == 0 ? m_samples : m_next) - 1] = value; }
     void shift(double by) noexcept {
         for (std::size_t i = 0; i < m_samples; ++i) {
             m_values[i] += by;

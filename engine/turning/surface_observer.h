@@ -41,13 +41,24 @@ class SurfaceObserver {
         const double inner = kLeakPerRevolution * (before_um - kMeanTaken * m_sum_um * m_share) - change_um;
         m_sum_um += inner - before_um;
         m_surface.push(inner);
+        m_inner_um = inner;
         return inner;
     }
     [[nodiscard]] bool ready() const noexcept { return m_seen == m_surface.samples(); }
     /// û of the last sample, and its mean.
     [[nodiscard]] double chip_um() const noexcept { return m_chip_um; }
     [[nodiscard]] double meanChip_um() const noexcept { return m_mean_um; }
-    void setProcess(const ProcessParams& process) noexcept { m_process.setParams(process); }
+    /// Another process explains the force: û and its mean change together, x̂_i goes on without a step.
+    void setProcess(const ProcessParams& process) noexcept {
+        m_mean_um *= m_process.params().dcGain() / process.dcGain();
+        m_process.retune(process);
+    }
+    /// The last x̂_i is known better: the touch has left a mark in the sum that would come back with every revolution.
+    void replaceLast(double inner_um) noexcept {
+        m_sum_um += inner_um - m_inner_um;
+        m_surface.replaceNewest(inner_um);
+        m_inner_um = inner_um;
+    }
     /// Out of the cut: keeps the process's memory going, nothing else.
     void idle(double force_N) noexcept { m_chip_um = m_process.invert(force_N); }
     /// A new cut begins with the next sample; the process's memory stays.
@@ -64,6 +75,7 @@ class SurfaceObserver {
     double m_sum_um{0.0};
     double m_mean_um{0.0};
     double m_chip_um{0.0};
+    double m_inner_um{0.0};
     std::size_t m_seen{0};
 };
 

@@ -132,6 +132,8 @@ double ToneCanceller::update(double inner_um) noexcept {
 void ToneCanceller::judge(double inner_um, double disturbance_um, double innovation_um) noexcept {
     const double remaining_um = inner_um - m_reference_um;
     const double untreated_um = disturbance_um - m_reference_um;
+    m_untreatedNow_um = untreated_um;
+    m_innovation_um = innovation_um;
     m_remaining_um2 += (1.0 - kPowerMemory) * (remaining_um * remaining_um - m_remaining_um2);
     m_untreated_um2 += (1.0 - kPowerMemory) * (untreated_um * untreated_um - m_untreated_um2);
     m_innovation_um2 += (1.0 - kFastMemory) * (innovation_um * innovation_um - m_innovation_um2);

@@ -56,6 +56,10 @@ class ToneCanceller {
     /// Mean square of x_i about its level, and what it would be without the law, over the last ~.1 s.
     [[nodiscard]] double remaining_um2() const noexcept { return m_remaining_um2; }
     [[nodiscard]] double untreated_um2() const noexcept { return m_untreated_um2; }
+    /// Of this sample: x_i about its level as it would be without the law, µm.
+    [[nodiscard]] double untreatedNow_um() const noexcept { return m_untreatedNow_um; }
+    /// Of this sample: x_i beyond what the tones foresaw.
+    [[nodiscard]] double innovation_um() const noexcept { return m_innovation_um; }
     /// Tone j would not be seen by the force: |1 − exp(−jωd)| < .05.
     [[nodiscard]] bool blind(std::size_t index) const noexcept;
 
@@ -87,7 +91,9 @@ class ToneCanceller {
     double m_reference_um{0.0};
     double m_remaining_um2{0.0};
     double m_untreated_um2{0.0};
+    double m_untreatedNow_um{0.0};
     double m_innovation_um2{0.0};
+    double m_innovation_um{0.0};
     double m_baseline_um2{0.0};
 };
 

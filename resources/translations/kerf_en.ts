@@ -2124,6 +2124,78 @@
             <source>part program</source>
             <translation>part program</translation>
         </message>
+        <message>
+            <source>Depth of cut</source>
+            <translation>Depth of cut</translation>
+        </message>
+        <message>
+            <source>Face from</source>
+            <translation>Face from</translation>
+        </message>
+        <message>
+            <source>Face to</source>
+            <translation>Face to</translation>
+        </message>
+        <message>
+            <source>Feed per revolution</source>
+            <translation>Feed per revolution</translation>
+        </message>
+        <message>
+            <source>Jeong &amp; Kim: the cut in copper</source>
+            <translation>Jeong &amp; Kim: the cut in copper</translation>
+        </message>
+        <message>
+            <source>Known tone</source>
+            <translation>Known tone</translation>
+        </message>
+        <message>
+            <source>Open: the disturbance is watched, the tool is not trimmed.</source>
+            <translation>Open: the disturbance is watched, the tool is not trimmed.</translation>
+        </message>
+        <message>
+            <source>P-V, second half</source>
+            <translation>P-V, second half</translation>
+        </message>
+        <message>
+            <source>RMS, second half</source>
+            <translation>RMS, second half</translation>
+        </message>
+        <message>
+            <source>Sign on first: a setup needs a name.</source>
+            <translation>Sign on first: a setup needs a name.</translation>
+        </message>
+        <message>
+            <source>The mean force has fallen: no trim in this part.</source>
+            <translation>The mean force has fallen: no trim in this part.</translation>
+        </message>
+        <message>
+            <source>The mean of the trim is %1 um.</source>
+            <translation>The mean of the trim is %1 um.</translation>
+        </message>
+        <message>
+            <source>The trim follows the depth error.</source>
+            <translation>The trim follows the depth error.</translation>
+        </message>
+        <message>
+            <source>The turning loop does not know this controller.</source>
+            <translation>The turning loop does not know this controller.</translation>
+        </message>
+        <message>
+            <source>Touch-off</source>
+            <translation>Touch-off</translation>
+        </message>
+        <message>
+            <source>Trim authority</source>
+            <translation>Trim authority</translation>
+        </message>
+        <message>
+            <source>Under control</source>
+            <translation>Under control</translation>
+        </message>
+        <message>
+            <source>this machine</source>
+            <translation>this machine</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2448,6 +2520,14 @@
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>%1 ms (%2 kHz)</source>
+            <translation>%1 ms (%2 kHz)</translation>
+        </message>
+        <message>
+            <source>Period of the cycle</source>
+            <translation>Period of the cycle</translation>
         </message>
     </context>
     <context>
@@ -4236,6 +4316,504 @@
         <message>
             <source>waviness %1</source>
             <translation>waviness %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>TurningTexts</name>
+        <message>
+            <source>Open</source>
+            <comment>turning controller</comment>
+            <translation>Open</translation>
+        </message>
+        <message>
+            <source>Paper's PI</source>
+            <comment>turning controller</comment>
+            <translation>Paper's PI</translation>
+        </message>
+        <message>
+            <source>Tuned PI</source>
+            <comment>turning controller</comment>
+            <translation>Tuned PI</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <comment>turning controller</comment>
+            <translation>Tones</translation>
+        </message>
+        <message>
+            <source>out of the cut</source>
+            <translation>out of the cut</translation>
+        </message>
+        <message>
+            <source>first revolution</source>
+            <translation>first revolution</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>cutting</translation>
+        </message>
+        <message>
+            <source>out of the loop</source>
+            <translation>out of the loop</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>not cutting</translation>
+        </message>
+        <message>
+            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
+            <comment>depth, speed, feed, radius</comment>
+            <translation>%1 deep, %2, %3 per revolution, tool radius %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ComparisonPanel</name>
+        <message>
+            <source>no part is archived yet</source>
+            <translation>no part is archived yet</translation>
+        </message>
+        <message>
+            <source>Without and with the loop</source>
+            <translation>Without and with the loop</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>Archive of parts</translation>
+        </message>
+        <message>
+            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
+            <translation>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</translation>
+        </message>
+        <message>
+            <source>second half</source>
+            <translation>second half</translation>
+        </message>
+        <message>
+            <source>part %1, open</source>
+            <translation>part %1, open</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>number, controller</comment>
+            <translation>part %1, %2</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>change</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>mean force</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ForcePanel</name>
+        <message>
+            <source>Force, %1: extremes and mean, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>Force, %1: extremes and mean, last %2 s</translation>
+        </message>
+        <message>
+            <source>Depth, %1, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>Depth, %1, last %2 s</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>force</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>depth</translation>
+        </message>
+        <message>
+            <source>from the force</source>
+            <translation>from the force</translation>
+        </message>
+        <message>
+            <source>The force appears here as soon as a part is cut.</source>
+            <translation>The force appears here as soon as a part is cut.</translation>
+        </message>
+        <message>
+            <source>The depth that is really cut appears here with the first chip.</source>
+            <translation>The depth that is really cut appears here with the first chip.</translation>
+        </message>
+        <message>
+            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
+            <translation>Force live: lowest and highest of every 5 kHz sample, mean, target</translation>
+        </message>
+        <message>
+            <source>Depth from the force against the programmed depth</source>
+            <translation>Depth from the force against the programmed depth</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>target</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>programmed</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>mean %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MarginPanel</name>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>Loop margins and trim</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>gain, times</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>phase</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>more delay</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>smallest |1 + L|</translation>
+        </message>
+        <message>
+            <source>Margins appear as soon as a law acts.</source>
+            <translation>Margins appear as soon as a law acts.</translation>
+        </message>
+        <message>
+            <source>Guaranteed for every process within the 95 % intervals.</source>
+            <translation>Guaranteed for every process within the 95 % intervals.</translation>
+        </message>
+        <message>
+            <source>For the process the law assumes; it is not identified.</source>
+            <translation>For the process the law assumes; it is not identified.</translation>
+        </message>
+        <message>
+            <source>trim %1 of ± %2</source>
+            <comment>applied trim, authority</comment>
+            <translation>trim %1 of ± %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ProcessPanel</name>
+        <message>
+            <source>Cutting process</source>
+            <translation>Cutting process</translation>
+        </message>
+        <message>
+            <source>identified, 95 %</source>
+            <translation>identified, 95 %</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>law</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>covariance, log</translation>
+        </message>
+        <message>
+            <source>excitation %1: enough to learn from</source>
+            <translation>excitation %1: enough to learn from</translation>
+        </message>
+        <message>
+            <source>excitation %1: too little, the values rest</source>
+            <translation>excitation %1: too little, the values rest</translation>
+        </message>
+        <message>
+            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
+            <translation>Identified only with a sensor of the tool's motion; the law assumes its values.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The law was tuned anew %n time(s): the process had moved.</source>
+            <translation>
+                <numerusform>The law was tuned anew %n time: the process had moved.</numerusform>
+                <numerusform>The law was tuned anew %n times: the process had moved.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SpectrumChart</name>
+        <message>
+            <source>amplitude</source>
+            <translation>amplitude</translation>
+        </message>
+        <message>
+            <source>without the trim</source>
+            <translation>without the trim</translation>
+        </message>
+        <message>
+            <source>predicted surface</source>
+            <translation>predicted surface</translation>
+        </message>
+        <message>
+            <source>The spectrum of the surface appears here after two seconds of cutting.</source>
+            <translation>The spectrum of the surface appears here after two seconds of cutting.</translation>
+        </message>
+        <message>
+            <source>Spectrum of the predicted surface</source>
+            <translation>Spectrum of the predicted surface</translation>
+        </message>
+        <message>
+            <source>amplitude, %1, over frequency, Hz</source>
+            <comment>unit</comment>
+            <translation>amplitude, %1, over frequency, Hz</translation>
+        </message>
+        <message>
+            <source>%1 blind</source>
+            <comment>frequency in Hz</comment>
+            <translation>%1 blind</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SurfacePanel</name>
+        <message>
+            <source>Surface as the force shows it</source>
+            <translation>Surface as the force shows it</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V of a revolution</source>
+            <translation>P-V of a revolution</translation>
+        </message>
+        <message>
+            <source>RMS without the trim</source>
+            <translation>RMS without the trim</translation>
+        </message>
+        <message>
+            <source>No tone of this machine is known.</source>
+            <translation>No tone of this machine is known.</translation>
+        </message>
+        <message>
+            <source>At %1 the force sees every known tone.</source>
+            <translation>At %1 the force sees every known tone.</translation>
+        </message>
+        <message>
+            <source>At %1 the force is blind to %2 Hz: such a tone repeats with every revolution.</source>
+            <translation>At %1 the force is blind to %2 Hz: such a tone repeats with every revolution.</translation>
+        </message>
+        <message>
+            <source>Use %1</source>
+            <translation>Use %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningArchive</name>
+        <message>
+            <source>Archive of turned parts</source>
+            <translation>Archive of turned parts</translation>
+        </message>
+        <message>
+            <source>Touch a part to see its spectrum and its force along the face.</source>
+            <translation>Touch a part to see its spectrum and its force along the face.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>force, %1, along the face, %</source>
+            <comment>unit</comment>
+            <translation>force, %1, along the face, %</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>force</translation>
+        </message>
+        <message>
+            <source>This part has no force trace.</source>
+            <translation>This part has no force trace.</translation>
+        </message>
+        <message>
+            <source>Force along the face</source>
+            <translation>Force along the face</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>ended</source>
+            <translation>ended</translation>
+        </message>
+        <message>
+            <source>controller</source>
+            <translation>controller</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <comment>surface without the trim</comment>
+            <translation>open</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>mean force</translation>
+        </message>
+        <message>
+            <source>left the loop</source>
+            <translation>left the loop</translation>
+        </message>
+        <message>
+            <source>no control</source>
+            <translation>no control</translation>
+        </message>
+        <message>
+            <source>Part %1: %2. Touched at %3, zero %4, largest trim %5.</source>
+            <translation>Part %1: %2. Touched at %3, zero %4, largest trim %5.</translation>
+        </message>
+        <message>
+            <source>a₁ %1, b₀ %2, b₁ %3.</source>
+            <translation>a₁ %1, b₀ %2, b₁ %3.</translation>
+        </message>
+        <message>
+            <source>It was not cut to the end.</source>
+            <translation>It was not cut to the end.</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>target</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningControlPanel</name>
+        <message>
+            <source>controller</source>
+            <translation>controller</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>Start part</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>Setup</translation>
+        </message>
+        <message>
+            <source>Next part: %1. Overlap factor %2.</source>
+            <translation>Next part: %1. Overlap factor %2.</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>Nothing can be stored at the moment: %1</translation>
+        </message>
+        <message>
+            <source>Diamond turning: %1</source>
+            <comment>stage</comment>
+            <translation>Diamond turning: %1</translation>
+        </message>
+        <message>
+            <source>This machine has no turning loop: %1</source>
+            <translation>This machine has no turning loop: %1</translation>
+        </message>
+        <message>
+            <source>this machine has no turning loop</source>
+            <translation>this machine has no turning loop</translation>
+        </message>
+        <message>
+            <source>the machine is not connected</source>
+            <translation>the machine is not connected</translation>
+        </message>
+        <message>
+            <source>all loops are held</source>
+            <translation>all loops are held</translation>
+        </message>
+        <message>
+            <source>the last part is not stored yet</source>
+            <translation>the last part is not stored yet</translation>
+        </message>
+        <message>
+            <source>a part is being cut</source>
+            <translation>a part is being cut</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningPage</name>
+        <message>
+            <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
+            <translation>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</translation>
+        </message>
+        <message>
+            <source>Predicted surface, RMS</source>
+            <translation>Predicted surface, RMS</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningSetupForm</name>
+        <message>
+            <source>Setup of the next part</source>
+            <translation>Setup of the next part</translation>
+        </message>
+        <message>
+            <source>A part being cut keeps the setup it began with.</source>
+            <translation>A part being cut keeps the setup it began with.</translation>
+        </message>
+        <message>
+            <source>Cut</source>
+            <translation>Cut</translation>
+        </message>
+        <message>
+            <source>Tones of the machine</source>
+            <translation>Tones of the machine</translation>
+        </message>
+        <message>
+            <source>Leave as it is</source>
+            <translation>Leave as it is</translation>
+        </message>
+        <message>
+            <source>Use for the next part</source>
+            <translation>Use for the next part</translation>
+        </message>
+        <message>
+            <source>Tone %1</source>
+            <translation>Tone %1</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>a value is missing</source>
+            <translation>a value is missing</translation>
+        </message>
+        <message>
+            <source>a tone is out of range</source>
+            <translation>a tone is out of range</translation>
+        </message>
+        <message>
+            <source>Overlap factor %1</source>
+            <translation>Overlap factor %1</translation>
+        </message>
+        <message>
+            <source>Not stored: %1</source>
+            <translation>Not stored: %1</translation>
+        </message>
+        <message>
+            <source>The next part is cut with the new setup.</source>
+            <translation>The next part is cut with the new setup.</translation>
         </message>
     </context>
 </TS>

@@ -2124,6 +2124,78 @@
             <source>part program</source>
             <translation>가공 프로그램</translation>
         </message>
+        <message>
+            <source>Depth of cut</source>
+            <translation>절삭 깊이</translation>
+        </message>
+        <message>
+            <source>Face from</source>
+            <translation>면의 시작</translation>
+        </message>
+        <message>
+            <source>Face to</source>
+            <translation>면의 끝</translation>
+        </message>
+        <message>
+            <source>Feed per revolution</source>
+            <translation>회전당 이송</translation>
+        </message>
+        <message>
+            <source>Jeong &amp; Kim: the cut in copper</source>
+            <translation>Jeong &amp; Kim: 구리 절삭</translation>
+        </message>
+        <message>
+            <source>Known tone</source>
+            <translation>알려진 진동 주파수</translation>
+        </message>
+        <message>
+            <source>Open: the disturbance is watched, the tool is not trimmed.</source>
+            <translation>개루프: 외란을 지켜보기만 하고 공구를 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>P-V, second half</source>
+            <translation>P-V, 후반</translation>
+        </message>
+        <message>
+            <source>RMS, second half</source>
+            <translation>RMS, 후반</translation>
+        </message>
+        <message>
+            <source>Sign on first: a setup needs a name.</source>
+            <translation>먼저 로그인하십시오. 설정에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The mean force has fallen: no trim in this part.</source>
+            <translation>평균 힘이 떨어져 이 공작물은 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The mean of the trim is %1 um.</source>
+            <translation>보정의 평균이 %1 um입니다.</translation>
+        </message>
+        <message>
+            <source>The trim follows the depth error.</source>
+            <translation>보정이 깊이 오차를 따라갑니다.</translation>
+        </message>
+        <message>
+            <source>The turning loop does not know this controller.</source>
+            <translation>선삭 루프가 모르는 제어기입니다.</translation>
+        </message>
+        <message>
+            <source>Touch-off</source>
+            <translation>터치오프</translation>
+        </message>
+        <message>
+            <source>Trim authority</source>
+            <translation>보정 허용 범위</translation>
+        </message>
+        <message>
+            <source>Under control</source>
+            <translation>제어 여부</translation>
+        </message>
+        <message>
+            <source>this machine</source>
+            <translation>이 기계</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2447,6 +2519,14 @@
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
+        </message>
+        <message>
+            <source>%1 ms (%2 kHz)</source>
+            <translation>%1 ms (%2 kHz)</translation>
+        </message>
+        <message>
+            <source>Period of the cycle</source>
+            <translation>주기</translation>
         </message>
     </context>
     <context>
@@ -4234,6 +4314,503 @@
         <message>
             <source>waviness %1</source>
             <translation>파상도 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>TurningTexts</name>
+        <message>
+            <source>Open</source>
+            <comment>turning controller</comment>
+            <translation>개루프</translation>
+        </message>
+        <message>
+            <source>Paper's PI</source>
+            <comment>turning controller</comment>
+            <translation>논문의 PI</translation>
+        </message>
+        <message>
+            <source>Tuned PI</source>
+            <comment>turning controller</comment>
+            <translation>조정한 PI</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <comment>turning controller</comment>
+            <translation>주파수 상쇄</translation>
+        </message>
+        <message>
+            <source>out of the cut</source>
+            <translation>절삭 밖</translation>
+        </message>
+        <message>
+            <source>first revolution</source>
+            <translation>첫 회전</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>절삭 중</translation>
+        </message>
+        <message>
+            <source>out of the loop</source>
+            <translation>루프에서 빠짐</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>절삭하지 않음</translation>
+        </message>
+        <message>
+            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
+            <comment>depth, speed, feed, radius</comment>
+            <translation>깊이 %1, %2, 회전당 %3, 공구 반경 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ComparisonPanel</name>
+        <message>
+            <source>no part is archived yet</source>
+            <translation>아직 보관된 공작물이 없습니다</translation>
+        </message>
+        <message>
+            <source>Without and with the loop</source>
+            <translation>루프 없이와 루프로</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>공작물 보관함</translation>
+        </message>
+        <message>
+            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
+            <translation>같은 설정으로 하나는 조언, 하나는 제어로 절삭하십시오. 두 번째가 끝나면 여기에 비교가 나타납니다.</translation>
+        </message>
+        <message>
+            <source>second half</source>
+            <translation>후반</translation>
+        </message>
+        <message>
+            <source>part %1, open</source>
+            <translation>공작물 %1, 개루프</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>number, controller</comment>
+            <translation>공작물 %1, %2</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>변화</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>평균 힘</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ForcePanel</name>
+        <message>
+            <source>Force, %1: extremes and mean, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>힘, %1: 최소·최대와 평균, 최근 %2 s</translation>
+        </message>
+        <message>
+            <source>Depth, %1, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>깊이, %1, 최근 %2 s</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>힘</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>깊이</translation>
+        </message>
+        <message>
+            <source>from the force</source>
+            <translation>힘에서 얻은 값</translation>
+        </message>
+        <message>
+            <source>The force appears here as soon as a part is cut.</source>
+            <translation>공작물을 절삭하면 여기에 힘이 나타납니다.</translation>
+        </message>
+        <message>
+            <source>The depth that is really cut appears here with the first chip.</source>
+            <translation>첫 칩과 함께 실제 절삭 깊이가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
+            <translation>실시간 힘: 5 kHz 샘플의 최소와 최대, 평균, 목표</translation>
+        </message>
+        <message>
+            <source>Depth from the force against the programmed depth</source>
+            <translation>힘에서 얻은 깊이와 프로그램 깊이</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>목표</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>프로그램</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>평균 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MarginPanel</name>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>루프 여유와 보정</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>게인, 배</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>위상</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>추가 지연</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>최소 |1 + L|</translation>
+        </message>
+        <message>
+            <source>Margins appear as soon as a law acts.</source>
+            <translation>제어 법칙이 작동하면 여유가 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Guaranteed for every process within the 95 % intervals.</source>
+            <translation>95 % 구간 안의 모든 공정에 대해 보장됩니다.</translation>
+        </message>
+        <message>
+            <source>For the process the law assumes; it is not identified.</source>
+            <translation>법칙이 가정한 공정에 대한 값이며 식별된 것이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>trim %1 of ± %2</source>
+            <comment>applied trim, authority</comment>
+            <translation>보정 %1, 범위 ± %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ProcessPanel</name>
+        <message>
+            <source>Cutting process</source>
+            <translation>절삭 공정</translation>
+        </message>
+        <message>
+            <source>identified, 95 %</source>
+            <translation>식별값, 95 %</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>공분산, 로그</translation>
+        </message>
+        <message>
+            <source>excitation %1: enough to learn from</source>
+            <translation>가진 %1: 배우기에 충분함</translation>
+        </message>
+        <message>
+            <source>excitation %1: too little, the values rest</source>
+            <translation>가진 %1: 부족하여 값을 유지함</translation>
+        </message>
+        <message>
+            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
+            <translation>공구 운동 센서가 있어야 식별합니다. 법칙은 가정값을 씁니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The law was tuned anew %n time(s): the process had moved.</source>
+            <translation>
+                <numerusform>공정이 변해 법칙을 %n번 다시 맞췄습니다.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SpectrumChart</name>
+        <message>
+            <source>amplitude</source>
+            <translation>진폭</translation>
+        </message>
+        <message>
+            <source>without the trim</source>
+            <translation>보정 없이</translation>
+        </message>
+        <message>
+            <source>predicted surface</source>
+            <translation>예측 표면</translation>
+        </message>
+        <message>
+            <source>The spectrum of the surface appears here after two seconds of cutting.</source>
+            <translation>2초 절삭하면 여기에 표면의 스펙트럼이 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Spectrum of the predicted surface</source>
+            <translation>예측 표면의 스펙트럼</translation>
+        </message>
+        <message>
+            <source>amplitude, %1, over frequency, Hz</source>
+            <comment>unit</comment>
+            <translation>진폭, %1 / 주파수, Hz</translation>
+        </message>
+        <message>
+            <source>%1 blind</source>
+            <comment>frequency in Hz</comment>
+            <translation>%1 안 보임</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SurfacePanel</name>
+        <message>
+            <source>Surface as the force shows it</source>
+            <translation>힘으로 본 표면</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V of a revolution</source>
+            <translation>한 회전의 P-V</translation>
+        </message>
+        <message>
+            <source>RMS without the trim</source>
+            <translation>보정 없을 때 RMS</translation>
+        </message>
+        <message>
+            <source>No tone of this machine is known.</source>
+            <translation>이 기계의 진동 주파수를 아직 모릅니다.</translation>
+        </message>
+        <message>
+            <source>At %1 the force sees every known tone.</source>
+            <translation>%1에서는 알려진 진동 주파수가 모두 힘에 보입니다.</translation>
+        </message>
+        <message>
+            <source>At %1 the force is blind to %2 Hz: such a tone repeats with every revolution.</source>
+            <translation>%1에서는 힘이 %2 Hz를 보지 못합니다. 회전마다 되풀이되는 주파수입니다.</translation>
+        </message>
+        <message>
+            <source>Use %1</source>
+            <translation>%1 사용</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningArchive</name>
+        <message>
+            <source>Archive of turned parts</source>
+            <translation>선삭 공작물 보관함</translation>
+        </message>
+        <message>
+            <source>Touch a part to see its spectrum and its force along the face.</source>
+            <translation>공작물을 누르면 스펙트럼과 면을 따른 힘이 보입니다.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>force, %1, along the face, %</source>
+            <comment>unit</comment>
+            <translation>힘, %1 / 면을 따라, %</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>힘</translation>
+        </message>
+        <message>
+            <source>This part has no force trace.</source>
+            <translation>이 공작물에는 힘 기록이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Force along the face</source>
+            <translation>면을 따른 힘</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>ended</source>
+            <translation>종료</translation>
+        </message>
+        <message>
+            <source>controller</source>
+            <translation>제어기</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <comment>surface without the trim</comment>
+            <translation>개루프</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>평균 힘</translation>
+        </message>
+        <message>
+            <source>left the loop</source>
+            <translation>루프에서 빠짐</translation>
+        </message>
+        <message>
+            <source>no control</source>
+            <translation>제어 없음</translation>
+        </message>
+        <message>
+            <source>Part %1: %2. Touched at %3, zero %4, largest trim %5.</source>
+            <translation>공작물 %1: %2. 터치오프 %3, 영점 %4, 최대 보정 %5.</translation>
+        </message>
+        <message>
+            <source>a₁ %1, b₀ %2, b₁ %3.</source>
+            <translation>a₁ %1, b₀ %2, b₁ %3.</translation>
+        </message>
+        <message>
+            <source>It was not cut to the end.</source>
+            <translation>끝까지 절삭하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>목표</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningControlPanel</name>
+        <message>
+            <source>controller</source>
+            <translation>제어기</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>공작물 시작</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Next part: %1. Overlap factor %2.</source>
+            <translation>다음 공작물: %1. 중첩 계수 %2.</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>지금은 저장할 수 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>Diamond turning: %1</source>
+            <comment>stage</comment>
+            <translation>다이아몬드 선삭: %1</translation>
+        </message>
+        <message>
+            <source>This machine has no turning loop: %1</source>
+            <translation>이 기계에는 선삭 루프가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>this machine has no turning loop</source>
+            <translation>이 기계에는 선삭 루프가 없습니다</translation>
+        </message>
+        <message>
+            <source>the machine is not connected</source>
+            <translation>기계가 연결되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>all loops are held</source>
+            <translation>모든 루프가 홀드 상태입니다</translation>
+        </message>
+        <message>
+            <source>the last part is not stored yet</source>
+            <translation>마지막 공작물이 아직 저장되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>a part is being cut</source>
+            <translation>공작물을 절삭하는 중입니다</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningPage</name>
+        <message>
+            <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
+            <translation>이 기계에는 선삭 루프가 없습니다. 힘 피드백에는 0.2 ms 주기의 선반, 힘 센서, 빠른 공구 보정이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Predicted surface, RMS</source>
+            <translation>예측 표면, RMS</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TurningSetupForm</name>
+        <message>
+            <source>Setup of the next part</source>
+            <translation>다음 공작물의 설정</translation>
+        </message>
+        <message>
+            <source>A part being cut keeps the setup it began with.</source>
+            <translation>절삭 중인 공작물은 시작할 때의 설정을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>Cut</source>
+            <translation>절삭</translation>
+        </message>
+        <message>
+            <source>Tones of the machine</source>
+            <translation>기계의 진동 주파수</translation>
+        </message>
+        <message>
+            <source>Leave as it is</source>
+            <translation>그대로 두기</translation>
+        </message>
+        <message>
+            <source>Use for the next part</source>
+            <translation>다음 공작물에 사용</translation>
+        </message>
+        <message>
+            <source>Tone %1</source>
+            <translation>주파수 %1</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장하는 중</translation>
+        </message>
+        <message>
+            <source>a value is missing</source>
+            <translation>값이 빠졌습니다</translation>
+        </message>
+        <message>
+            <source>a tone is out of range</source>
+            <translation>범위를 벗어난 주파수가 있습니다</translation>
+        </message>
+        <message>
+            <source>Overlap factor %1</source>
+            <translation>중첩 계수 %1</translation>
+        </message>
+        <message>
+            <source>Not stored: %1</source>
+            <translation>저장되지 않음: %1</translation>
+        </message>
+        <message>
+            <source>The next part is cut with the new setup.</source>
+            <translation>다음 공작물은 새 설정으로 절삭합니다.</translation>
         </message>
     </context>
 </TS>

@@ -22,7 +22,8 @@ inline TurningSetup shortCut(std::uint32_t revision = 1) {
 
 /// Simulated diamond turning machine at 5 kHz, loop and engine, on the caller's thread.
 struct TurningBench {
-    explicit TurningBench(const SimulatedTurning::Params& params = {}, std::int64_t cycle_ns = 200'000) {
+    explicit TurningBench(const SimulatedTurning::Params& params = {}, std::int64_t cycle_ns = 200'000,
+                          TurningExchange* exchange = nullptr) {
         std::vector<std::unique_ptr<SimulatedProcess>> plants;
         auto plant = std::make_unique<SimulatedTurning>(params);
         turning = plant.get();
@@ -32,7 +33,7 @@ struct TurningBench {
         machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
         (void)machine->connect();
         std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<TurningLoop>());
+        loops.push_back(std::make_unique<TurningLoop>(exchange));
         engine = std::make_unique<Engine>(*machine, std::move(loops));
     }
     template <class Action>

@@ -34,6 +34,7 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
     grid->setColumnStretch(1, 1);
     m_costCard->body()->addWidget(m_cost);
     m_lateCard->body()->addWidget(m_late);
+    m_period = addFact(m_engine, "cyclePeriod");
     m_cycles = addFact(m_engine, "cycles");
     m_overruns = addFact(m_engine, "overruns");
     m_dropped = addFact(m_engine, "droppedSamples");
@@ -111,6 +112,8 @@ void DiagnosticsPage::update(const Status& status) {
     m_late->setHistogram(status.stats.lateness);
     m_cost->setDeadline(capabilities.cycle_ns);
     m_late->setDeadline(capabilities.cycle_ns);
+    const double period_ms = static_cast<double>(capabilities.cycle_ns) / 1e6;
+    m_period.value->setText(tr("%1 ms (%2 kHz)").arg(period_ms, 0, 'f', 1).arg(1.0 / period_ms, 0, 'f', 1));
     m_cycles.value->setText(QString::number(status.stats.cycles));
     const double share = status.stats.cycles > 0 ? 100.0 * static_cast<double>(status.stats.overruns) /
                                                        static_cast<double>(status.stats.cycles)
@@ -141,6 +144,7 @@ void DiagnosticsPage::refresh() {
     m_engine->setTitle(tr("Engine"));
     m_link->setTitle(tr("Machine and versions"));
     m_backup->setText(tr("Back up all data"));
+    m_period.name->setText(tr("Period of the cycle"));
     m_cycles.name->setText(tr("Cycles"));
     m_overruns.name->setText(tr("Overruns"));
     m_dropped.name->setText(tr("Chart samples dropped"));

@@ -36,6 +36,7 @@ class DiagnosticsPage : public Page {
     HistogramChart* m_late;
     Card* m_engine;
     Card* m_link;
+    Fact m_period{};
     Fact m_cycles{};
     Fact m_overruns{};
     Fact m_dropped{};

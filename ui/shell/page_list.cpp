@@ -8,6 +8,7 @@
 #include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
+#include "ui/pages/turning/turning_page.h"
 
 #include <QCoreApplication>
 
@@ -80,6 +81,8 @@ PageList standardPages() {
          boringFigure},
         {"milling", [] { return processName(ProcessId::Milling); }, ProcessId::Milling, makePage<MillingPage>,
          millingFigure},
+        {"turning", [] { return processName(ProcessId::Turning); }, ProcessId::Turning, makePage<TurningPage>,
+         turningFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},

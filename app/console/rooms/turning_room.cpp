@@ -5,6 +5,11 @@
 #include "engine/turning/turning_loop.h"
 
 namespace kerf::console {
+namespace {
+
+constexpr double kMotionSensorNoise_um = 0.005;  ///< the lathe's gap sensor at the tool post: the process is identified
+
+}  // namespace
 
 bool TurningRoom::fits(const std::string& machineKind) const {
     return machineKind == "diamond-lathe";
@@ -13,11 +18,25 @@ bool TurningRoom::fits(const std::string& machineKind) const {
 std::unique_ptr<SimulatedProcess> TurningRoom::makePlant(const Options& options) {
     SimulatedTurning::Params params;
     params.seed = options.seed;
+    params.motionSensorNoise_um = kMotionSensorNoise_um;
     return std::make_unique<SimulatedTurning>(params);
 }
 
 std::unique_ptr<ProcessLoop> TurningRoom::makeLoop() {
-    return std::make_unique<TurningLoop>();
+    return std::make_unique<TurningLoop>(m_exchange.get());
+}
+
+void TurningRoom::open(const Context& context) {
+    m_desk = std::make_unique<StoredTurningDesk>(
+        StoredTurningDesk::Links{context.writer, context.engine, *m_exchange, context.reader});
+}
+
+void TurningRoom::serve(ui::Services& services) {
+    services.turningDesk = m_desk.get();
+}
+
+void TurningRoom::poll() {
+    m_desk->poll();
 }
 
 }  // namespace kerf::console

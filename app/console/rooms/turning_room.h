@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/rooms/room.h"
+#include "app/desk/turning_desk.h"
 
 namespace kerf::console {
 
@@ -12,6 +13,14 @@ class TurningRoom final : public Room {
     [[nodiscard]] bool fits(const std::string& machineKind) const override;
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
+    void open(const Context& context) override;
+    void serve(ui::Services& services) override;
+    void poll() override;
+    [[nodiscard]] const StoredTurningDesk& desk() const { return *m_desk; }
+
+ private:
+    std::unique_ptr<TurningExchange> m_exchange{std::make_unique<TurningExchange>()};
+    std::unique_ptr<StoredTurningDesk> m_desk;
 };
 
 }  // namespace kerf::console

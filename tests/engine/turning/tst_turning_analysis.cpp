@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <cmath>
+#include <numbers>
 
 #include "engine/turning/blind.h"
 #include "engine/turning/margins.h"
 #include "engine/turning/overlap.h"
 #include "engine/turning/simulation.h"
+#include "engine/turning/spectrum.h"
 #include "engine/turning/tone_canceller.h"
 #include "tests/support/golden.h"
 
@@ -40,6 +42,72 @@ class TestTurningAnalysis : public QObject {
         QVERIFY(std::abs(r1.rms - 34.0) <= 0.5 && std::abs(r1.pv - 33.6) <= 2.0);
         const Gain step = improvement(PlantKind::R1, 6.0);
         QVERIFY(std::abs(step.rms - 51.4) <= 0.5 && std::abs(step.pv - 72.9) <= 2.0);
+    }
+    void cancellingKeepsTheMeanForceOverWholeCycles() {
+        // Over a window that cuts the tones in half a cycle the mean of each is not zero by arithmetic alone.
+        const auto disturbance = makeDisturbance(kPaperTones, 0.05, 20000, 1, 0.5);
+        SimulationParams params;
+        params.plant = PlantKind::B1;
+        params.depth_um = 6.0;
+        params.positionNoise_um = 0.02;
+        const auto run = simulate(params, disturbance);
+        const auto mean = [&](std::size_t from, std::size_t count) {
+            double sum_N = 0.0;
+            for (std::size_t k = from; k < from + count; ++k) {
+                sum_N += run->rows[k].force_N / static_cast<double>(count);
+            }
+            return sum_N / 1.44 - 1.0;
+        };
+        QVERIFY(std::abs(mean(5000, 10000)) < 0.001);  // two seconds hold every tone in whole cycles
+        QVERIFY(std::abs(mean(5000, 5000)) < 0.0225);
+    }
+    void spectrumShowsTonesAtTheirAmplitude() {
+        std::vector<float> values(2048);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double t_s = static_cast<double>(k) / 1250.0;
+            values[k] = static_cast<float>(3.0 + 0.5 * std::sin(2.0 * std::numbers::pi * 17.3 * t_s) +
+                                           0.25 * std::cos(2.0 * std::numbers::pi * 113.0 * t_s));
+        }
+        const auto spectrum = amplitudeSpectrum(values);
+        const double step_Hz = spectrumStep_Hz(spectrum.size(), 1250.0);
+        QVERIFY(std::abs(step_Hz - 1250.0 / 2048.0) < 1e-12);
+        QVERIFY(std::abs(toneAmplitude(spectrum, step_Hz, 17.3) - 0.5) < 0.01);
+        QVERIFY(std::abs(toneAmplitude(spectrum, step_Hz, 113.0) - 0.25) < 0.005);
+        QVERIFY(toneAmplitude(spectrum, step_Hz, 60.0) < 0.001);
+        QVERIFY(spectrum[0] < 0.05F);  // the mean is no tone
+        QVERIFY(amplitudeSpectrum(std::span(values).first(63)).empty());
+    }
+    void toneMarginsAreThoseOfAnIntegratorInTheTonesFrame() {
+        const std::vector<FollowedTone> one{{120.0, 0.005}};
+        const Margins margins = toneMargins(one, {}, {}, kSampleRate_Hz);
+        QVERIFY(std::abs(margins.phase_deg - 90.0) < 2.0);
+        QVERIFY(std::abs(margins.delay_samples - kSampleRate_Hz / 480.0) < 0.5);
+        QVERIFY(margins.gain > 50.0);
+        QVERIFY(margins.gainLow < 1e-6);
+        QVERIFY(margins.modulus > 0.95);
+        // All five together and followed ten times as fast cost something, but not the loop.
+        std::vector<FollowedTone> fast;
+        for (const ToneSpec& tone : kPaperTones) {
+            fast.push_back({tone.frequency_Hz, 0.05});
+        }
+        const Margins five = toneMargins(fast, {}, {}, kSampleRate_Hz);
+        QVERIFY(five.phase_deg < margins.phase_deg && five.phase_deg > 45.0);
+        QVERIFY(five.gain > 2.0);
+    }
+    void aMovedProcessEatsMarginsUntilTheLawIsTunedToIt() {
+        const ProcessParams law{};
+        ProcessParams truth{};
+        truth.b0 *= 1.6;
+        truth.b1 *= 1.6;
+        const auto gains = tunedGains(PlantKind::B2);
+        const double before = lawMargins(PlantKind::B2, gains, law).gain;
+        QVERIFY(std::abs(lawMargins(PlantKind::B2, gains, law, truth).gain - before / 1.6) < 0.02);
+        QVERIFY(std::abs(lawMargins(PlantKind::B2, gains, truth, truth).gain - before) < 0.02);
+        const std::vector<FollowedTone> tones{{17.0, 0.005}, {120.0, 0.005}};
+        const auto of = [&](const ProcessParams& cuts) { return toneMargins(tones, law, cuts, kSampleRate_Hz); };
+        const Margins sure = of(law);
+        const Margins wide = guaranteedMargins(law, {0.01, 0.02, 0.02}, of);
+        QVERIFY(wide.phase_deg < sure.phase_deg && wide.gain < sure.gain && wide.delay_samples < sure.delay_samples);
     }
     void paperRemovesTheCutOnR1() {
         const auto disturbance = makeDisturbance(kPaperTones, 0.02, 5000, 1);

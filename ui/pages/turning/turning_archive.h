@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointer>
+
+#include "engine/api/turning_desk.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/pages/turning/spectrum_chart.h"
+
+class QGridLayout;
+class QTableWidget;
+
+namespace kerf::ui {
+
+/// Sheet with the last parts, newest first; the touched one with its spectrum, its force along the face and its words.
+///
+/// Object names: turningArchiveSheet, turningArchiveTable, turningArchiveText, turningArchiveSpectrum,
+/// turningArchiveForce, turningArchiveClose.
+class TurningArchive : public FaceWidget {
+    Q_OBJECT
+ public:
+    static TurningArchive* open(SheetHost& host, Look& look, const TurningDesk& desk);
+
+ protected:
+    void refresh() override;
+
+ private:
+    TurningArchive(Look& look, const TurningDesk& desk, Sheet* sheet);
+    void fill();
+    void showPart(int row);
+    [[nodiscard]] QString textOf(const TurningPartView& part) const;
+
+    const TurningDesk& m_desk;
+    QPointer<Sheet> m_sheet;
+    QTableWidget* m_table;
+    QLabel* m_text;
+    QLabel* m_spectrumTitle;
+    QLabel* m_forceTitle;
+    SpectrumChart* m_spectrum;
+    Chart* m_force;
+    Chart::BandId m_swing;
+    Chart::CurveId m_mean;
+    QGridLayout* m_charts;
+    QPushButton* m_close;
+    int m_row{0};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "engine/api/engine_api.h"
+#include "engine/api/status.h"
+#include "engine/api/turning_desk.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/card.h"
+
+class QButtonGroup;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+
+namespace kerf::ui {
+
+/// Mode of the loop, controller, start of the part, setup of the next one.
+class TurningControlPanel : public Card {
+    Q_OBJECT
+ public:
+    TurningControlPanel(Look& look, const EngineApi& engine, QWidget* parent = nullptr);
+
+    void setView(const TurningDeskView& view);
+    void setStatus(const Status& status);
+    /// A change is on its way to the disk.
+    void setBusy(bool busy);
+
+ signals:
+    void modeRequested(kerf::LoopMode mode);
+    void controllerRequested(kerf::TurningController controller);
+    void startRequested();
+    void setupRequested();
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    void retranslate();
+    void showLoop();
+    [[nodiscard]] QString whyNotStart() const;
+
+    Look& m_look;
+    const EngineApi& m_engine;
+    QLabel* m_reason;
+    QProgressBar* m_progress;
+    QButtonGroup* m_modes;
+    QButtonGroup* m_controllers;
+    std::array<QPushButton*, 3> m_modeButtons{};
+    std::array<QPushButton*, kTurningControllers> m_controllerButtons{};
+    QHBoxLayout* m_modeRow;
+    QHBoxLayout* m_partRow;
+    QGridLayout* m_controllerGrid;
+    QLabel* m_controllerTitle;
+    QLabel* m_setup;
+    ActionButton* m_start;
+    QPushButton* m_change;
+    TurningDeskView m_view{};
+    LoopStatus m_loop{};
+    ProgramState m_program{ProgramState::Idle};
+    ProcessId m_programProcess{ProcessId::Turning};
+    TurningStage m_stage{TurningStage::Idle};
+    bool m_held{false};
+    bool m_blocked{false};
+    bool m_linkUp{true};
+    bool m_busy{false};
+};
+
+}  // namespace kerf::ui
