@@ -60,24 +60,43 @@ SimulatedDay simulateDay(const SimulatedDayOptions& options, const std::function
     return day;
 }
 
-std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed) {
+const char* trainingDayLabel(std::size_t day) {
+    constexpr std::array<const char*, kTrainingDays> kLabels{"random speeds", "stair up and down", "runs with pauses",
+                                                             "slow work"};
+    return kLabels.at(day);
+}
+
+ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day) {
     constexpr std::array kRandom_rpm{0.0,   3000.0, 1000.0, 4500.0, 0.0,    2000.0, 6000.0, 1500.0, 3500.0,
                                      500.0, 5000.0, 0.0,    2500.0, 4000.0, 1000.0, 5500.0, 3000.0, 400.0};
     constexpr int kHold_min = 20;
-    const auto day = [&](std::uint64_t seed, const std::function<double(int)>& speed) {
-        ThermalHistory history = simulateDay({machineSeed, seed}, speed).history;
-        // The loop knows the speed of the minute that has passed, not of the one to come.
-        std::ranges::rotate(history.speed_rpm, history.speed_rpm.end() - 1);
-        history.speed_rpm.front() = 0.0;
-        return history;
+    constexpr std::uint64_t kFirstSeed = 101;
+    const auto speed_rpm = [&](int t_min) -> double {
+        switch (day) {
+            case 0:
+                return kRandom_rpm[static_cast<std::size_t>(t_min / kHold_min) % kRandom_rpm.size()];
+            case 1:
+                return t_min < 180 ? 1000.0 * (1 + t_min / 36) : 1000.0 * (10 - t_min / 36);
+            case 2:
+                return t_min % 90 < 60 ? 3000.0 : 0.0;
+            default:
+                return t_min < 240 ? 400.0 : 1200.0;
+        }
     };
-    return {
-        day(101,
-            [&](int t_min) { return kRandom_rpm[static_cast<std::size_t>(t_min / kHold_min) % kRandom_rpm.size()]; }),
-        day(102, [](int t_min) { return t_min < 180 ? 1000.0 * (1 + t_min / 36) : 1000.0 * (10 - t_min / 36); }),
-        day(103, [](int t_min) { return t_min % 90 < 60 ? 3000.0 : 0.0; }),
-        day(104, [](int t_min) { return t_min < 240 ? 400.0 : 1200.0; }),
-    };
+    ThermalHistory history = simulateDay({machineSeed, kFirstSeed + day}, speed_rpm).history;
+    history.label = trainingDayLabel(day);
+    // The loop knows the speed of the minute that has passed, not of the one to come.
+    std::ranges::rotate(history.speed_rpm, history.speed_rpm.end() - 1);
+    history.speed_rpm.front() = 0.0;
+    return history;
+}
+
+std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed) {
+    std::vector<ThermalHistory> days;
+    for (std::size_t day = 0; day < kTrainingDays; ++day) {
+        days.push_back(trainingDay(machineSeed, day));
+    }
+    return days;
 }
 
 }  // namespace kerf::thermal

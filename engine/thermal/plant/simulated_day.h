@@ -30,7 +30,11 @@ struct SimulatedDay {
 [[nodiscard]] SimulatedDay simulateDay(const SimulatedDayOptions& options,
                                        const std::function<double(int t_min)>& speed_rpm);
 
-/// Days of different histories a model of that machine is trained on: random speeds, a stair, long runs with pauses.
+/// Days of different histories a model of that machine is trained on: random speeds, a stair, runs with pauses, slow
+/// work. The speed of a row is that of the minute before it, as the loop knows it.
+inline constexpr std::size_t kTrainingDays = 4;
+[[nodiscard]] const char* trainingDayLabel(std::size_t day);
+[[nodiscard]] ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day);
 [[nodiscard]] std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed);
 
 }  // namespace kerf::thermal
