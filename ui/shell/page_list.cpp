@@ -6,6 +6,8 @@
 #include "ui/pages/diagnostics_page.h"
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
+#include "ui/pages/thermal/thermal_page.h"
+#include "ui/pages/thermal/thermal_texts.h"
 
 #include <QCoreApplication>
 
@@ -57,6 +59,8 @@ PageList standardPages() {
         {"overview", [] { return Pages::tr("Overview"); }, {}, makePage<OverviewPage>, {}},
         {"boring", [] { return processName(ProcessId::Boring); }, ProcessId::Boring, makePage<BoringPage>,
          boringFigure},
+        {"thermal", [] { return processName(ProcessId::Thermal); }, ProcessId::Thermal, makePage<ThermalPage>,
+         thermalFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},
