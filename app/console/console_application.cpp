@@ -31,7 +31,7 @@ bool bores(const Options& options) {
     return options.machine != "diamond-lathe";
 }
 
-/// Parts ever bored, up to and with `last` (all when empty).
+/// Parts of that process ever made, up to and with `last` (all when empty).
 std::uint32_t madeUpTo(PartReader& reader, ProcessId process, std::optional<PartId> last) {
     PartQuery query;
     query.process = process;

@@ -42,7 +42,7 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
         boring.boredSoFar = params.partsSoFar;
         auto plant = std::make_unique<SimulatedBoring>(boring);
         m_boring = plant.get();
-        plants.push_back(std::move(plant));
+        plants.insert(plants.begin(), std::move(plant));
     }
     m_machine = std::make_unique<SimulatedMachine>(machine, std::move(plants));
 }

@@ -11,7 +11,7 @@
 #include "app/headless/output.h"
 #include "app/headless/table.h"
 #include "app/headless/thermal_commands.h"
-#include "engine/thermal/plant/thermal_plant.h"
+#include "engine/thermal/plant/simulated_day.h"
 
 namespace kerf::headless {
 namespace {
@@ -74,46 +74,31 @@ double speedAt(const std::vector<SpeedStep>& steps, double t_min) {
 }
 
 void simulate(const SimulateArguments& arguments) {
-    constexpr int kBaseline_min = 5;
-    constexpr double kMinute_s = 60.0;
     const std::vector<SpeedStep> steps = scheduleFrom(arguments.schedule);
-    ThermalPlant plant(arguments.machine, arguments.seed);
-    if (arguments.warmSpeed_rpm > 0.0) {
-        plant.advance(arguments.warmSpeed_rpm, arguments.warm_min * kMinute_s);
-        plant.advance(0.0, arguments.pause_min * kMinute_s);
-    }
+    SimulatedDayOptions options{arguments.machine, arguments.seed,
+                                static_cast<int>(std::lround(arguments.hours * 60.0))};
+    options.warmSpeed_rpm = arguments.warmSpeed_rpm;
+    options.warm_min = arguments.warm_min;
+    options.pause_min = arguments.pause_min;
+    const auto [history, room_degC] = simulateDay(options, [&](int t_min) { return speedAt(steps, t_min); });
     std::string header = "t_min,rpm,amb_true";
-    for (std::size_t k = 0; k < kMaxTemperatures; ++k) {
-        header += fmt::format(",T{:02}", k);
+    for (const std::string& name : history.sensors) {
+        header += ',' + name;
     }
     CsvOutput out(header + ",yx_meas,yy_meas,yz_meas,yx_true,yy_true,yz_true");
-    const auto row = [&](double t_min, double speed_rpm, bool drift) {
-        std::string line = fmt::format("{},{},{:.3f}", t_min, speed_rpm, plant.room_degC());
-        for (const double temp_degC : plant.readThermocouples()) {
+    for (Eigen::Index row = 0; row < history.rows(); ++row) {
+        const auto index = static_cast<std::size_t>(row);
+        std::string line =
+            fmt::format("{},{},{:.3f}", history.time_min[index], history.speed_rpm[index], room_degC[index]);
+        for (const double temp_degC : history.temp_degC.row(row)) {
             line += fmt::format(",{:.3f}", temp_degC);
         }
-        const auto measured_um = plant.measureDrift();
-        const auto true_um = plant.drift_um();
-        for (const auto& three : {measured_um, true_um}) {
-            for (const double value_um : three) {
-                line += drift ? fmt::format(",{:.17g}", value_um) : std::string(",nan");
+        for (const Eigen::MatrixXd* three : {&history.drift_um, &history.trueDrift_um}) {
+            for (const double value_um : three->row(row)) {
+                line += row >= history.baselineRows() ? fmt::format(",{:.17g}", value_um) : std::string(",nan");
             }
         }
         out.row(line);
-    };
-    // The origin is measured over the baseline: its reference is the middle of it.
-    for (int t_min = -kBaseline_min; t_min < 0; ++t_min) {
-        plant.advance(0.0, kMinute_s);
-        if (t_min == -(kBaseline_min + 1) / 2) {
-            plant.setReference();
-        }
-        row(t_min, 0.0, false);
-    }
-    const int minutes = static_cast<int>(std::lround(arguments.hours * 60.0));
-    for (int t_min = 0; t_min < minutes; ++t_min) {
-        // A row tells the state at its minute and the speed from then on.
-        plant.advance(t_min == 0 ? 0.0 : speedAt(steps, t_min - 1), kMinute_s);
-        row(t_min, speedAt(steps, t_min), true);
     }
     out.flush();
 }

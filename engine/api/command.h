@@ -8,6 +8,7 @@
 #include "engine/api/boring_types.h"
 #include "engine/api/milling_types.h"
 #include "engine/api/tapping_types.h"
+#include "engine/api/thermal_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
@@ -106,12 +107,47 @@ struct NewMillingTool {
     static constexpr ProcessId kProcess = ProcessId::Milling;
 };
 
+/// Thermal: limits, period and warm-up.
+struct LoadThermalSetup {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+    ThermalSetup setup{};
+};
+/// Thermal: count temperatures and drift from now on. The shift stays unless `clearShift` says the origin has been set
+/// anew without it.
+struct TakeThermalReference {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+    bool clearShift{false};
+};
+/// Thermal: gap readings that mean no drift, kept from before a restart.
+struct LoadGapZero {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+    std::array<double, kAxisCount> zero_um{};
+};
+/// Thermal: measure the origin with the gap sensors.
+struct MeasureOrigin {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+};
+/// Thermal: count on from the last measurement instead of the prediction.
+struct AdoptMeasurement {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+};
+/// Thermal: put the gap sensors' readings into every minute, as training data.
+struct RecordGaps {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+    bool on{false};
+};
+/// Thermal: end the warm-up program.
+struct StopWarmUp {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+};
+
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
                  LoadTurningSetup, SetTurningController, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap,
                  LoadMillingSetup, LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference,
-                 ReleaseMillingStop, RestoreMillingTool, NewMillingTool>
+                 ReleaseMillingStop, RestoreMillingTool, NewMillingTool, LoadThermalSetup, TakeThermalReference,
+                 LoadGapZero, MeasureOrigin, AdoptMeasurement, RecordGaps, StopWarmUp>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

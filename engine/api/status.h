@@ -9,6 +9,7 @@
 #include "engine/api/command.h"
 #include "engine/api/milling_types.h"
 #include "engine/api/tapping_types.h"
+#include "engine/api/thermal_types.h"
 #include "engine/api/turning_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/histogram.h"
@@ -64,6 +65,7 @@ struct Status {
     TurningStatus turning{};
     TappingStatus tapping{};
     MillingStatus milling{};
+    ThermalStatus thermal{};
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);

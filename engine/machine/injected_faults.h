@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace kerf {
 
 /// How one signal of the simulated machine is made to fail.
 enum class SignalFault : std::uint8_t { None, Unplugged, Stale, NotANumber, Saturated, Stuck };
+
+/// How one thermocouple of the simulated machine is made to fail.
+enum class CoupleFaultKind : std::uint8_t { None, Open, Short, Stuck, Offset, Noisy };
+struct CoupleFault {
+    std::uint16_t couple{0};
+    CoupleFaultKind kind{CoupleFaultKind::None};
+};
 
 /// Faults that tests (and the simulator's fault panel) inject; the loops meet them as they would on a real machine.
 struct InjectedFaults {
@@ -24,6 +32,9 @@ struct InjectedFaults {
     SignalFault force{SignalFault::None};
     SignalFault temperatures{SignalFault::None};
     SignalFault spindleAngle{SignalFault::None};
+    SignalFault gaps{SignalFault::None};
+    std::array<CoupleFault, 4> couples{};
+    bool workOffsetIgnored{false};  ///< the control takes no external offset any more
 };
 
 }  // namespace kerf

@@ -87,6 +87,12 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
         m_last_ns < 0 ? 0.0 : std::max(0.0, static_cast<double>(now_ns - m_last_ns) / kNanosecondPerSecond);
     if (m_last_ns < 0) {
         m_lastWrite_ns = now_ns;
+        for (const auto& process : m_processes) {
+            if (const auto kept = process->keptWorkOffset_um()) {
+                m_workOffset_um = *kept;
+                m_outputs.workOffset_um = *kept;
+            }
+        }
     }
     m_last_ns = now_ns;
 
@@ -123,7 +129,7 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     inputs.programmedFeed_mmPerS = {0.0, now_ns, Quality::Good};
     inputs.actualFeed_mmPerS = {0.0, now_ns, Quality::Good};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        const double ramp = kWorkOffsetRate_umPerS * dt_s;
+        const double ramp = faults.workOffsetIgnored ? 0.0 : kWorkOffsetRate_umPerS * dt_s;
         m_workOffset_um[axis] =
             std::clamp(m_outputs.workOffset_um[axis], m_workOffset_um[axis] - ramp, m_workOffset_um[axis] + ramp);
         inputs.workOffset_um[axis] = {m_workOffset_um[axis], now_ns, Quality::Good};

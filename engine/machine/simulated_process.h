@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "engine/machine/injected_faults.h"
 #include "engine/machine/machine_port.h"
@@ -41,9 +43,14 @@ class SimulatedProcess {
     [[nodiscard]] virtual Result<void> retractInSync() noexcept {
         return fail(KERF_TEXT("This simulated machine does not have it."));
     }
-    /// Advance by step.dt_s and fill (inputs.spindleAngle_rev arrives with the angle so far; a plant that knows the angle
-    /// itself sets it) this process's signals; called every step, cutting or not.
-    /// Returns true while its program runs.
+    /// Work offset the control still has from before this program started; empty: nothing to say. Asked once, before
+    /// the first step.
+    [[nodiscard]] virtual std::optional<std::array<double, kAxisCount>> keptWorkOffset_um() const noexcept {
+        return std::nullopt;
+    }
+    /// Advance by step.dt_s and fill (inputs.spindleAngle_rev arrives with the angle so far; a plant that knows the
+    /// angle itself sets it) this process's signals; called every step, cutting or not. Returns true while its program
+    /// runs.
     virtual bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept = 0;
 };
 

@@ -9,6 +9,8 @@
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
 #include "ui/pages/turning/turning_page.h"
+#include "ui/pages/thermal/thermal_page.h"
+#include "ui/pages/thermal/thermal_texts.h"
 
 #include <QCoreApplication>
 
@@ -83,6 +85,8 @@ PageList standardPages() {
          millingFigure},
         {"turning", [] { return processName(ProcessId::Turning); }, ProcessId::Turning, makePage<TurningPage>,
          turningFigure},
+        {"thermal", [] { return processName(ProcessId::Thermal); }, ProcessId::Thermal, makePage<ThermalPage>,
+         thermalFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},

@@ -179,6 +179,35 @@ void ThermalPlant::advance(double speed_rpm, double dt_s) noexcept {
     }
 }
 
+std::optional<PlantNode> ThermalPlant::nodeOf(std::size_t couple) noexcept {
+    for (std::size_t node = 0; node < kPlantNodes; ++node) {
+        if (couple < kCouplesPerNode[node]) {
+            return static_cast<PlantNode>(node);
+        }
+        couple -= kCouplesPerNode[node];
+    }
+    return std::nullopt;
+}
+
+ThermalPlant::State ThermalPlant::state() const noexcept {
+    State state{m_temp_degC, m_reference_degC, {}, m_time_s, m_wander_K};
+    for (std::size_t k = 0; k < kMaxTemperatures; ++k) {
+        state.couple_degC[k] = m_couples[k].value_degC;
+    }
+    return state;
+}
+
+void ThermalPlant::resume(const State& state) noexcept {
+    m_temp_degC = state.temp_degC;
+    m_reference_degC = state.reference_degC;
+    for (std::size_t k = 0; k < kMaxTemperatures; ++k) {
+        m_couples[k].value_degC = state.couple_degC[k];
+    }
+    m_time_s = state.time_s;
+    m_wander_K = state.wander_K;
+    moveRoom(0.0);
+}
+
 void ThermalPlant::setReference() noexcept {
     m_reference_degC = m_temp_degC;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/random.h"
 #include "engine/machine/machine_port.h"
@@ -66,6 +67,21 @@ class ThermalPlant {
     [[nodiscard]] std::array<double, kAxisCount> drift_um() const noexcept;
     /// One reading of every thermocouple, with its own noise.
     [[nodiscard]] std::array<double, kMaxTemperatures> readThermocouples() noexcept;
+    /// Where a thermocouple sits; empty: it hangs in the room.
+    [[nodiscard]] static std::optional<PlantNode> nodeOf(std::size_t couple) noexcept;
+
+    /// All that a machine remembers between two runs of the program.
+    struct State {
+        std::array<double, kPlantNodes> temp_degC{};
+        std::array<double, kPlantNodes> reference_degC{};
+        std::array<double, kMaxTemperatures> couple_degC{};
+        double time_s{0.0};
+        double wander_K{0.0};
+    };
+    [[nodiscard]] State state() const noexcept;
+    /// Go on where that machine was; the room's day stays the one of the seed.
+    void resume(const State& state) noexcept;
+
     /// One measurement of the drift by the three gap sensors: σ .5 µm.
     [[nodiscard]] std::array<double, kAxisCount> measureDrift() noexcept;
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thermal/offset_panel.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QLabel>
+
+#include "ui/link/texts.h"
+#include "ui/pages/thermal/thermal_texts.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+
+OffsetPanel::OffsetPanel(Look& look, QWidget* parent)
+    : Card(look, parent),
+      m_look(look),
+      m_ready(makeLabel(TextRole::CardNumber, this, true)),
+      m_reason(makeLabel(TextRole::Small, this, true)),
+      m_modes(new QButtonGroup(this)),
+      m_numbers(new QHBoxLayout),
+      m_modeRow(new QHBoxLayout) {
+    setObjectName(QStringLiteral("thermalOffsets"));
+    m_ready->setObjectName(QStringLiteral("thermalReady"));
+    m_reason->setObjectName(QStringLiteral("thermalLoopReason"));
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const QString name = QLatin1String(kThermalAxes[axis]);
+        m_drift[axis] = new NumberDisplay(look, "um", kDriftDecimals, TextSize::Page, this);
+        m_drift[axis]->setObjectName(QStringLiteral("thermalDrift") + name);
+        m_drift[axis]->setWidest(-88.8);
+        m_shift[axis] = makeLabel(TextRole::Body, this);
+        m_shift[axis]->setObjectName(QStringLiteral("thermalShift") + name);
+        m_limit[axis] = new Lamp(look, this);
+        m_limit[axis]->setObjectName(QStringLiteral("thermalLimited") + name);
+        auto* column = new QVBoxLayout;
+        column->addWidget(m_drift[axis]);
+        column->addWidget(m_shift[axis]);
+        column->addWidget(m_limit[axis]);
+        m_numbers->addLayout(column, 1);
+    }
+    body()->addLayout(m_numbers);
+    auto* below = new QHBoxLayout;
+    auto* words = new QVBoxLayout;
+    words->addWidget(m_ready);
+    words->addWidget(m_reason);
+    below->addLayout(words, 1);
+    constexpr std::array<const char*, 3> names{"thermalModeOff", "thermalModeAdvise", "thermalModeControl"};
+    for (int mode = 0; mode < 3; ++mode) {
+        auto* button = new QPushButton(this);
+        button->setObjectName(QLatin1String(names[static_cast<std::size_t>(mode)]));
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_modeButtons[static_cast<std::size_t>(mode)] = button;
+        m_modes->addButton(button, mode);
+        m_modeRow->addWidget(button);
+    }
+    below->addLayout(m_modeRow);
+    body()->addLayout(below);
+    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
+        show(m_status, m_loop);  // the engine says what the mode is, not the touch
+        emit modeRequested(static_cast<LoopMode>(id));
+    });
+    connect(&look, &Look::changed, this, [this] { retranslate(); });
+    retranslate();
+}
+
+void OffsetPanel::changeEvent(QEvent* event) {
+    Card::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void OffsetPanel::retranslate() {
+    setTitle(tr("Drift of the origin, predicted"));
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+        m_modeButtons[mode]->setText(modeName(static_cast<LoopMode>(mode)));
+    }
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_drift[axis]->setLabel(QLatin1String(kThermalAxes[axis]));
+        m_limit[axis]->set(Sign::Limited, tr("at limit"));
+    }
+    m_modeRow->setSpacing(m_look.metrics().touchGap());
+    m_numbers->setSpacing(m_look.space(Space::Large));
+    show(m_status, m_loop);
+}
+
+void OffsetPanel::setStatus(const ThermalStatus& status, const LoopStatus& loop) {
+    show(status, loop);
+    m_status = status;
+    m_loop = loop;
+}
+
+void OffsetPanel::show(const ThermalStatus& status, const LoopStatus& loop) {
+    const UnitSystem& units = m_look.units();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (status.stage == ThermalStage::Following) {
+            m_drift[axis]->setHalf95(status.half_um[axis]);
+            m_drift[axis]->setValue(status.drift_um[axis]);
+        } else {
+            m_drift[axis]->setHalf95(std::nullopt);
+            m_drift[axis]->setNothing();
+        }
+        m_limit[axis]->setVisible(status.sizeLimited[axis] || status.rateLimited[axis]);
+        const Reading& shifted = status.shifted_um[axis];
+        QString text =
+            shifted.good() ? tr("shifted %1").arg(units.withUnit(shifted.value, "um", 0)) : tr("shift not reported");
+        if (shifted.good() && loop.mode != LoopMode::Control && status.stage == ThermalStage::Following) {
+            text = tr("shifted %1, would be %2")
+                       .arg(units.number(shifted.value, "um", 0), units.withUnit(status.target_um[axis], "um", 0));
+        }
+        m_shift[axis]->setText(text);
+    }
+    m_ready->setText(warmUpText(status, units));
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+        m_modeButtons[mode]->setChecked(loop.mode == static_cast<LoopMode>(mode));
+        m_modeButtons[mode]->setEnabled(loop.fitted);
+    }
+    const QString why = sentenceText(loop.reason, units);
+    m_reason->setText(loop.fitted ? stateName(loop.state) + QStringLiteral(": ") + why
+                                  : tr("This machine has no thermal loop: %1").arg(why));
+}
+
+}  // namespace kerf::ui

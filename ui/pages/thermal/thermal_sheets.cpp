@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thermal/thermal_sheets.h"
+
+#include <QDateTime>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/core/param_spec.h"
+#include "ui/link/texts.h"
+#include "ui/pages/thermal/error_map.h"
+#include "ui/pages/thermal/thermal_texts.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/value_field.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr int kShownRows = 60;
+
+QString timeOf(std::int64_t utc_ms) {
+    return QDateTime::fromMSecsSinceEpoch(utc_ms).toString(QStringLiteral("MM-dd HH:mm"));
+}
+
+ActionButton* named(Look& look, const char* name, const QString& text) {
+    auto* button = new ActionButton(look);
+    button->setObjectName(QLatin1String(name));
+    button->setText(text);
+    return button;
+}
+
+}  // namespace
+
+Sheet* ThermalSheets::open(const QString& title, const QString& text) {
+    m_update = {};
+    Sheet* sheet = m_context.sheets.open(title, text);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("thermalSheetClose"));
+    m_sheet = sheet;
+    return sheet;
+}
+
+void ThermalSheets::follow(std::function<void()> update) {
+    m_update = std::move(update);
+    m_update();
+}
+
+void ThermalSheets::refresh(const Status& status) {
+    m_status = status;
+    if (m_sheet != nullptr && m_update) {
+        m_update();
+    }
+}
+
+void ThermalSheets::tell(const Result<void>& result) {
+    if (!result) {
+        m_context.notify(sentenceText(result.error(), m_context.look.units()));
+    }
+}
+
+void ThermalSheets::withAuthor(std::function<Result<void>(const std::string&)> action) {
+    m_context.withOperator([this, action = std::move(action)] { tell(action(m_context.session.author())); });
+}
+
+void ThermalSheets::openModel() {
+    Sheet* sheet = open(tr("The model that is live"), {});
+    QTableWidget* table = makeThermalTable(m_context.look, "thermalCard", {tr("what"), tr("value")}, sheet);
+    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    sheet->body()->addWidget(table, 1);
+    ActionButton* back = named(m_context.look, "thermalRollBack", tr("Back to the model before"));
+    back->setPredicate([this] { return m_desk.view().canRollBack ? QString() : tr("there is no model before this"); });
+    sheet->addButton(
+        back, [this] { withAuthor([this](const std::string& author) { return m_desk.rollBack(author); }); }, false);
+    ActionButton* train = named(m_context.look, "thermalTrainOpen", tr("Train a new one"));
+    sheet->addButton(
+        train, [this] { openTrain(); }, false);
+    follow([this, table, back] {
+        const ThermalModelCard& card = m_desk.view().live;
+        const UnitSystem& units = m_context.look.units();
+        back->reconsider();
+        if (card.revision == 0) {
+            const bool training = m_desk.view().training.state == TrainingState::Running;
+            setTableRow(table, 0, {tr("model"), training ? tr("the first one is being trained") : tr("none yet")});
+            return;
+        }
+        QStringList sensors;
+        for (const std::string& name : card.sensors)
+            sensors << QString::fromStdString(name);
+        QStringList days;
+        for (const std::string& day : card.trainedOn)
+            days << QString::fromStdString(day);
+        const double age_h =
+            std::max(0.0, static_cast<double>(QDateTime::currentMSecsSinceEpoch() - card.createdUtc_ms) / 3'600'000.0);
+        int row = 0;
+        setTableRow(table, row++,
+                    {tr("model"), tr("%1, no. %2").arg(modelKindName(card.judgement.kind)).arg(card.revision)});
+        setTableRow(table, row++,
+                    {card.judgement.heldOut ? tr("error on days left out, X / Y / Z")
+                                            : tr("error on its own check rows, X / Y / Z"),
+                     tr("rms %1, worst %2 %3")
+                         .arg(threeText(card.judgement.rms_um, units, 2), threeText(card.judgement.worst_um, units, 1),
+                              units.of("um").symbol)});
+        setTableRow(table, row++,
+                    {tr("live since"), tr("%1, %2 h ago, by %3")
+                                           .arg(timeOf(card.createdUtc_ms), UnitSystem::fixed(age_h, 1),
+                                                QString::fromStdString(card.author))});
+        setTableRow(table, row++, {tr("thermocouples"), sensors.join(QStringLiteral(", "))});
+        setTableRow(table, row++,
+                    {tr("trained on"), tr("%1 (%2 rows)").arg(days.join(QStringLiteral(", "))).arg(card.rows)});
+        for (const std::string& line : card.formula) {
+            setTableRow(table, row++, {tr("formula"), QString::fromStdString(line)});
+        }
+        table->setRowCount(row);
+    });
+}
+
+void ThermalSheets::showDays(QTableWidget* table) {
+    int row = 0;
+    for (const ThermalDayView& day : m_desk.view().days) {
+        const bool chosen = m_chosenDays.contains(day.id);
+        setTableRow(table, row,
+                    {chosen ? QStringLiteral("✓") : QStringLiteral("–"), QString::fromStdString(day.label),
+                     day.id.starts_with("file:")      ? tr("file")
+                     : day.id.starts_with("session:") ? tr("recorded here")
+                                                      : tr("built-in simulation")});
+        table->item(row, 0)->setTextAlignment(Qt::AlignCenter);
+        ++row;
+    }
+    table->setRowCount(row);
+}
+
+void ThermalSheets::openTrain() {
+    m_desk.findDays();
+    Sheet* sheet =
+        open(tr("Train a model"), tr("Touch the days to train on. Several days of different work make a model "
+                                     "that also holds on days it has not seen. History files belong in %1.")
+                                      .arg(QString::fromStdString(m_desk.view().dayFolder)));
+    Look& look = m_context.look;
+    QTableWidget* days = makeThermalTable(look, "thermalDays", {tr("use"), tr("day"), tr("from")}, sheet);
+    days->setMinimumHeight(3 * look.metrics().touch());
+    QTableWidget* compared =
+        makeThermalTable(look, "thermalCompared",
+                         {tr("model"), tr("thermocouples"), tr("rms X / Y / Z, %1").arg(look.units().of("um").symbol),
+                          tr("worst X / Y / Z")},
+                         sheet);
+    compared->setMinimumHeight(3 * look.metrics().touch());
+    QLabel* state = makeLabel(TextRole::Body, sheet, true);
+    state->setObjectName(QStringLiteral("thermalTrainState"));
+    sheet->body()->addWidget(days, 1);
+    sheet->body()->addWidget(state);
+    sheet->body()->addWidget(compared, 1);
+    ActionButton* cancel = named(look, "thermalTrainCancel", tr("Cancel training"));
+    ActionButton* train = named(look, "thermalTrainAuto", tr("Train and compare"));
+    ActionButton* live = named(look, "thermalGoLive", tr("Go live"));
+    const auto running = [this] { return m_desk.view().training.state == TrainingState::Running; };
+    cancel->setPredicate([running] { return running() ? QString() : tr("nothing is being trained"); });
+    train->setPredicate([this, running] {
+        return running() ? tr("a model is being trained") : m_chosenDays.empty() ? tr("choose days first") : QString();
+    });
+    live->setPredicate(
+        [this] { return m_desk.view().training.state == TrainingState::Ready ? QString() : tr("train one first"); });
+    sheet->addButton(
+        cancel, [this] { m_desk.cancelTraining(); }, false);
+    sheet->addButton(
+        train,
+        [this] {
+            tell(m_desk.train("auto", {m_chosenDays.begin(), m_chosenDays.end()}));
+        },
+        false);
+    sheet->addButton(
+        live, [this] { withAuthor([this](const std::string& author) { return m_desk.goLive(author); }); }, false);
+    const auto update = [this, days, compared, state, cancel, train, live] {
+        const ThermalTrainingView& training = m_desk.view().training;
+        const UnitSystem& units = m_context.look.units();
+        showDays(days);
+        for (ActionButton* button : {cancel, train, live})
+            button->reconsider();
+        switch (training.state) {
+            case TrainingState::Idle:
+                state->setText(tr("The comparison appears below after the training."));
+                break;
+            case TrainingState::Running:
+                state->setText(tr("Training: %1 %").arg(static_cast<int>(100.0 * training.progress)));
+                break;
+            case TrainingState::Ready:
+                state->setText(
+                    tr("Errors on days left out of the training. The live model goes on until you go live."));
+                break;
+            case TrainingState::Failed:
+                state->setText(sentenceText(training.problem, units) + u' ' + QString::fromStdString(training.detail));
+                break;
+            case TrainingState::Cancelled:
+                state->setText(tr("Cancelled; nothing has changed."));
+                break;
+        }
+        int row = 0;
+        for (const ThermalJudgementView& one : training.compared) {
+            setTableRow(
+                compared, row++,
+                {one.chosen ? tr("%1: best").arg(modelKindName(one.kind)) : modelKindName(one.kind),
+                 QString::number(one.sensors), threeText(one.rms_um, units, 2), threeText(one.worst_um, units, 1)});
+        }
+        compared->setRowCount(row);
+        compared->setVisible(row > 0);
+    };
+    QObject::connect(days, &QTableWidget::cellClicked, sheet, [this, update](int row, int) {
+        const auto& list = m_desk.view().days;
+        if (row < 0 || static_cast<std::size_t>(row) >= list.size()) return;
+        const std::string& id = list[static_cast<std::size_t>(row)].id;
+        if (m_chosenDays.erase(id) == 0) m_chosenDays.insert(id);
+        update();
+    });
+    follow(update);
+}
+
+void ThermalSheets::openMeasure() {
+    Sheet* sheet = open(tr("Measure the origin"), {});
+    Look& look = m_context.look;
+    QLabel* steps = makeLabel(TextRole::Body, sheet, true);
+    steps->setObjectName(QStringLiteral("thermalSteps"));
+    QTableWidget* table = makeThermalTable(
+        look, "thermalGapTable", {tr("axis"), tr("measured"), tr("predicted"), tr("difference"), tr("verdict")}, sheet);
+    table->setMinimumHeight(4 * look.metrics().touch() * 2 / 3);
+    sheet->body()->addWidget(steps);
+    sheet->body()->addWidget(table, 1);
+    ActionButton* reference = named(look, "thermalReference", tr("New reference"));
+    ActionButton* session = named(look, "thermalSession", {});
+    ActionButton* adopt = named(look, "thermalAdopt", tr("Take over"));
+    ActionButton* measure = named(look, "thermalMeasureNow", tr("Measure now"));
+    measure->setPrimary(true);
+    EngineClient& client = m_context.client;
+    measure->setPredicate([this]() -> QString {
+        const ThermalStatus& s = m_status.thermal;
+        if (!s.gapsReadable) return tr("the gap sensors read nothing");
+        if (!s.gapZeroKnown) return tr("take a reference first");
+        return s.gap.phase == GapPhase::Measuring ? tr("being measured") : QString();
+    });
+    adopt->setPredicate([this]() -> QString {
+        const GapMeasurement& gap = m_status.thermal.gap;
+        return gap.phase == GapPhase::Done && gap.predictionKnown ? QString() : tr("measure first");
+    });
+    sheet->addButton(
+        reference,
+        [this] {
+            m_context.sheets.ask(tr("Count from now on?"),
+                                 tr("The machine must be as cold as it is at the start of a day, and the origin set "
+                                    "anew. The shift goes "
+                                    "back to zero."),
+                                 tr("Leave it"), tr("Count from now on"),
+                                 [this] { m_context.client.sendAction(TakeThermalReference{true}); });
+        },
+        false);
+    sheet->addButton(
+        session,
+        [this] {
+            withAuthor([this](const std::string& author) {
+                return m_desk.view().session.recording ? m_desk.endSession(author) : m_desk.beginSession(author);
+            });
+        },
+        false);
+    sheet->addButton(
+        adopt, [&client] { client.sendAction(AdoptMeasurement{}); }, false);
+    sheet->addButton(
+        measure, [&client] { client.sendAction(MeasureOrigin{}); }, false);
+    follow([this, steps, table, reference, session, adopt, measure] {
+        const ThermalStatus& s = m_status.thermal;
+        const UnitSystem& units = m_context.look.units();
+        const ThermalSessionView& view = m_desk.view().session;
+        session->setText(view.recording ? tr("End the session") : tr("Record a session"));
+        for (ActionButton* button : {reference, session, adopt, measure})
+            button->reconsider();
+        QString text =
+            tr("1. End the program. 2. Put the test bar in the spindle and move it between the three gap "
+               "sensors. 3. Measure: five readings take five seconds.");
+        if (view.recording) {
+            text =
+                tr("Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good "
+                   "day.",
+                   nullptr, static_cast<int>(view.rows));
+            if (!view.whyNotKept.empty()) text += u' ' + sentenceText(view.whyNotKept, units);
+        } else if (s.gap.phase == GapPhase::Measuring) {
+            text = tr("Measuring …");
+        } else if (s.gap.phase == GapPhase::Failed) {
+            text = sentenceText(s.gap.reason, units);
+        } else if (s.gap.phase == GapPhase::Done) {
+            text =
+                tr("Measured. If the difference is outside the interval on a machine that is warm, take it over and "
+                   "train again with this state.");
+        }
+        steps->setText(text);
+        const bool done = s.gap.phase == GapPhase::Done;
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            const double difference_um = s.gap.measured_um[axis] - s.gap.predicted_um[axis];
+            const bool known = done && s.gap.predictionKnown;
+            setTableRow(table, static_cast<int>(axis),
+                        {QLatin1String(kThermalAxes[axis]),
+                         done ? units.withUnit(s.gap.measured_um[axis], "um", kDriftDecimals) : QStringLiteral("–"),
+                         known ? units.number(s.gap.predicted_um[axis], "um", kDriftDecimals) + QStringLiteral(" ± ") +
+                                     units.withUnit(s.gap.half_um[axis], "um", kDriftDecimals)
+                               : QStringLiteral("–"),
+                         known ? units.withUnit(difference_um, "um", kDriftDecimals) : QStringLiteral("–"),
+                         !known                                           ? QStringLiteral("–")
+                         : std::abs(difference_um) <= s.gap.half_um[axis] ? tr("inside the interval")
+                                                                          : tr("outside the interval")});
+        }
+    });
+}
+
+void ThermalSheets::openHistory() {
+    Sheet* sheet = open(tr("Shifts and measurements"), {});
+    const QString unit = m_context.look.units().of("um").symbol;
+    QTableWidget* shifts =
+        makeThermalTable(m_context.look, "thermalShiftTable",
+                         {tr("time"), tr("shift X / Y / Z, %1").arg(unit), tr("drift X / Y / Z")}, sheet);
+    QTableWidget* gaps =
+        makeThermalTable(m_context.look, "thermalGapHistory",
+                         {tr("time"), tr("measured X / Y / Z, %1").arg(unit), tr("predicted X / Y / Z")}, sheet);
+    sheet->body()->addWidget(shifts, 2);
+    sheet->body()->addWidget(gaps, 1);
+    follow([this, shifts, gaps] {
+        const UnitSystem& units = m_context.look.units();
+        int row = 0;
+        for (const ThermalShiftRow& one : m_desk.view().shifts) {
+            if (row >= kShownRows) break;
+            setTableRow(shifts, row++,
+                        {timeOf(one.utc_ms), threeText(one.shift_um, units, 0),
+                         threeText(one.drift_um, units, kDriftDecimals)});
+        }
+        if (row == 0) setTableRow(shifts, row++, {{}, tr("Each change of the shift appears here."), {}});
+        shifts->setRowCount(row);
+        row = 0;
+        for (const ThermalGapRow& one : m_desk.view().gaps) {
+            if (row >= kShownRows) break;
+            setTableRow(
+                gaps, row++,
+                {timeOf(one.utc_ms), threeText(one.measured_um, units, kDriftDecimals),
+                 one.predictionKnown ? threeText(one.predicted_um, units, kDriftDecimals) : QStringLiteral("–")});
+        }
+        if (row == 0) setTableRow(gaps, row++, {{}, tr("Each measurement of the origin appears here."), {}});
+        gaps->setRowCount(row);
+    });
+}
+
+void ThermalSheets::openSensors() {
+    Sheet* sheet = open(tr("Thermocouples"), tr("Sick ones first, then the model's own."));
+    QTableWidget* table = makeThermalTable(m_context.look, "thermalSensorTable",
+                                           {tr("thermocouple"), tr("temperature"), tr("state"), tr("model")}, sheet);
+    sheet->body()->addWidget(table, 1);
+    follow([this, table] {
+        const ThermalStatus& s = m_status.thermal;
+        const auto& sensors = m_desk.view().sensors;
+        std::vector<std::size_t> order;
+        const auto rank = [&](std::size_t k) {
+            return isSick(s.couple[k])                   ? 0
+                   : s.couple[k] != CoupleState::Healthy ? 1
+                   : (s.inModel >> k & 1U) != 0U         ? 2
+                                                         : 3;
+        };
+        for (std::size_t k = 0; k < sensors.size() && k < s.count; ++k)
+            order.push_back(k);
+        std::ranges::stable_sort(order, {}, rank);
+        int row = 0;
+        for (const std::size_t k : order) {
+            const bool read = s.couple[k] != CoupleState::Unread;
+            setTableRow(table, row++,
+                        {sensorText(sensors[k]),
+                         read ? m_context.look.units().withUnit(static_cast<double>(s.temp_degC[k]), "degC",
+                                                                kTemperatureDecimals)
+                              : QStringLiteral("–"),
+                         coupleStateName(s.couple[k]), (s.inModel >> k & 1U) != 0U ? tr("used") : QString()});
+        }
+        table->setRowCount(row);
+    });
+}
+
+void ThermalSheets::openMap() {
+    Sheet* sheet =
+        open(tr("Error over the work space"),
+             tr("From the machine's measured error elements, against the corner X0 Y0 of the table; the darker "
+                "the larger. Independent of the drift with time."));
+    const double middle_mm = m_desk.errorMap(0.0, true).range_mm[2].second / 2.0;
+    const ThermalErrorMap map = m_desk.errorMap(middle_mm, true);
+    if (!map.known) {
+        QLabel* none = makeLabel(TextRole::Body, sheet, true);
+        none->setText(tr("The error elements of this machine have not been measured."));
+        sheet->body()->addWidget(none);
+        return;
+    }
+    auto* row = new QHBoxLayout;
+    const double scale_um = largestError_um(map);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        auto* one = new ErrorMap(m_context.look, axis, sheet);
+        one->setMap(map, scale_um);
+        row->addWidget(one, 1);
+    }
+    sheet->body()->addLayout(row, 1);
+    const ThermalErrorMap first = m_desk.errorMap(middle_mm, false);
+    double apart_um = 0.0;
+    for (std::size_t k = 0; k < map.error_um.size(); ++k) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            apart_um = std::max(apart_um, std::abs(map.error_um[k][axis] - first.error_um[k][axis]));
+        }
+    }
+    QLabel* note = makeLabel(TextRole::Dim, sheet, true);
+    note->setText(tr("Exact, at Z %1; the first-order formula differs by at most %2.")
+                      .arg(m_context.look.units().withUnit(middle_mm, "mm", 0),
+                           m_context.look.units().withUnit(apart_um, "um", 4)));
+    sheet->body()->addWidget(note);
+}
+
+void ThermalSheets::openLimits() {
+    static const std::array kSpecs{
+        ParamSpec{"thermal.allowed_um", KERF_TEXT("Error the part allows"), "um", 0.1, 100.0, 4.0, 1, ""},
+        ParamSpec{"thermal.period_min", KERF_TEXT("Time between two shifts"), "min", 0.1, 60.0, 1.0, 1, ""},
+        ParamSpec{"thermal.max_shift_um", KERF_TEXT("Largest shift"), "um", 1.0, 200.0, 100.0, 0, ""},
+        ParamSpec{"thermal.max_step_um", KERF_TEXT("Largest shift in a minute"), "um", 1.0, 60.0, 15.0, 0, ""},
+        ParamSpec{"thermal.warm_up_rpm", KERF_TEXT("Warm-up speed"), "rpm", 100.0, 30'000.0, 3000.0, 0, ""},
+        ParamSpec{"thermal.warm_up_min", KERF_TEXT("Warm-up time"), "min", 1.0, 120.0, 20.0, 0, ""}};
+    static constexpr std::array kNames{"thermalAllowed", "thermalPeriod",    "thermalMaxShift",
+                                       "thermalMaxStep", "thermalWarmSpeed", "thermalWarmMinutes"};
+    Sheet* sheet = open(tr("Limits and warm-up"), {});
+    const ThermalSetup now = m_desk.view().setup;
+    const std::array values{now.allowed_um,       now.period_min,      now.maxShift_um,
+                            now.maxStep_umPerMin, now.warmUpSpeed_rpm, now.warmUp_min};
+    std::array<ValueField*, kSpecs.size()> fields{};
+    auto* grid = new QGridLayout;
+    for (std::size_t i = 0; i < kSpecs.size(); ++i) {
+        fields[i] = new ValueField(m_context.look, kSpecs[i], sheet);
+        fields[i]->setObjectName(QLatin1String(kNames[i]));
+        fields[i]->setLabel(engineText(kSpecs[i].label));
+        fields[i]->setValue(values[i]);
+        grid->addWidget(fields[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
+    }
+    sheet->body()->addLayout(grid);
+    ActionButton* use = named(m_context.look, "thermalLimitsUse", tr("Use"));
+    const auto whyNot = [fields]() -> QString {
+        for (const ValueField* field : fields) {
+            if (!field->value()) return field->whyInvalid();
+        }
+        return {};
+    };
+    use->setPredicate(whyNot);
+    for (ValueField* field : fields)
+        QObject::connect(field, &ValueField::edited, use, [use] { use->reconsider(); });
+    sheet->addButton(use, [this, fields, now] {
+        ThermalSetup next = now;
+        const std::array targets{&next.allowed_um,       &next.period_min,      &next.maxShift_um,
+                                 &next.maxStep_umPerMin, &next.warmUpSpeed_rpm, &next.warmUp_min};
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            *targets[i] = fields[i]->value().value_or(*targets[i]);
+        withAuthor([this, next](const std::string& author) { return m_desk.changeSetup(next, author); });
+    });
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "engine/api/thermal_desk.h"
+#include "ui/shell/page.h"
+
+class QTableWidget;
+
+namespace kerf::ui {
+
+/// The thermal page's sheets. One is open at a time and follows status and desk.
+///
+/// Object names:
+///   model: thermalCard (table), thermalTrainOpen, thermalRollBack
+///   train: thermalDays (column 0 touched: chosen or not), thermalCompared, thermalTrainState, thermalTrainAuto,
+///     thermalTrainCancel, thermalGoLive
+///   measure: thermalSteps, thermalGapTable, thermalMeasureNow, thermalAdopt, thermalReference, thermalSession
+///   history: thermalShiftTable, thermalGapHistory; sensors: thermalSensorTable; map: thermalErrorMapX…Z
+///   limits: thermalAllowed, thermalPeriod, thermalMaxShift, thermalMaxStep, thermalWarmSpeed, thermalWarmMinutes
+///   thermalSheetClose
+class ThermalSheets {
+    Q_DECLARE_TR_FUNCTIONS(ThermalSheets)
+ public:
+    ThermalSheets(const PageContext& context, ThermalDesk& desk) : m_context(context), m_desk(desk) {}
+
+    void openModel();
+    void openTrain();
+    void openMeasure();
+    void openHistory();
+    void openSensors();
+    void openMap();
+    void openLimits();
+    /// New status or desk view: the open sheet follows.
+    void refresh(const Status& status);
+
+ private:
+    Sheet* open(const QString& title, const QString& text);
+    void follow(std::function<void()> update);
+    void tell(const Result<void>& result);
+    void withAuthor(std::function<Result<void>(const std::string&)> action);
+    void showDays(QTableWidget* table);
+
+    PageContext m_context;
+    ThermalDesk& m_desk;
+    QPointer<Sheet> m_sheet;
+    std::function<void()> m_update;
+    std::set<std::string> m_chosenDays;
+    Status m_status{};
+};
+
+}  // namespace kerf::ui
