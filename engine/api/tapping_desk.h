@@ -97,6 +97,7 @@ struct TappingDeskView {
     bool automatic{false};  ///< proposals are tapped and accepted at once
     TapChoice choice{};     ///< loaded
     TapThreadView thread{};
+    double engage_rev{3.0};  ///< until the tap touches
     std::vector<TapTrialView> trials{};
     TapCurve first{};    ///< of this tuning, or of the stored one
     TapCurve current{};  ///< the last tap, trial or production

@@ -139,6 +139,7 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     if (!stopped) {
         answerRequest(inputs);
     }
+    inputs.programProcess = m_programProcess;  // a program begun in this step: only its plant moves the axes
     for (const auto& process : m_processes) {
         const bool running = process->advance(step, inputs);
         if (m_program == ProgramState::Running && process->id() == m_programProcess && !running) {

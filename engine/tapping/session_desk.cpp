@@ -178,6 +178,7 @@ Result<void> SessionTappingDesk::load(const TapChoice& choice) {
     m_view.storeProblem = problem;
     m_view.choice = choice;
     m_view.thread = viewOf(*tapping::findThread(choice.thread));
+    m_view.engage_rev = m_params.assumed.engage_rev;
     m_inForce = *m_own;
     const tapping::StoredTuning* stored = newestFor(choice, m_view.source);
     if (stored != nullptr) {

@@ -25,6 +25,130 @@
         </message>
     </context>
     <context>
+        <name>Milling</name>
+        <message>
+            <source>Constant feed</source>
+            <translation>Constant feed</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Model</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>Preview</translation>
+        </message>
+        <message>
+            <source>as long as planned</source>
+            <translation>as long as planned</translation>
+        </message>
+        <message>
+            <source>%1 s faster than planned</source>
+            <translation>%1 s faster than planned</translation>
+        </message>
+        <message>
+            <source>%1 s slower than planned</source>
+            <translation>%1 s slower than planned</translation>
+        </message>
+        <message>
+            <source>control would be %1</source>
+            <translation>control would be %1</translation>
+        </message>
+        <message>
+            <source>peak %1 at %2</source>
+            <translation>peak %1 at %2</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>waviness %1</translation>
+        </message>
+        <message>
+            <source>would have been stopped</source>
+            <translation>would have been stopped</translation>
+        </message>
+        <message>
+            <source>was stopped</source>
+            <translation>was stopped</translation>
+        </message>
+        <message>
+            <source>Cut %1: %2.</source>
+            <translation>Cut %1: %2.</translation>
+        </message>
+        <message>
+            <source>Cut %1, aborted: %2.</source>
+            <translation>Cut %1, aborted: %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>MillingCutLog</name>
+        <message>
+            <source>%1, aborted</source>
+            <translation>%1, aborted</translation>
+        </message>
+        <message>
+            <source>Last cuts</source>
+            <translation>Last cuts</translation>
+        </message>
+        <message>
+            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
+            <translation>An advised cut was made at the planned feed; its controlled time is what control would have taken.</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>cut</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>law</translation>
+        </message>
+        <message>
+            <source>mode</source>
+            <translation>mode</translation>
+        </message>
+        <message>
+            <source>planned
+%1</source>
+            <translation>planned
+%1</translation>
+        </message>
+        <message>
+            <source>controlled
+%1</source>
+            <translation>controlled
+%1</translation>
+        </message>
+        <message>
+            <source>peak
+%1</source>
+            <translation>peak
+%1</translation>
+        </message>
+        <message>
+            <source>at
+%1</source>
+            <translation>at
+%1</translation>
+        </message>
+        <message>
+            <source>waviness
+%1</source>
+            <translation>waviness
+%1</translation>
+        </message>
+        <message>
+            <source>stops</source>
+            <translation>stops</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
         <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
@@ -100,6 +224,10 @@
         <message>
             <source>Waviness of the cut</source>
             <translation>Waviness of the cut</translation>
+        </message>
+        <message>
+            <source>Last tap, p-p in the work</source>
+            <translation>Last tap, p-p in the work</translation>
         </message>
     </context>
     <context>
@@ -281,6 +409,575 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>TappingTexts</name>
+        <message>
+            <source>%1, %2 rpm, %3 rev, gear %4</source>
+            <comment>thread, speed, depth, gear</comment>
+            <translation>%1, %2 rpm, %3 rev, gear %4</translation>
+        </message>
+        <message>
+            <source>not tuned</source>
+            <translation>not tuned</translation>
+        </message>
+        <message>
+            <source>tuned</source>
+            <translation>tuned</translation>
+        </message>
+        <message>
+            <source>air tap</source>
+            <translation>air tap</translation>
+        </message>
+        <message>
+            <source>trial %1</source>
+            <translation>trial %1</translation>
+        </message>
+        <message>
+            <source>tuned, to be accepted</source>
+            <translation>tuned, to be accepted</translation>
+        </message>
+        <message>
+            <source>proposal</source>
+            <translation>proposal</translation>
+        </message>
+        <message>
+            <source>accepted</source>
+            <translation>accepted</translation>
+        </message>
+        <message>
+            <source>rolled back</source>
+            <translation>rolled back</translation>
+        </message>
+        <message>
+            <source>tuning ended</source>
+            <translation>tuning ended</translation>
+        </message>
+        <message>
+            <source>The machine's own gains: nothing is stored for this job.</source>
+            <translation>The machine's own gains: nothing is stored for this job.</translation>
+        </message>
+        <message>
+            <source>Gains and trim of the stored tuning of this job.</source>
+            <translation>Gains and trim of the stored tuning of this job.</translation>
+        </message>
+        <message>
+            <source>Gains stored for this speed range; the trim does not fit: tune before production.</source>
+            <translation>Gains stored for this speed range; the trim does not fit: tune before production.</translation>
+        </message>
+        <message>
+            <source>Gains of this tuning.</source>
+            <translation>Gains of this tuning.</translation>
+        </message>
+        <message>
+            <source>sum of errors %1 → %2 (−%3 %), in the work %4 → %5 p-p</source>
+            <translation>sum of errors %1 → %2 (−%3 %), in the work %4 → %5 p-p</translation>
+        </message>
+        <message>
+            <source>Rolled back by %1; the tuning had: %2.</source>
+            <translation>Rolled back by %1; the tuning had: %2.</translation>
+        </message>
+        <message>
+            <source>Before and after, accepted by %1: %2.</source>
+            <translation>Before and after, accepted by %1: %2.</translation>
+        </message>
+        <message>
+            <source>no link to the machine</source>
+            <translation>no link to the machine</translation>
+        </message>
+        <message>
+            <source>emergency stop is pressed</source>
+            <translation>emergency stop is pressed</translation>
+        </message>
+        <message>
+            <source>the machine is off</source>
+            <translation>the machine is off</translation>
+        </message>
+        <message>
+            <source>hold is in force</source>
+            <translation>hold is in force</translation>
+        </message>
+    </context>
+    <context>
+        <name>ThermalSheets</name>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>The model that is live</source>
+            <translation>The model that is live</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>what</translation>
+        </message>
+        <message>
+            <source>value</source>
+            <translation>value</translation>
+        </message>
+        <message>
+            <source>Back to the model before</source>
+            <translation>Back to the model before</translation>
+        </message>
+        <message>
+            <source>there is no model before this</source>
+            <translation>there is no model before this</translation>
+        </message>
+        <message>
+            <source>Train a new one</source>
+            <translation>Train a new one</translation>
+        </message>
+        <message>
+            <source>model</source>
+            <translation>model</translation>
+        </message>
+        <message>
+            <source>the first one is being trained</source>
+            <translation>the first one is being trained</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>none yet</translation>
+        </message>
+        <message>
+            <source>%1, no. %2</source>
+            <translation>%1, no. %2</translation>
+        </message>
+        <message>
+            <source>error on days left out, X / Y / Z</source>
+            <translation>error on days left out, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>error on its own check rows, X / Y / Z</source>
+            <translation>error on its own check rows, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>rms %1, worst %2 %3</source>
+            <translation>rms %1, worst %2 %3</translation>
+        </message>
+        <message>
+            <source>live since</source>
+            <translation>live since</translation>
+        </message>
+        <message>
+            <source>%1, %2 h ago, by %3</source>
+            <translation>%1, %2 h ago, by %3</translation>
+        </message>
+        <message>
+            <source>thermocouples</source>
+            <translation>thermocouples</translation>
+        </message>
+        <message>
+            <source>trained on</source>
+            <translation>trained on</translation>
+        </message>
+        <message>
+            <source>%1 (%2 rows)</source>
+            <translation>%1 (%2 rows)</translation>
+        </message>
+        <message>
+            <source>formula</source>
+            <translation>formula</translation>
+        </message>
+        <message>
+            <source>file</source>
+            <translation>file</translation>
+        </message>
+        <message>
+            <source>recorded here</source>
+            <translation>recorded here</translation>
+        </message>
+        <message>
+            <source>built-in simulation</source>
+            <translation>built-in simulation</translation>
+        </message>
+        <message>
+            <source>Train a model</source>
+            <translation>Train a model</translation>
+        </message>
+        <message>
+            <source>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</source>
+            <translation>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</translation>
+        </message>
+        <message>
+            <source>use</source>
+            <translation>use</translation>
+        </message>
+        <message>
+            <source>day</source>
+            <translation>day</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>from</translation>
+        </message>
+        <message>
+            <source>rms X / Y / Z, %1</source>
+            <translation>rms X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>worst X / Y / Z</source>
+            <translation>worst X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Cancel training</source>
+            <translation>Cancel training</translation>
+        </message>
+        <message>
+            <source>Train and compare</source>
+            <translation>Train and compare</translation>
+        </message>
+        <message>
+            <source>Go live</source>
+            <translation>Go live</translation>
+        </message>
+        <message>
+            <source>nothing is being trained</source>
+            <translation>nothing is being trained</translation>
+        </message>
+        <message>
+            <source>a model is being trained</source>
+            <translation>a model is being trained</translation>
+        </message>
+        <message>
+            <source>choose days first</source>
+            <translation>choose days first</translation>
+        </message>
+        <message>
+            <source>train one first</source>
+            <translation>train one first</translation>
+        </message>
+        <message>
+            <source>The comparison appears below after the training.</source>
+            <translation>The comparison appears below after the training.</translation>
+        </message>
+        <message>
+            <source>Training: %1 %</source>
+            <translation>Training: %1 %</translation>
+        </message>
+        <message>
+            <source>Errors on days left out of the training. The live model goes on until you go live.</source>
+            <translation>Errors on days left out of the training. The live model goes on until you go live.</translation>
+        </message>
+        <message>
+            <source>Cancelled; nothing has changed.</source>
+            <translation>Cancelled; nothing has changed.</translation>
+        </message>
+        <message>
+            <source>%1: best</source>
+            <translation>%1: best</translation>
+        </message>
+        <message>
+            <source>Measure the origin</source>
+            <translation>Measure the origin</translation>
+        </message>
+        <message>
+            <source>axis</source>
+            <translation>axis</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>measured</translation>
+        </message>
+        <message>
+            <source>predicted</source>
+            <translation>predicted</translation>
+        </message>
+        <message>
+            <source>difference</source>
+            <translation>difference</translation>
+        </message>
+        <message>
+            <source>verdict</source>
+            <translation>verdict</translation>
+        </message>
+        <message>
+            <source>New reference</source>
+            <translation>New reference</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>Take over</translation>
+        </message>
+        <message>
+            <source>Measure now</source>
+            <translation>Measure now</translation>
+        </message>
+        <message>
+            <source>the gap sensors read nothing</source>
+            <translation>the gap sensors read nothing</translation>
+        </message>
+        <message>
+            <source>take a reference first</source>
+            <translation>take a reference first</translation>
+        </message>
+        <message>
+            <source>being measured</source>
+            <translation>being measured</translation>
+        </message>
+        <message>
+            <source>measure first</source>
+            <translation>measure first</translation>
+        </message>
+        <message>
+            <source>Count from now on?</source>
+            <translation>Count from now on?</translation>
+        </message>
+        <message>
+            <source>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</source>
+            <translation>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</translation>
+        </message>
+        <message>
+            <source>Leave it</source>
+            <translation>Leave it</translation>
+        </message>
+        <message>
+            <source>Count from now on</source>
+            <translation>Count from now on</translation>
+        </message>
+        <message>
+            <source>End the session</source>
+            <translation>End the session</translation>
+        </message>
+        <message>
+            <source>Record a session</source>
+            <translation>Record a session</translation>
+        </message>
+        <message>
+            <source>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</source>
+            <translation>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Measuring …</source>
+            <translation>Measuring …</translation>
+        </message>
+        <message>
+            <source>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</source>
+            <translation>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</translation>
+        </message>
+        <message>
+            <source>inside the interval</source>
+            <translation>inside the interval</translation>
+        </message>
+        <message>
+            <source>outside the interval</source>
+            <translation>outside the interval</translation>
+        </message>
+        <message>
+            <source>Shifts and measurements</source>
+            <translation>Shifts and measurements</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
+        </message>
+        <message>
+            <source>shift X / Y / Z, %1</source>
+            <translation>shift X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>drift X / Y / Z</source>
+            <translation>drift X / Y / Z</translation>
+        </message>
+        <message>
+            <source>measured X / Y / Z, %1</source>
+            <translation>measured X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>predicted X / Y / Z</source>
+            <translation>predicted X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Each change of the shift appears here.</source>
+            <translation>Each change of the shift appears here.</translation>
+        </message>
+        <message>
+            <source>Each measurement of the origin appears here.</source>
+            <translation>Each measurement of the origin appears here.</translation>
+        </message>
+        <message>
+            <source>Thermocouples</source>
+            <translation>Thermocouples</translation>
+        </message>
+        <message>
+            <source>Sick ones first, then the model's own.</source>
+            <translation>Sick ones first, then the model's own.</translation>
+        </message>
+        <message>
+            <source>thermocouple</source>
+            <translation>thermocouple</translation>
+        </message>
+        <message>
+            <source>temperature</source>
+            <translation>temperature</translation>
+        </message>
+        <message>
+            <source>state</source>
+            <translation>state</translation>
+        </message>
+        <message>
+            <source>used</source>
+            <translation>used</translation>
+        </message>
+        <message>
+            <source>Error over the work space</source>
+            <translation>Error over the work space</translation>
+        </message>
+        <message>
+            <source>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</source>
+            <translation>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</translation>
+        </message>
+        <message>
+            <source>The error elements of this machine have not been measured.</source>
+            <translation>The error elements of this machine have not been measured.</translation>
+        </message>
+        <message>
+            <source>Exact, at Z %1; the first-order formula differs by at most %2.</source>
+            <translation>Exact, at Z %1; the first-order formula differs by at most %2.</translation>
+        </message>
+        <message>
+            <source>Limits and warm-up</source>
+            <translation>Limits and warm-up</translation>
+        </message>
+        <message>
+            <source>Use</source>
+            <translation>Use</translation>
+        </message>
+    </context>
+    <context>
+        <name>ThermalTexts</name>
+        <message>
+            <source>healthy</source>
+            <translation>healthy</translation>
+        </message>
+        <message>
+            <source>suspect</source>
+            <translation>suspect</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>open</translation>
+        </message>
+        <message>
+            <source>shorted</source>
+            <translation>shorted</translation>
+        </message>
+        <message>
+            <source>stuck</source>
+            <translation>stuck</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>noisy</translation>
+        </message>
+        <message>
+            <source>jumped away</source>
+            <translation>jumped away</translation>
+        </message>
+        <message>
+            <source>disagrees</source>
+            <translation>disagrees</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>no reading</translation>
+        </message>
+        <message>
+            <source>regression on few sensors</source>
+            <translation>regression on few sensors</translation>
+        </message>
+        <message>
+            <source>network, guarded</source>
+            <translation>network, guarded</translation>
+        </message>
+        <message>
+            <source>network, as printed</source>
+            <translation>network, as printed</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>Ready for %1</source>
+            <translation>Ready for %1</translation>
+        </message>
+        <message>
+            <source>Ready for %1 in %2</source>
+            <translation>Ready for %1 in %2</translation>
+        </message>
+        <message>
+            <source>Interval wider than %1: measure the origin</source>
+            <translation>Interval wider than %1: measure the origin</translation>
+        </message>
+        <message>
+            <source>Warm-up: %1 left</source>
+            <translation>Warm-up: %1 left</translation>
+        </message>
+        <message>
+            <source>Readiness is known after 20 min of prediction</source>
+            <translation>Readiness is known after 20 min of prediction</translation>
+        </message>
+        <message>
+            <source>Drift, %1</source>
+            <translation>Drift, %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>TurningTexts</name>
+        <message>
+            <source>Open</source>
+            <comment>turning controller</comment>
+            <translation>Open</translation>
+        </message>
+        <message>
+            <source>Paper's PI</source>
+            <comment>turning controller</comment>
+            <translation>Paper's PI</translation>
+        </message>
+        <message>
+            <source>Tuned PI</source>
+            <comment>turning controller</comment>
+            <translation>Tuned PI</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <comment>turning controller</comment>
+            <translation>Tones</translation>
+        </message>
+        <message>
+            <source>out of the cut</source>
+            <translation>out of the cut</translation>
+        </message>
+        <message>
+            <source>first revolution</source>
+            <translation>first revolution</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>cutting</translation>
+        </message>
+        <message>
+            <source>out of the loop</source>
+            <translation>out of the loop</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>not cutting</translation>
+        </message>
+        <message>
+            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
+            <comment>depth, speed, feed, radius</comment>
+            <translation>%1 deep, %2, %3 per revolution, tool radius %4</translation>
         </message>
     </context>
     <context>
@@ -1225,10 +1922,6 @@
             <translation>%1 times the force at the start of the cut.</translation>
         </message>
         <message>
-            <source>A known tone must be from 9 to 400 Hz.</source>
-            <translation>A known tone must be from 9 to 400 Hz.</translation>
-        </message>
-        <message>
             <source>A vibration repeats with every revolution, so the force does not change with it.</source>
             <translation>A vibration repeats with every revolution, so the force does not change with it.</translation>
         </message>
@@ -1317,20 +2010,12 @@
             <translation>The cutting force has jumped: the trim is zero, look at the tool.</translation>
         </message>
         <message>
-            <source>The depth of cut must be from 0.1 to 50 um.</source>
-            <translation>The depth of cut must be from 0.1 to 50 um.</translation>
-        </message>
-        <message>
             <source>The disturbance is larger than the trim may correct.</source>
             <translation>The disturbance is larger than the trim may correct.</translation>
         </message>
         <message>
             <source>The face must end beyond its start.</source>
             <translation>The face must end beyond its start.</translation>
-        </message>
-        <message>
-            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
-            <translation>The feed must be from 0.01 to 1000 um per revolution.</translation>
         </message>
         <message>
             <source>The force cannot see a tone at this spindle speed</source>
@@ -1357,20 +2042,12 @@
             <translation>The same depth takes clearly more force than at the start of this cut.</translation>
         </message>
         <message>
-            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
-            <translation>The spindle speed must be from 150 to 30000 rev/min.</translation>
-        </message>
-        <message>
             <source>The tone is held only for about a minute; then it comes back on the surface.</source>
             <translation>The tone is held only for about a minute; then it comes back on the surface.</translation>
         </message>
         <message>
             <source>The tool has touched: first revolution.</source>
             <translation>The tool has touched: first revolution.</translation>
-        </message>
-        <message>
-            <source>The trim authority must be from 0 to 2 um.</source>
-            <translation>The trim authority must be from 0 to 2 um.</translation>
         </message>
         <message>
             <source>The trim cancels %1 tones of the disturbance.</source>
@@ -1579,10 +2256,6 @@
         <message>
             <source>Material exponent</source>
             <translation>Material exponent</translation>
-        </message>
-        <message>
-            <source>More than 5 % of the samples of the last tap are missing.</source>
-            <translation>More than 5 % of the samples of the last tap are missing.</translation>
         </message>
         <message>
             <source>No blank profile is loaded: enter or import one.</source>
@@ -1839,18 +2512,6 @@
         <message>
             <source>The tap was aborted: the accepted gains are back in force.</source>
             <translation>The tap was aborted: the accepted gains are back in force.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
-            <translation>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync.</source>
-            <translation>The tap was turned out in sync.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync; it does not count.</source>
-            <translation>The tap was turned out in sync; it does not count.</translation>
         </message>
         <message>
             <source>The tapping job has a value outside its range.</source>
@@ -2196,6 +2857,454 @@
             <source>this machine</source>
             <translation>this machine</translation>
         </message>
+        <message>
+            <source>%1 taps in a row did not count: check the encoders.</source>
+            <translation>%1 taps in a row did not count: check the encoders.</translation>
+        </message>
+        <message>
+            <source>Error RMS</source>
+            <translation>Error RMS</translation>
+        </message>
+        <message>
+            <source>Error p-p in the work</source>
+            <translation>Error p-p in the work</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync and the gains are rolled back. The thread may be torn.</source>
+            <translation>In control the tap is turned out in sync and the gains are rolled back. The thread may be torn.</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync.</source>
+            <translation>In control the tap is turned out in sync.</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync. It does not count.</source>
+            <translation>In control the tap is turned out in sync. It does not count.</translation>
+        </message>
+        <message>
+            <source>Largest error</source>
+            <translation>Largest error</translation>
+        </message>
+        <message>
+            <source>More than 5 % of its samples are missing, or the loop was switched during the tap.</source>
+            <translation>More than 5 % of its samples are missing, or the loop was switched during the tap.</translation>
+        </message>
+        <message>
+            <source>Sum of errors (SAEC)</source>
+            <translation>Sum of errors (SAEC)</translation>
+        </message>
+        <message>
+            <source>The control did not start the tapping program.</source>
+            <translation>The control did not start the tapping program.</translation>
+        </message>
+        <message>
+            <source>The depth must be from 1 to 200 revolutions.</source>
+            <translation>The depth must be from 1 to 200 revolutions.</translation>
+        </message>
+        <message>
+            <source>The drive did not take the gains.</source>
+            <translation>The drive did not take the gains.</translation>
+        </message>
+        <message>
+            <source>The gear must be from 1 to 9.</source>
+            <translation>The gear must be from 1 to 9.</translation>
+        </message>
+        <message>
+            <source>The last tap does not count: repeat it.</source>
+            <translation>The last tap does not count: repeat it.</translation>
+        </message>
+        <message>
+            <source>The learned trim of these gains is not loaded.</source>
+            <translation>The learned trim of these gains is not loaded.</translation>
+        </message>
+        <message>
+            <source>The loop was switched before the tap began.</source>
+            <translation>The loop was switched before the tap began.</translation>
+        </message>
+        <message>
+            <source>The spindle speed must be from 10 to 20000 rpm.</source>
+            <translation>The spindle speed must be from 10 to 20000 rpm.</translation>
+        </message>
+        <message>
+            <source>The tap was called off before it began.</source>
+            <translation>The tap was called off before it began.</translation>
+        </message>
+        <message>
+            <source>The tapping loop is off: switch it to advise or control to abort the tap.</source>
+            <translation>The tapping loop is off: switch it to advise or control to abort the tap.</translation>
+        </message>
+        <message>
+            <source>This tap takes %1 s; at most %2 s can be recorded: a higher speed or less depth.</source>
+            <translation>This tap takes %1 s; at most %2 s can be recorded: a higher speed or less depth.</translation>
+        </message>
+        <message>
+            <source>Tolerance used</source>
+            <translation>Tolerance used</translation>
+        </message>
+        <message>
+            <source>A day cannot be used; nothing has changed.</source>
+            <translation>A day cannot be used; nothing has changed.</translation>
+        </message>
+        <message>
+            <source>A gap sensor's zero is not a number.</source>
+            <translation>A gap sensor's zero is not a number.</translation>
+        </message>
+        <message>
+            <source>A model is being trained.</source>
+            <translation>A model is being trained.</translation>
+        </message>
+        <message>
+            <source>A session is being recorded.</source>
+            <translation>A session is being recorded.</translation>
+        </message>
+        <message>
+            <source>A thermocouple is left out</source>
+            <translation>A thermocouple is left out</translation>
+        </message>
+        <message>
+            <source>Check its plug and its mounting.</source>
+            <translation>Check its plug and its mounting.</translation>
+        </message>
+        <message>
+            <source>Check that external work offset is allowed at the control.</source>
+            <translation>Check that external work offset is allowed at the control.</translation>
+        </message>
+        <message>
+            <source>Check the temperature module and its cable.</source>
+            <translation>Check the temperature module and its cable.</translation>
+        </message>
+        <message>
+            <source>Choose at least one day to train on.</source>
+            <translation>Choose at least one day to train on.</translation>
+        </message>
+        <message>
+            <source>Drift faster than the shift may follow</source>
+            <translation>Drift faster than the shift may follow</translation>
+        </message>
+        <message>
+            <source>Error the part allows</source>
+            <translation>Error the part allows</translation>
+        </message>
+        <message>
+            <source>It is open, shorted, stuck, noisy or away from what its neighbours expect.</source>
+            <translation>It is open, shorted, stuck, noisy or away from what its neighbours expect.</translation>
+        </message>
+        <message>
+            <source>Largest shift</source>
+            <translation>Largest shift</translation>
+        </message>
+        <message>
+            <source>Largest shift in a minute</source>
+            <translation>Largest shift in a minute</translation>
+        </message>
+        <message>
+            <source>Look at the thermocouples: heat does not move that fast.</source>
+            <translation>Look at the thermocouples: heat does not move that fast.</translation>
+        </message>
+        <message>
+            <source>Measure the origin now</source>
+            <translation>Measure the origin now</translation>
+        </message>
+        <message>
+            <source>Measure the origin, then set it anew or allow a larger shift.</source>
+            <translation>Measure the origin, then set it anew or allow a larger shift.</translation>
+        </message>
+        <message>
+            <source>Measure the origin; record this state and train again.</source>
+            <translation>Measure the origin; record this state and train again.</translation>
+        </message>
+        <message>
+            <source>More than two of the model's own thermocouples are left out.</source>
+            <translation>More than two of the model's own thermocouples are left out.</translation>
+        </message>
+        <message>
+            <source>No session is being recorded.</source>
+            <translation>No session is being recorded.</translation>
+        </message>
+        <message>
+            <source>No temperatures from the machine</source>
+            <translation>No temperatures from the machine</translation>
+        </message>
+        <message>
+            <source>Nothing can be predicted: too many thermocouples are left out.</source>
+            <translation>Nothing can be predicted: too many thermocouples are left out.</translation>
+        </message>
+        <message>
+            <source>Nothing has been measured yet.</source>
+            <translation>Nothing has been measured yet.</translation>
+        </message>
+        <message>
+            <source>Nothing is predicted; the last shift stays.</source>
+            <translation>Nothing is predicted; the last shift stays.</translation>
+        </message>
+        <message>
+            <source>One of the days is not there any more.</source>
+            <translation>One of the days is not there any more.</translation>
+        </message>
+        <message>
+            <source>Outside the training range: the shift fades to hold. Measure the origin.</source>
+            <translation>Outside the training range: the shift fades to hold. Measure the origin.</translation>
+        </message>
+        <message>
+            <source>Put the test bar in and measure from the thermal page.</source>
+            <translation>Put the test bar in and measure from the thermal page.</translation>
+        </message>
+        <message>
+            <source>Repair the thermocouples named on the thermal page, or go live with a model without them.</source>
+            <translation>Repair the thermocouples named on the thermal page, or go live with a model without them.</translation>
+        </message>
+        <message>
+            <source>Shift of the work origin at its limit</source>
+            <translation>Shift of the work origin at its limit</translation>
+        </message>
+        <message>
+            <source>Temperatures outside the training range</source>
+            <translation>Temperatures outside the training range</translation>
+        </message>
+        <message>
+            <source>The compensation fades to hold the last shift.</source>
+            <translation>The compensation fades to hold the last shift.</translation>
+        </message>
+        <message>
+            <source>The control does not report its work offset; nothing is shifted.</source>
+            <translation>The control does not report its work offset; nothing is shifted.</translation>
+        </message>
+        <message>
+            <source>The control does not take the shift</source>
+            <translation>The control does not take the shift</translation>
+        </message>
+        <message>
+            <source>The drift is in the part.</source>
+            <translation>The drift is in the part.</translation>
+        </message>
+        <message>
+            <source>The gap sensors have no zero yet: take a reference first.</source>
+            <translation>The gap sensors have no zero yet: take a reference first.</translation>
+        </message>
+        <message>
+            <source>The gap sensors read nothing: end the program and put the test bar in the spindle.</source>
+            <translation>The gap sensors read nothing: end the program and put the test bar in the spindle.</translation>
+        </message>
+        <message>
+            <source>The gap sensors stopped reading during the measurement.</source>
+            <translation>The gap sensors stopped reading during the measurement.</translation>
+        </message>
+        <message>
+            <source>The interval of the prediction is wider than the part allows.</source>
+            <translation>The interval of the prediction is wider than the part allows.</translation>
+        </message>
+        <message>
+            <source>The machine is in a state the model has never seen.</source>
+            <translation>The machine is in a state the model has never seen.</translation>
+        </message>
+        <message>
+            <source>The machine sends no temperatures any more.</source>
+            <translation>The machine sends no temperatures any more.</translation>
+        </message>
+        <message>
+            <source>The machine sends no temperatures; the last shift stays.</source>
+            <translation>The machine sends no temperatures; the last shift stays.</translation>
+        </message>
+        <message>
+            <source>The model goes on without it; its interval is wider.</source>
+            <translation>The model goes on without it; its interval is wider.</translation>
+        </message>
+        <message>
+            <source>The new model runs through the day so far.</source>
+            <translation>The new model runs through the day so far.</translation>
+        </message>
+        <message>
+            <source>The origin is being measured.</source>
+            <translation>The origin is being measured.</translation>
+        </message>
+        <message>
+            <source>The predicted drift is larger than the largest shift allowed.</source>
+            <translation>The predicted drift is larger than the largest shift allowed.</translation>
+        </message>
+        <message>
+            <source>The predicted drift moves faster than the rate allowed.</source>
+            <translation>The predicted drift moves faster than the rate allowed.</translation>
+        </message>
+        <message>
+            <source>The rest of the drift is in the part.</source>
+            <translation>The rest of the drift is in the part.</translation>
+        </message>
+        <message>
+            <source>The shift lags behind for some minutes.</source>
+            <translation>The shift lags behind for some minutes.</translation>
+        </message>
+        <message>
+            <source>The shift may be wrong by more than the part allows.</source>
+            <translation>The shift may be wrong by more than the part allows.</translation>
+        </message>
+        <message>
+            <source>The shift sits at its limit of size or rate.</source>
+            <translation>The shift sits at its limit of size or rate.</translation>
+        </message>
+        <message>
+            <source>The temperatures to count from are being taken; the shift stays.</source>
+            <translation>The temperatures to count from are being taken; the shift stays.</translation>
+        </message>
+        <message>
+            <source>The thermal loop does not know this command.</source>
+            <translation>The thermal loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The thermal setup has a value outside its range; the last one stays.</source>
+            <translation>The thermal setup has a value outside its range; the last one stays.</translation>
+        </message>
+        <message>
+            <source>The warm-up program needs speed and revolutions above zero.</source>
+            <translation>The warm-up program needs speed and revolutions above zero.</translation>
+        </message>
+        <message>
+            <source>The work offset the control reports is not the one commanded.</source>
+            <translation>The work offset the control reports is not the one commanded.</translation>
+        </message>
+        <message>
+            <source>The work origin follows the predicted drift.</source>
+            <translation>The work origin follows the predicted drift.</translation>
+        </message>
+        <message>
+            <source>There is no measurement beside a prediction yet.</source>
+            <translation>There is no measurement beside a prediction yet.</translation>
+        </message>
+        <message>
+            <source>There is no model before this one.</source>
+            <translation>There is no model before this one.</translation>
+        </message>
+        <message>
+            <source>There is no thermal model yet: train one.</source>
+            <translation>There is no thermal model yet: train one.</translation>
+        </message>
+        <message>
+            <source>There is no trained model that waits to go live.</source>
+            <translation>There is no trained model that waits to go live.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 disagrees with its neighbours.</source>
+            <translation>Thermocouple %1 disagrees with its neighbours.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 has jumped away from its neighbours.</source>
+            <translation>Thermocouple %1 has jumped away from its neighbours.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is noisy.</source>
+            <translation>Thermocouple %1 is noisy.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is open.</source>
+            <translation>Thermocouple %1 is open.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is shorted.</source>
+            <translation>Thermocouple %1 is shorted.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is stuck.</source>
+            <translation>Thermocouple %1 is stuck.</translation>
+        </message>
+        <message>
+            <source>This machine has no thermocouple %1; %2 of the model's %3 are missing.</source>
+            <translation>This machine has no thermocouple %1; %2 of the model's %3 are missing.</translation>
+        </message>
+        <message>
+            <source>This measurement has been taken over already.</source>
+            <translation>This measurement has been taken over already.</translation>
+        </message>
+        <message>
+            <source>Time between two shifts</source>
+            <translation>Time between two shifts</translation>
+        </message>
+        <message>
+            <source>Too many thermocouples lost</source>
+            <translation>Too many thermocouples lost</translation>
+        </message>
+        <message>
+            <source>Warm-up speed</source>
+            <translation>Warm-up speed</translation>
+        </message>
+        <message>
+            <source>Warm-up time</source>
+            <translation>Warm-up time</translation>
+        </message>
+        <message>
+            <source>X screw</source>
+            <translation>X screw</translation>
+        </message>
+        <message>
+            <source>Y screw</source>
+            <translation>Y screw</translation>
+        </message>
+        <message>
+            <source>Z screw</source>
+            <translation>Z screw</translation>
+        </message>
+        <message>
+            <source>bed</source>
+            <translation>bed</translation>
+        </message>
+        <message>
+            <source>column, back</source>
+            <translation>column, back</translation>
+        </message>
+        <message>
+            <source>column, foot</source>
+            <translation>column, foot</translation>
+        </message>
+        <message>
+            <source>column, left</source>
+            <translation>column, left</translation>
+        </message>
+        <message>
+            <source>column, right</source>
+            <translation>column, right</translation>
+        </message>
+        <message>
+            <source>column, top</source>
+            <translation>column, top</translation>
+        </message>
+        <message>
+            <source>front bearing</source>
+            <translation>front bearing</translation>
+        </message>
+        <message>
+            <source>head, left</source>
+            <translation>head, left</translation>
+        </message>
+        <message>
+            <source>head, right</source>
+            <translation>head, right</translation>
+        </message>
+        <message>
+            <source>quill</source>
+            <translation>quill</translation>
+        </message>
+        <message>
+            <source>rear bearing</source>
+            <translation>rear bearing</translation>
+        </message>
+        <message>
+            <source>room</source>
+            <translation>room</translation>
+        </message>
+        <message>
+            <source>saddle</source>
+            <translation>saddle</translation>
+        </message>
+        <message>
+            <source>shaft</source>
+            <translation>shaft</translation>
+        </message>
+        <message>
+            <source>spindle motor</source>
+            <translation>spindle motor</translation>
+        </message>
+        <message>
+            <source>table</source>
+            <translation>table</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2405,6 +3514,98 @@
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
             <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ComparisonPanel</name>
+        <message>
+            <source>no part is archived yet</source>
+            <translation>no part is archived yet</translation>
+        </message>
+        <message>
+            <source>Without and with the loop</source>
+            <translation>Without and with the loop</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>Archive of parts</translation>
+        </message>
+        <message>
+            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
+            <translation>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</translation>
+        </message>
+        <message>
+            <source>second half</source>
+            <translation>second half</translation>
+        </message>
+        <message>
+            <source>part %1, open</source>
+            <translation>part %1, open</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>number, controller</comment>
+            <translation>part %1, %2</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>change</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>mean force</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ContourChart</name>
+        <message>
+            <source>rev</source>
+            <comment>spindle revolutions, on an axis</comment>
+            <translation>rev</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>error</translation>
+        </message>
+        <message>
+            <source>The contour error of the first tap appears here as soon as it is made.</source>
+            <translation>The contour error of the first tap appears here as soon as it is made.</translation>
+        </message>
+        <message>
+            <source>Contour error over the spindle's way, in and out</source>
+            <translation>Contour error over the spindle's way, in and out</translation>
+        </message>
+        <message>
+            <source>6H: %1 p-p</source>
+            <translation>6H: %1 p-p</translation>
+        </message>
+        <message>
+            <source>reversal</source>
+            <translation>reversal</translation>
+        </message>
+        <message>
+            <source>touch: whole course</source>
+            <translation>touch: whole course</translation>
+        </message>
+        <message>
+            <source>touch: the band alone</source>
+            <translation>touch: the band alone</translation>
+        </message>
+        <message>
+            <source>first tap</source>
+            <translation>first tap</translation>
+        </message>
+        <message>
+            <source>last tap</source>
+            <translation>last tap</translation>
         </message>
     </context>
     <context>
@@ -2663,6 +3864,17 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ErrorMap</name>
+        <message>
+            <source>error in %1, %2</source>
+            <translation>error in %1, %2</translation>
+        </message>
+        <message>
+            <source>X 0 to %1, Y 0 to %2</source>
+            <translation>X 0 to %1, Y 0 to %2</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>Estimated law, 95 % intervals</source>
@@ -2726,6 +3938,119 @@
         <message>
             <source>feed not known</source>
             <translation>feed not known</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ForcePanel</name>
+        <message>
+            <source>Force, %1: extremes and mean, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>Force, %1: extremes and mean, last %2 s</translation>
+        </message>
+        <message>
+            <source>Depth, %1, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>Depth, %1, last %2 s</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>force</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>depth</translation>
+        </message>
+        <message>
+            <source>from the force</source>
+            <translation>from the force</translation>
+        </message>
+        <message>
+            <source>The force appears here as soon as a part is cut.</source>
+            <translation>The force appears here as soon as a part is cut.</translation>
+        </message>
+        <message>
+            <source>The depth that is really cut appears here with the first chip.</source>
+            <translation>The depth that is really cut appears here with the first chip.</translation>
+        </message>
+        <message>
+            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
+            <translation>Force live: lowest and highest of every 5 kHz sample, mean, target</translation>
+        </message>
+        <message>
+            <source>Depth from the force against the programmed depth</source>
+            <translation>Depth from the force against the programmed depth</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>target</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>programmed</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>mean %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::GainsPanel</name>
+        <message>
+            <source>Gains</source>
+            <translation>Gains</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>before</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>now</translation>
+        </message>
+        <message>
+            <source>next</source>
+            <translation>next</translation>
+        </message>
+        <message>
+            <source>spindle Kp, 1/s</source>
+            <translation>spindle Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z Kp, 1/s</source>
+            <translation>Z Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z speed FF</source>
+            <translation>Z speed FF</translation>
+        </message>
+        <message>
+            <source>Z accel. FF</source>
+            <translation>Z accel. FF</translation>
+        </message>
+        <message>
+            <source>trim, %1</source>
+            <comment>largest learned trim, unit</comment>
+            <translation>trim, %1</translation>
+        </message>
+        <message>
+            <source>Safe Z gain %1 to %2 1/s; unstable from about %3 1/s, %4 dB away.</source>
+            <translation>Safe Z gain %1 to %2 1/s; unstable from about %3 1/s, %4 dB away.</translation>
+        </message>
+        <message>
+            <source>The safe set of gains is estimated with the first trial tap.</source>
+            <translation>The safe set of gains is estimated with the first trial tap.</translation>
+        </message>
+        <message>
+            <source>This machine has no tapping loop: %1</source>
+            <translation>This machine has no tapping loop: %1</translation>
+        </message>
+        <message>
+            <source>Tune again: the sum of errors has grown above that of the first taps.</source>
+            <translation>Tune again: the sum of errors has grown above that of the first taps.</translation>
+        </message>
+        <message>
+            <source>Drift watch: %1 % of what asks for a new tune, after %2 taps.</source>
+            <translation>Drift watch: %1 % of what asks for a new tune, after %2 taps.</translation>
         </message>
     </context>
     <context>
@@ -2827,6 +4152,53 @@
         <message>
             <source>All loops off, last offset held (Pause key). This is not an emergency stop.</source>
             <translation>All loops off, last offset held (Pause key). This is not an emergency stop.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::JobForm</name>
+        <message>
+            <source>What is tapped</source>
+            <translation>What is tapped</translation>
+        </message>
+        <message>
+            <source>coarse</source>
+            <translation>coarse</translation>
+        </message>
+        <message>
+            <source>fine</source>
+            <translation>fine</translation>
+        </message>
+        <message>
+            <source>speed</source>
+            <translation>speed</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>depth</translation>
+        </message>
+        <message>
+            <source>gear</source>
+            <translation>gear</translation>
+        </message>
+        <message>
+            <source>part type no.</source>
+            <translation>part type no.</translation>
+        </message>
+        <message>
+            <source>tap no.</source>
+            <translation>tap no.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Load</source>
+            <translation>Load</translation>
+        </message>
+        <message>
+            <source>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
+            <translation>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</translation>
         </message>
     </context>
     <context>
@@ -2988,6 +4360,13 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::MachineDrawing</name>
+        <message>
+            <source>The thermocouples appear here as soon as the machine reports them.</source>
+            <translation>The thermocouples appear here as soon as the machine reports them.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
@@ -3008,6 +4387,46 @@
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MarginPanel</name>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>Loop margins and trim</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>gain, times</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>phase</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>more delay</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>smallest |1 + L|</translation>
+        </message>
+        <message>
+            <source>Margins appear as soon as a law acts.</source>
+            <translation>Margins appear as soon as a law acts.</translation>
+        </message>
+        <message>
+            <source>Guaranteed for every process within the 95 % intervals.</source>
+            <translation>Guaranteed for every process within the 95 % intervals.</translation>
+        </message>
+        <message>
+            <source>For the process the law assumes; it is not identified.</source>
+            <translation>For the process the law assumes; it is not identified.</translation>
+        </message>
+        <message>
+            <source>trim %1 of ± %2</source>
+            <comment>applied trim, authority</comment>
+            <translation>trim %1 of ± %2</translation>
         </message>
     </context>
     <context>
@@ -3131,6 +4550,406 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::MillingBlankForm</name>
+        <message>
+            <source>There is no step.</source>
+            <translation>There is no step.</translation>
+        </message>
+        <message>
+            <source>Blank profile of %1</source>
+            <translation>Blank profile of %1</translation>
+        </message>
+        <message>
+            <source>Height of the blank over the finished wall, step by step along the path.</source>
+            <translation>Height of the blank over the finished wall, step by step along the path.</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>path</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>height</translation>
+        </message>
+        <message>
+            <source>The profile appears here with its first step.</source>
+            <translation>The profile appears here with its first step.</translation>
+        </message>
+        <message>
+            <source>Blank profile along the path</source>
+            <translation>Blank profile along the path</translation>
+        </message>
+        <message>
+            <source>Add step</source>
+            <translation>Add step</translation>
+        </message>
+        <message>
+            <source>Remove last</source>
+            <translation>Remove last</translation>
+        </message>
+        <message>
+            <source>Import CSV</source>
+            <translation>Import CSV</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>Save and use</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n steps imported; look at the profile, then save.</source>
+            <translation>
+                <numerusform>%n step imported; look at the profile, then save.</numerusform>
+                <numerusform>%n steps imported; look at the profile, then save.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingControlPanel</name>
+        <message>
+            <source>Nothing is stopped.</source>
+            <translation>Nothing is stopped.</translation>
+        </message>
+        <message>
+            <source>reference force</source>
+            <translation>reference force</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>gain margin, times</translation>
+        </message>
+        <message>
+            <source>peak of this cut</source>
+            <translation>peak of this cut</translation>
+        </message>
+        <message>
+            <source>Feed law</source>
+            <translation>Feed law</translation>
+        </message>
+        <message>
+            <source>Teach reference from this cut</source>
+            <translation>Teach reference from this cut</translation>
+        </message>
+        <message>
+            <source>Start cut</source>
+            <translation>Start cut</translation>
+        </message>
+        <message>
+            <source>Release feed</source>
+            <translation>Release feed</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Milling</translation>
+        </message>
+        <message>
+            <source>control would save</source>
+            <translation>control would save</translation>
+        </message>
+        <message>
+            <source>saved so far</source>
+            <translation>saved so far</translation>
+        </message>
+        <message>
+            <source>%1 s above 110 % of the reference</source>
+            <translation>%1 s above 110 % of the reference</translation>
+        </message>
+        <message>
+            <source>; control would have stopped the feed</source>
+            <translation>; control would have stopped the feed</translation>
+        </message>
+        <message>
+            <source>; the feed was stopped</source>
+            <translation>; the feed was stopped</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop: %1</source>
+            <translation>This machine has no milling loop: %1</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet.</source>
+            <translation>No cut to learn from yet.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>Start the program at the control.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>This machine has no milling loop.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>No link to the machine.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>The machine is off.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>Hold is in force.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>Finished parts are not stored yet.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>The machine is busy: %1.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>No milling setup is loaded.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingLivePanel</name>
+        <message>
+            <source>Force per revolution, %1, and feed, %2</source>
+            <comment>units</comment>
+            <translation>Force per revolution, %1, and feed, %2</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>force</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>feed</translation>
+        </message>
+        <message>
+            <source>average</source>
+            <translation>average</translation>
+        </message>
+        <message>
+            <source>wanted</source>
+            <translation>wanted</translation>
+        </message>
+        <message>
+            <source>The cutting force appears here with the next cut.</source>
+            <translation>The cutting force appears here with the next cut.</translation>
+        </message>
+        <message>
+            <source>The feed appears here with the next cut.</source>
+            <translation>The feed appears here with the next cut.</translation>
+        </message>
+        <message>
+            <source>Cutting force averaged per revolution, over time</source>
+            <translation>Cutting force averaged per revolution, over time</translation>
+        </message>
+        <message>
+            <source>Feed made and wanted, over time</source>
+            <translation>Feed made and wanted, over time</translation>
+        </message>
+        <message>
+            <source>Raw force</source>
+            <translation>Raw force</translation>
+        </message>
+        <message>
+            <source>planned</source>
+            <translation>planned</translation>
+        </message>
+        <message>
+            <source>reference</source>
+            <translation>reference</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingPage</name>
+        <message>
+            <source>Nothing cut yet.</source>
+            <translation>Nothing cut yet.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>This machine has no milling loop.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>Setup</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>Blank profile</translation>
+        </message>
+        <message>
+            <source>Cut log</source>
+            <translation>Cut log</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>New tool</translation>
+        </message>
+        <message>
+            <source>Milling data: %1</source>
+            <translation>Milling data: %1</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>being stored</translation>
+        </message>
+        <message>
+            <source>New tool?</source>
+            <translation>New tool?</translation>
+        </message>
+        <message>
+            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
+            <translation>Wear and stiffness of the tool are learnt anew from the next cut on.</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>No</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingSetupForm</name>
+        <message>
+            <source>This part type is open.</source>
+            <translation>This part type is open.</translation>
+        </message>
+        <message>
+            <source>No part type of this name is stored.</source>
+            <translation>No part type of this name is stored.</translation>
+        </message>
+        <message>
+            <source>%1: %2 to %3; default %4, %5.</source>
+            <comment>label, lowest, highest, default, source</comment>
+            <translation>%1: %2 to %3; default %4, %5.</translation>
+        </message>
+        <message>
+            <source>Setup of a milled part type</source>
+            <translation>Setup of a milled part type</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>Force and feed</translation>
+        </message>
+        <message>
+            <source>Path and tool</source>
+            <translation>Path and tool</translation>
+        </message>
+        <message>
+            <source>Model and gains</source>
+            <translation>Model and gains</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Open</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>Save and use</translation>
+        </message>
+        <message>
+            <source>Stored part types ▾</source>
+            <translation>Stored part types ▾</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingToolPanel</name>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>Tool: mean ln(C·b) per part</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>ln(C·b)</source>
+            <translation>ln(C·b)</translation>
+        </message>
+        <message>
+            <source>The wear of the tool appears here after its first part.</source>
+            <translation>The wear of the tool appears here after its first part.</translation>
+        </message>
+        <message>
+            <source>Mean cutting stiffness over the parts cut with this tool</source>
+            <translation>Mean cutting stiffness over the parts cut with this tool</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>ln(C·b) now</translation>
+        </message>
+        <message>
+            <source>change the tool</source>
+            <translation>change the tool</translation>
+        </message>
+        <message>
+            <source>New tool: nothing cut with it yet.</source>
+            <translation>New tool: nothing cut with it yet.</translation>
+        </message>
+        <message>
+            <source>Part %1 with this tool, stiffness %2 % above new.</source>
+            <comment>parts, rise</comment>
+            <translation>Part %1 with this tool, stiffness %2 % above new.</translation>
+        </message>
+        <message>
+            <source>Trend %1 % per part.</source>
+            <translation>Trend %1 % per part.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingWallPanel</name>
+        <message>
+            <source>Wall deviation, %1</source>
+            <comment>unit</comment>
+            <translation>Wall deviation, %1</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>path</translation>
+        </message>
+        <message>
+            <source>deviation</source>
+            <translation>deviation</translation>
+        </message>
+        <message>
+            <source>cut before</source>
+            <translation>cut before</translation>
+        </message>
+        <message>
+            <source>The estimated wall appears here while a part is being cut.</source>
+            <translation>The estimated wall appears here while a part is being cut.</translation>
+        </message>
+        <message>
+            <source>Estimated deviation of the wall along the path</source>
+            <translation>Estimated deviation of the wall along the path</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>waviness %1</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
@@ -3193,10 +5012,6 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
         </message>
-        <message>
-            <source>Next part: the lot is complete</source>
-            <translation>Next part: the lot is complete</translation>
-        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -3207,6 +5022,33 @@
         <message>
             <source>at limit</source>
             <translation>at limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OffsetPanel</name>
+        <message>
+            <source>Drift of the origin, predicted</source>
+            <translation>Drift of the origin, predicted</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>at limit</translation>
+        </message>
+        <message>
+            <source>shifted %1</source>
+            <translation>shifted %1</translation>
+        </message>
+        <message>
+            <source>shift not reported</source>
+            <translation>shift not reported</translation>
+        </message>
+        <message>
+            <source>shifted %1, would be %2</source>
+            <translation>shifted %1, would be %2</translation>
+        </message>
+        <message>
+            <source>This machine has no thermal loop: %1</source>
+            <translation>This machine has no thermal loop: %1</translation>
         </message>
     </context>
     <context>
@@ -3631,6 +5473,44 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ProcessPanel</name>
+        <message>
+            <source>Cutting process</source>
+            <translation>Cutting process</translation>
+        </message>
+        <message>
+            <source>identified, 95 %</source>
+            <translation>identified, 95 %</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>law</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>covariance, log</translation>
+        </message>
+        <message>
+            <source>excitation %1: enough to learn from</source>
+            <translation>excitation %1: enough to learn from</translation>
+        </message>
+        <message>
+            <source>excitation %1: too little, the values rest</source>
+            <translation>excitation %1: too little, the values rest</translation>
+        </message>
+        <message>
+            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
+            <translation>Identified only with a sensor of the tool's motion; the law assumes its values.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The law was tuned anew %n time(s): the process had moved.</source>
+            <translation>
+                <numerusform>The law was tuned anew %n time: the process had moved.</numerusform>
+                <numerusform>The law was tuned anew %n times: the process had moved.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
@@ -3773,776 +5653,65 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::RecoverySheet</name>
+        <message>
+            <source>the tap is turning out</source>
+            <translation>the tap is turning out</translation>
+        </message>
+        <message>
+            <source>the tap is out</source>
+            <translation>the tap is out</translation>
+        </message>
+        <message>
+            <source>switch tapping to control</source>
+            <translation>switch tapping to control</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole</source>
+            <translation>A tap stands in the hole</translation>
+        </message>
+        <message>
+            <source>Where: %1 revolutions in, %2 deep; the spindle stands %3° after a whole turn. Both are stored.</source>
+            <translation>Where: %1 revolutions in, %2 deep; the spindle stands %3° after a whole turn. Both are stored.</translation>
+        </message>
+        <message>
+            <source>What will happen: the accepted gains are set, then the spindle turns back %1 revolutions and Z follows it at %2 per revolution until the tap is out. No other axis moves. Do not jog Z or the spindle alone: it breaks the tap.</source>
+            <translation>What will happen: the accepted gains are set, then the spindle turns back %1 revolutions and Z follows it at %2 per revolution until the tap is out. No other axis moves. Do not jog Z or the spindle alone: it breaks the tap.</translation>
+        </message>
+        <message>
+            <source>Ready. Keep a hand at the emergency stop.</source>
+            <translation>Ready. Keep a hand at the emergency stop.</translation>
+        </message>
+        <message>
+            <source>Not ready: %1.</source>
+            <translation>Not ready: %1.</translation>
+        </message>
+        <message>
+            <source>Turning out: %1 revolutions to go.</source>
+            <translation>Turning out: %1 revolutions to go.</translation>
+        </message>
+        <message>
+            <source>The tap is out. Gauge the thread and look at the tap before the next one.</source>
+            <translation>The tap is out. Gauge the thread and look at the tap before the next one.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>Leave it in the hole</source>
+            <translation>Leave it in the hole</translation>
+        </message>
+        <message>
+            <source>Turn out in sync</source>
+            <translation>Turn out in sync</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ValueField</name>
-        <message>
-            <source>Enter a number.</source>
-            <translation>Enter a number.</translation>
-        </message>
-        <message>
-            <source>“%1” is not a number.</source>
-            <translation>“%1” is not a number.</translation>
-        </message>
-        <message>
-            <source>Must be from %1 to %2.</source>
-            <translation>Must be from %1 to %2.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Milling</name>
-        <message>
-            <source>Constant feed</source>
-            <translation>Constant feed</translation>
-        </message>
-        <message>
-            <source>PI</source>
-            <translation>PI</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>Model</translation>
-        </message>
-        <message>
-            <source>Preview</source>
-            <translation>Preview</translation>
-        </message>
-        <message>
-            <source>as long as planned</source>
-            <translation>as long as planned</translation>
-        </message>
-        <message>
-            <source>%1 s faster than planned</source>
-            <translation>%1 s faster than planned</translation>
-        </message>
-        <message>
-            <source>%1 s slower than planned</source>
-            <translation>%1 s slower than planned</translation>
-        </message>
-        <message>
-            <source>control would be %1</source>
-            <translation>control would be %1</translation>
-        </message>
-        <message>
-            <source>peak %1 at %2</source>
-            <translation>peak %1 at %2</translation>
-        </message>
-        <message>
-            <source>waviness %1</source>
-            <translation>waviness %1</translation>
-        </message>
-        <message>
-            <source>would have been stopped</source>
-            <translation>would have been stopped</translation>
-        </message>
-        <message>
-            <source>was stopped</source>
-            <translation>was stopped</translation>
-        </message>
-        <message>
-            <source>Cut %1: %2.</source>
-            <translation>Cut %1: %2.</translation>
-        </message>
-        <message>
-            <source>Cut %1, aborted: %2.</source>
-            <translation>Cut %1, aborted: %2.</translation>
-        </message>
-    </context>
-    <context>
-        <name>MillingCutLog</name>
-        <message>
-            <source>%1, aborted</source>
-            <translation>%1, aborted</translation>
-        </message>
-        <message>
-            <source>Last cuts</source>
-            <translation>Last cuts</translation>
-        </message>
-        <message>
-            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
-            <translation>An advised cut was made at the planned feed; its controlled time is what control would have taken.</translation>
-        </message>
-        <message>
-            <source>cut</source>
-            <translation>cut</translation>
-        </message>
-        <message>
-            <source>law</source>
-            <translation>law</translation>
-        </message>
-        <message>
-            <source>mode</source>
-            <translation>mode</translation>
-        </message>
-        <message>
-            <source>planned
-%1</source>
-            <translation>planned
-%1</translation>
-        </message>
-        <message>
-            <source>controlled
-%1</source>
-            <translation>controlled
-%1</translation>
-        </message>
-        <message>
-            <source>peak
-%1</source>
-            <translation>peak
-%1</translation>
-        </message>
-        <message>
-            <source>at
-%1</source>
-            <translation>at
-%1</translation>
-        </message>
-        <message>
-            <source>waviness
-%1</source>
-            <translation>waviness
-%1</translation>
-        </message>
-        <message>
-            <source>stops</source>
-            <translation>stops</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>Close</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingBlankForm</name>
-        <message>
-            <source>There is no step.</source>
-            <translation>There is no step.</translation>
-        </message>
-        <message>
-            <source>Blank profile of %1</source>
-            <translation>Blank profile of %1</translation>
-        </message>
-        <message>
-            <source>Height of the blank over the finished wall, step by step along the path.</source>
-            <translation>Height of the blank over the finished wall, step by step along the path.</translation>
-        </message>
-        <message>
-            <source>path</source>
-            <translation>path</translation>
-        </message>
-        <message>
-            <source>height</source>
-            <translation>height</translation>
-        </message>
-        <message>
-            <source>The profile appears here with its first step.</source>
-            <translation>The profile appears here with its first step.</translation>
-        </message>
-        <message>
-            <source>Blank profile along the path</source>
-            <translation>Blank profile along the path</translation>
-        </message>
-        <message>
-            <source>Add step</source>
-            <translation>Add step</translation>
-        </message>
-        <message>
-            <source>Remove last</source>
-            <translation>Remove last</translation>
-        </message>
-        <message>
-            <source>Import CSV</source>
-            <translation>Import CSV</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Cancel</translation>
-        </message>
-        <message>
-            <source>Save and use</source>
-            <translation>Save and use</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n steps imported; look at the profile, then save.</source>
-            <translation>
-                <numerusform>%n step imported; look at the profile, then save.</numerusform>
-                <numerusform>%n steps imported; look at the profile, then save.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingControlPanel</name>
-        <message>
-            <source>Nothing is stopped.</source>
-            <translation>Nothing is stopped.</translation>
-        </message>
-        <message>
-            <source>reference force</source>
-            <translation>reference force</translation>
-        </message>
-        <message>
-            <source>gain margin, times</source>
-            <translation>gain margin, times</translation>
-        </message>
-        <message>
-            <source>peak of this cut</source>
-            <translation>peak of this cut</translation>
-        </message>
-        <message>
-            <source>Feed law</source>
-            <translation>Feed law</translation>
-        </message>
-        <message>
-            <source>Teach reference from this cut</source>
-            <translation>Teach reference from this cut</translation>
-        </message>
-        <message>
-            <source>Start cut</source>
-            <translation>Start cut</translation>
-        </message>
-        <message>
-            <source>Release feed</source>
-            <translation>Release feed</translation>
-        </message>
-        <message>
-            <source>Milling</source>
-            <translation>Milling</translation>
-        </message>
-        <message>
-            <source>control would save</source>
-            <translation>control would save</translation>
-        </message>
-        <message>
-            <source>saved so far</source>
-            <translation>saved so far</translation>
-        </message>
-        <message>
-            <source>%1 s above 110 % of the reference</source>
-            <translation>%1 s above 110 % of the reference</translation>
-        </message>
-        <message>
-            <source>; control would have stopped the feed</source>
-            <translation>; control would have stopped the feed</translation>
-        </message>
-        <message>
-            <source>; the feed was stopped</source>
-            <translation>; the feed was stopped</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop: %1</source>
-            <translation>This machine has no milling loop: %1</translation>
-        </message>
-        <message>
-            <source>No cut to learn from yet.</source>
-            <translation>No cut to learn from yet.</translation>
-        </message>
-        <message>
-            <source>Start the program at the control.</source>
-            <translation>Start the program at the control.</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop.</source>
-            <translation>This machine has no milling loop.</translation>
-        </message>
-        <message>
-            <source>No link to the machine.</source>
-            <translation>No link to the machine.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>The machine is off.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>Hold is in force.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>Finished parts are not stored yet.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>A part is being cut.</translation>
-        </message>
-        <message>
-            <source>The machine is busy: %1.</source>
-            <translation>The machine is busy: %1.</translation>
-        </message>
-        <message>
-            <source>No milling setup is loaded.</source>
-            <translation>No milling setup is loaded.</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingLivePanel</name>
-        <message>
-            <source>Force per revolution, %1, and feed, %2</source>
-            <comment>units</comment>
-            <translation>Force per revolution, %1, and feed, %2</translation>
-        </message>
-        <message>
-            <source>time</source>
-            <translation>time</translation>
-        </message>
-        <message>
-            <source>force</source>
-            <translation>force</translation>
-        </message>
-        <message>
-            <source>feed</source>
-            <translation>feed</translation>
-        </message>
-        <message>
-            <source>average</source>
-            <translation>average</translation>
-        </message>
-        <message>
-            <source>wanted</source>
-            <translation>wanted</translation>
-        </message>
-        <message>
-            <source>The cutting force appears here with the next cut.</source>
-            <translation>The cutting force appears here with the next cut.</translation>
-        </message>
-        <message>
-            <source>The feed appears here with the next cut.</source>
-            <translation>The feed appears here with the next cut.</translation>
-        </message>
-        <message>
-            <source>Cutting force averaged per revolution, over time</source>
-            <translation>Cutting force averaged per revolution, over time</translation>
-        </message>
-        <message>
-            <source>Feed made and wanted, over time</source>
-            <translation>Feed made and wanted, over time</translation>
-        </message>
-        <message>
-            <source>Raw force</source>
-            <translation>Raw force</translation>
-        </message>
-        <message>
-            <source>planned</source>
-            <translation>planned</translation>
-        </message>
-        <message>
-            <source>reference</source>
-            <translation>reference</translation>
-        </message>
-        <message>
-            <source>limit</source>
-            <translation>limit</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingPage</name>
-        <message>
-            <source>Nothing cut yet.</source>
-            <translation>Nothing cut yet.</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop.</source>
-            <translation>This machine has no milling loop.</translation>
-        </message>
-        <message>
-            <source>Setup</source>
-            <translation>Setup</translation>
-        </message>
-        <message>
-            <source>Blank profile</source>
-            <translation>Blank profile</translation>
-        </message>
-        <message>
-            <source>Cut log</source>
-            <translation>Cut log</translation>
-        </message>
-        <message>
-            <source>New tool</source>
-            <translation>New tool</translation>
-        </message>
-        <message>
-            <source>Milling data: %1</source>
-            <translation>Milling data: %1</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>A part is being cut.</translation>
-        </message>
-        <message>
-            <source>being stored</source>
-            <translation>being stored</translation>
-        </message>
-        <message>
-            <source>New tool?</source>
-            <translation>New tool?</translation>
-        </message>
-        <message>
-            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
-            <translation>Wear and stiffness of the tool are learnt anew from the next cut on.</translation>
-        </message>
-        <message>
-            <source>No</source>
-            <translation>No</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingSetupForm</name>
-        <message>
-            <source>This part type is open.</source>
-            <translation>This part type is open.</translation>
-        </message>
-        <message>
-            <source>No part type of this name is stored.</source>
-            <translation>No part type of this name is stored.</translation>
-        </message>
-        <message>
-            <source>%1: %2 to %3; default %4, %5.</source>
-            <comment>label, lowest, highest, default, source</comment>
-            <translation>%1: %2 to %3; default %4, %5.</translation>
-        </message>
-        <message>
-            <source>Setup of a milled part type</source>
-            <translation>Setup of a milled part type</translation>
-        </message>
-        <message>
-            <source>Part type</source>
-            <translation>Part type</translation>
-        </message>
-        <message>
-            <source>Force and feed</source>
-            <translation>Force and feed</translation>
-        </message>
-        <message>
-            <source>Path and tool</source>
-            <translation>Path and tool</translation>
-        </message>
-        <message>
-            <source>Model and gains</source>
-            <translation>Model and gains</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Cancel</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>Open</translation>
-        </message>
-        <message>
-            <source>Save and use</source>
-            <translation>Save and use</translation>
-        </message>
-        <message>
-            <source>Stored part types ▾</source>
-            <translation>Stored part types ▾</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingToolPanel</name>
-        <message>
-            <source>Tool: mean ln(C·b) per part</source>
-            <translation>Tool: mean ln(C·b) per part</translation>
-        </message>
-        <message>
-            <source>part</source>
-            <translation>part</translation>
-        </message>
-        <message>
-            <source>ln(C·b)</source>
-            <translation>ln(C·b)</translation>
-        </message>
-        <message>
-            <source>The wear of the tool appears here after its first part.</source>
-            <translation>The wear of the tool appears here after its first part.</translation>
-        </message>
-        <message>
-            <source>Mean cutting stiffness over the parts cut with this tool</source>
-            <translation>Mean cutting stiffness over the parts cut with this tool</translation>
-        </message>
-        <message>
-            <source>ln(C·b) now</source>
-            <translation>ln(C·b) now</translation>
-        </message>
-        <message>
-            <source>change the tool</source>
-            <translation>change the tool</translation>
-        </message>
-        <message>
-            <source>New tool: nothing cut with it yet.</source>
-            <translation>New tool: nothing cut with it yet.</translation>
-        </message>
-        <message>
-            <source>Part %1 with this tool, stiffness %2 % above new.</source>
-            <comment>parts, rise</comment>
-            <translation>Part %1 with this tool, stiffness %2 % above new.</translation>
-        </message>
-        <message>
-            <source>Trend %1 % per part.</source>
-            <translation>Trend %1 % per part.</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingWallPanel</name>
-        <message>
-            <source>Wall deviation, %1</source>
-            <comment>unit</comment>
-            <translation>Wall deviation, %1</translation>
-        </message>
-        <message>
-            <source>path</source>
-            <translation>path</translation>
-        </message>
-        <message>
-            <source>deviation</source>
-            <translation>deviation</translation>
-        </message>
-        <message>
-            <source>cut before</source>
-            <translation>cut before</translation>
-        </message>
-        <message>
-            <source>The estimated wall appears here while a part is being cut.</source>
-            <translation>The estimated wall appears here while a part is being cut.</translation>
-        </message>
-        <message>
-            <source>Estimated deviation of the wall along the path</source>
-            <translation>Estimated deviation of the wall along the path</translation>
-        </message>
-        <message>
-            <source>waviness %1</source>
-            <translation>waviness %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>TurningTexts</name>
-        <message>
-            <source>Open</source>
-            <comment>turning controller</comment>
-            <translation>Open</translation>
-        </message>
-        <message>
-            <source>Paper's PI</source>
-            <comment>turning controller</comment>
-            <translation>Paper's PI</translation>
-        </message>
-        <message>
-            <source>Tuned PI</source>
-            <comment>turning controller</comment>
-            <translation>Tuned PI</translation>
-        </message>
-        <message>
-            <source>Tones</source>
-            <comment>turning controller</comment>
-            <translation>Tones</translation>
-        </message>
-        <message>
-            <source>out of the cut</source>
-            <translation>out of the cut</translation>
-        </message>
-        <message>
-            <source>first revolution</source>
-            <translation>first revolution</translation>
-        </message>
-        <message>
-            <source>cutting</source>
-            <translation>cutting</translation>
-        </message>
-        <message>
-            <source>out of the loop</source>
-            <translation>out of the loop</translation>
-        </message>
-        <message>
-            <source>not cutting</source>
-            <translation>not cutting</translation>
-        </message>
-        <message>
-            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
-            <comment>depth, speed, feed, radius</comment>
-            <translation>%1 deep, %2, %3 per revolution, tool radius %4</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ComparisonPanel</name>
-        <message>
-            <source>no part is archived yet</source>
-            <translation>no part is archived yet</translation>
-        </message>
-        <message>
-            <source>Without and with the loop</source>
-            <translation>Without and with the loop</translation>
-        </message>
-        <message>
-            <source>Archive of parts</source>
-            <translation>Archive of parts</translation>
-        </message>
-        <message>
-            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
-            <translation>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</translation>
-        </message>
-        <message>
-            <source>second half</source>
-            <translation>second half</translation>
-        </message>
-        <message>
-            <source>part %1, open</source>
-            <translation>part %1, open</translation>
-        </message>
-        <message>
-            <source>part %1, %2</source>
-            <comment>number, controller</comment>
-            <translation>part %1, %2</translation>
-        </message>
-        <message>
-            <source>change</source>
-            <translation>change</translation>
-        </message>
-        <message>
-            <source>RMS</source>
-            <translation>RMS</translation>
-        </message>
-        <message>
-            <source>P-V</source>
-            <translation>P-V</translation>
-        </message>
-        <message>
-            <source>mean force</source>
-            <translation>mean force</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ForcePanel</name>
-        <message>
-            <source>Force, %1: extremes and mean, last %2 s</source>
-            <comment>unit, seconds</comment>
-            <translation>Force, %1: extremes and mean, last %2 s</translation>
-        </message>
-        <message>
-            <source>Depth, %1, last %2 s</source>
-            <comment>unit, seconds</comment>
-            <translation>Depth, %1, last %2 s</translation>
-        </message>
-        <message>
-            <source>force</source>
-            <translation>force</translation>
-        </message>
-        <message>
-            <source>depth</source>
-            <translation>depth</translation>
-        </message>
-        <message>
-            <source>from the force</source>
-            <translation>from the force</translation>
-        </message>
-        <message>
-            <source>The force appears here as soon as a part is cut.</source>
-            <translation>The force appears here as soon as a part is cut.</translation>
-        </message>
-        <message>
-            <source>The depth that is really cut appears here with the first chip.</source>
-            <translation>The depth that is really cut appears here with the first chip.</translation>
-        </message>
-        <message>
-            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
-            <translation>Force live: lowest and highest of every 5 kHz sample, mean, target</translation>
-        </message>
-        <message>
-            <source>Depth from the force against the programmed depth</source>
-            <translation>Depth from the force against the programmed depth</translation>
-        </message>
-        <message>
-            <source>target</source>
-            <translation>target</translation>
-        </message>
-        <message>
-            <source>programmed</source>
-            <translation>programmed</translation>
-        </message>
-        <message>
-            <source>mean %1</source>
-            <translation>mean %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MarginPanel</name>
-        <message>
-            <source>Loop margins and trim</source>
-            <translation>Loop margins and trim</translation>
-        </message>
-        <message>
-            <source>gain, times</source>
-            <translation>gain, times</translation>
-        </message>
-        <message>
-            <source>phase</source>
-            <translation>phase</translation>
-        </message>
-        <message>
-            <source>more delay</source>
-            <translation>more delay</translation>
-        </message>
-        <message>
-            <source>smallest |1 + L|</source>
-            <translation>smallest |1 + L|</translation>
-        </message>
-        <message>
-            <source>Margins appear as soon as a law acts.</source>
-            <translation>Margins appear as soon as a law acts.</translation>
-        </message>
-        <message>
-            <source>Guaranteed for every process within the 95 % intervals.</source>
-            <translation>Guaranteed for every process within the 95 % intervals.</translation>
-        </message>
-        <message>
-            <source>For the process the law assumes; it is not identified.</source>
-            <translation>For the process the law assumes; it is not identified.</translation>
-        </message>
-        <message>
-            <source>trim %1 of ± %2</source>
-            <comment>applied trim, authority</comment>
-            <translation>trim %1 of ± %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ProcessPanel</name>
-        <message>
-            <source>Cutting process</source>
-            <translation>Cutting process</translation>
-        </message>
-        <message>
-            <source>identified, 95 %</source>
-            <translation>identified, 95 %</translation>
-        </message>
-        <message>
-            <source>law</source>
-            <translation>law</translation>
-        </message>
-        <message>
-            <source>covariance, log</source>
-            <translation>covariance, log</translation>
-        </message>
-        <message>
-            <source>excitation %1: enough to learn from</source>
-            <translation>excitation %1: enough to learn from</translation>
-        </message>
-        <message>
-            <source>excitation %1: too little, the values rest</source>
-            <translation>excitation %1: too little, the values rest</translation>
-        </message>
-        <message>
-            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
-            <translation>Identified only with a sensor of the tool's motion; the law assumes its values.</translation>
-        </message>
-        <message numerus="yes">
-            <source>The law was tuned anew %n time(s): the process had moved.</source>
-            <translation>
-                <numerusform>The law was tuned anew %n time: the process had moved.</numerusform>
-                <numerusform>The law was tuned anew %n times: the process had moved.</numerusform>
-            </translation>
         </message>
     </context>
     <context>
@@ -4579,6 +5748,29 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::SpeedChart</name>
+        <message>
+            <source>error p-p</source>
+            <translation>error p-p</translation>
+        </message>
+        <message>
+            <source>Each speed that has been tuned stands here as a point: error against time per hole.</source>
+            <translation>Each speed that has been tuned stands here as a point: error against time per hole.</translation>
+        </message>
+        <message>
+            <source>Sync error against time per hole, by speed</source>
+            <translation>Sync error against time per hole, by speed</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>allowed</translation>
+        </message>
+        <message>
+            <source>%1 rpm</source>
+            <translation>%1 rpm</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
@@ -4611,6 +5803,310 @@
         <message>
             <source>Use %1</source>
             <translation>Use %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TapActions</name>
+        <message>
+            <source>a tuning is under way</source>
+            <translation>a tuning is under way</translation>
+        </message>
+        <message>
+            <source>nothing to accept</source>
+            <translation>nothing to accept</translation>
+        </message>
+        <message>
+            <source>Job…</source>
+            <translation>Job…</translation>
+        </message>
+        <message>
+            <source>Tune</source>
+            <translation>Tune</translation>
+        </message>
+        <message>
+            <source>One more</source>
+            <translation>One more</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Accept</translation>
+        </message>
+        <message>
+            <source>Roll back</source>
+            <translation>Roll back</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>Automatic</translation>
+        </message>
+        <message>
+            <source>Abort the tap</source>
+            <translation>Abort the tap</translation>
+        </message>
+        <message>
+            <source>Turn the tap out…</source>
+            <translation>Turn the tap out…</translation>
+        </message>
+        <message>
+            <source>No job is loaded</source>
+            <translation>No job is loaded</translation>
+        </message>
+        <message>
+            <source>Tap</source>
+            <translation>Tap</translation>
+        </message>
+        <message>
+            <source>Air tap</source>
+            <translation>Air tap</translation>
+        </message>
+        <message>
+            <source>a tap stands in the hole</source>
+            <translation>a tap stands in the hole</translation>
+        </message>
+        <message>
+            <source>a tap is under way</source>
+            <translation>a tap is under way</translation>
+        </message>
+        <message>
+            <source>another program is running</source>
+            <translation>another program is running</translation>
+        </message>
+        <message>
+            <source>this machine has no tapping loop</source>
+            <translation>this machine has no tapping loop</translation>
+        </message>
+        <message>
+            <source>switch to control</source>
+            <translation>switch to control</translation>
+        </message>
+        <message>
+            <source>no job is loaded</source>
+            <translation>no job is loaded</translation>
+        </message>
+        <message>
+            <source>start it at the control</source>
+            <translation>start it at the control</translation>
+        </message>
+        <message>
+            <source>no proposal yet</source>
+            <translation>no proposal yet</translation>
+        </message>
+        <message>
+            <source>all taps are used</source>
+            <translation>all taps are used</translation>
+        </message>
+        <message>
+            <source>nothing to roll back</source>
+            <translation>nothing to roll back</translation>
+        </message>
+        <message>
+            <source>the tap is being turned out</source>
+            <translation>the tap is being turned out</translation>
+        </message>
+        <message>
+            <source>no tap is running</source>
+            <translation>no tap is running</translation>
+        </message>
+        <message>
+            <source>the loop is off: abort at the control</source>
+            <translation>the loop is off: abort at the control</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TappingPage</name>
+        <message>
+            <source>Load this point?</source>
+            <translation>Load this point?</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Load</source>
+            <translation>Load</translation>
+        </message>
+        <message>
+            <source>This machine does not tap with Kerf. The page fills when its tapping loop is fitted.</source>
+            <translation>This machine does not tap with Kerf. The page fills when its tapping loop is fitted.</translation>
+        </message>
+        <message>
+            <source>Contour error, %1, over spindle revolutions in and out</source>
+            <comment>unit</comment>
+            <translation>Contour error, %1, over spindle revolutions in and out</translation>
+        </message>
+        <message>
+            <source>Trial taps</source>
+            <translation>Trial taps</translation>
+        </message>
+        <message>
+            <source>sum of errors (SAEC), %1</source>
+            <comment>unit</comment>
+            <translation>sum of errors (SAEC), %1</translation>
+        </message>
+        <message>
+            <source>p-p in the work, %1</source>
+            <comment>unit</comment>
+            <translation>p-p in the work, %1</translation>
+        </message>
+        <message>
+            <source>Error p-p, %1, over time per hole</source>
+            <comment>unit</comment>
+            <translation>Error p-p, %1, over time per hole</translation>
+        </message>
+        <message>
+            <source>%1 rev, error %2</source>
+            <translation>%1 rev, error %2</translation>
+        </message>
+        <message>
+            <source>A tap stands %1 revolutions (%2) in the hole. Turn it out in sync before anything else moves.</source>
+            <translation>A tap stands %1 revolutions (%2) in the hole. Turn it out in sync before anything else moves.</translation>
+        </message>
+        <message>
+            <source>No tap was made: %1</source>
+            <translation>No tap was made: %1</translation>
+        </message>
+        <message>
+            <source>The tuning could not be stored: %1</source>
+            <translation>The tuning could not be stored: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ThermalPage</name>
+        <message>
+            <source>start it at the control</source>
+            <translation>start it at the control</translation>
+        </message>
+        <message>
+            <source>a program runs</source>
+            <translation>a program runs</translation>
+        </message>
+        <message>
+            <source>This machine reports no temperatures. The page fills as soon as it does.</source>
+            <translation>This machine reports no temperatures. The page fills as soon as it does.</translation>
+        </message>
+        <message>
+            <source>Drift over time, %1</source>
+            <translation>Drift over time, %1</translation>
+        </message>
+        <message>
+            <source>line: predicted, band: 95 % interval, dots: measured</source>
+            <translation>line: predicted, band: 95 % interval, dots: measured</translation>
+        </message>
+        <message>
+            <source>minutes since the reference</source>
+            <translation>minutes since the reference</translation>
+        </message>
+        <message>
+            <source>drift</source>
+            <translation>drift</translation>
+        </message>
+        <message>
+            <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>
+            <translation>The predicted drift appears here one minute after the reference, as soon as a model is live.</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>Temperatures</translation>
+        </message>
+        <message>
+            <source>Warm up</source>
+            <translation>Warm up</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Measure</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Model</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>History</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>Sensors</translation>
+        </message>
+        <message>
+            <source>Error map</source>
+            <translation>Error map</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Limits</translation>
+        </message>
+        <message>
+            <source>Stop warm-up</source>
+            <translation>Stop warm-up</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>Nothing can be stored at the moment: %1</translation>
+        </message>
+        <message>
+            <source>No temperatures yet.</source>
+            <translation>No temperatures yet.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n thermocouples give no reading.</source>
+            <translation type="unfinished">
+                <numerusform />
+                <numerusform />
+            </translation>
+        </message>
+        <message>
+            <source>Left out: %1</source>
+            <translation>Left out: %1</translation>
+        </message>
+        <message>
+            <source>All %1 thermocouples are healthy; filled points belong to the model.</source>
+            <translation>All %1 thermocouples are healthy; filled points belong to the model.</translation>
+        </message>
+        <message>
+            <source>Touch a point to read it.</source>
+            <translation>Touch a point to read it.</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3; %4 in 10 min</source>
+            <comment>sensor, temperature, state, change</comment>
+            <translation>%1: %2, %3; %4 in 10 min</translation>
+        </message>
+        <message>
+            <source>Warm up the spindle?</source>
+            <translation>Warm up the spindle?</translation>
+        </message>
+        <message>
+            <source>The spindle turns at %1 for %2. Take care that nothing is in its way.</source>
+            <translation>The spindle turns at %1 for %2. Take care that nothing is in its way.</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>Not now</translation>
+        </message>
+        <message>
+            <source>Start the spindle</source>
+            <translation>Start the spindle</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TrialBars</name>
+        <message>
+            <source>before</source>
+            <translation>before</translation>
+        </message>
+        <message>
+            <source>after</source>
+            <translation>after</translation>
+        </message>
+        <message>
+            <source>One bar per trial tap appears here.</source>
+            <translation>One bar per trial tap appears here.</translation>
+        </message>
+        <message>
+            <source>allowed %1</source>
+            <translation>allowed %1</translation>
         </message>
     </context>
     <context>
@@ -4814,6 +6310,21 @@
         <message>
             <source>The next part is cut with the new setup.</source>
             <translation>The next part is cut with the new setup.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ValueField</name>
+        <message>
+            <source>Enter a number.</source>
+            <translation>Enter a number.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>“%1” is not a number.</translation>
+        </message>
+        <message>
+            <source>Must be from %1 to %2.</source>
+            <translation>Must be from %1 to %2.</translation>
         </message>
     </context>
 </TS>

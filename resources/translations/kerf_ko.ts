@@ -25,6 +25,130 @@
         </message>
     </context>
     <context>
+        <name>Milling</name>
+        <message>
+            <source>Constant feed</source>
+            <translation>일정 이송</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>모델</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>예측</translation>
+        </message>
+        <message>
+            <source>as long as planned</source>
+            <translation>계획과 같은 시간</translation>
+        </message>
+        <message>
+            <source>%1 s faster than planned</source>
+            <translation>계획보다 %1 s 빠름</translation>
+        </message>
+        <message>
+            <source>%1 s slower than planned</source>
+            <translation>계획보다 %1 s 느림</translation>
+        </message>
+        <message>
+            <source>control would be %1</source>
+            <translation>제어하면 %1</translation>
+        </message>
+        <message>
+            <source>peak %1 at %2</source>
+            <translation>최대 %1, 위치 %2</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>파상도 %1</translation>
+        </message>
+        <message>
+            <source>would have been stopped</source>
+            <translation>제어했다면 정지</translation>
+        </message>
+        <message>
+            <source>was stopped</source>
+            <translation>정지됨</translation>
+        </message>
+        <message>
+            <source>Cut %1: %2.</source>
+            <translation>절삭 %1: %2.</translation>
+        </message>
+        <message>
+            <source>Cut %1, aborted: %2.</source>
+            <translation>절삭 %1, 중단: %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>MillingCutLog</name>
+        <message>
+            <source>%1, aborted</source>
+            <translation>%1, 중단</translation>
+        </message>
+        <message>
+            <source>Last cuts</source>
+            <translation>최근 절삭</translation>
+        </message>
+        <message>
+            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
+            <translation>조언 절삭은 계획 이송으로 가공했으며, 제어 시간은 제어했을 때 걸렸을 시간입니다.</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>절삭</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>mode</source>
+            <translation>모드</translation>
+        </message>
+        <message>
+            <source>planned
+%1</source>
+            <translation>계획
+%1</translation>
+        </message>
+        <message>
+            <source>controlled
+%1</source>
+            <translation>제어
+%1</translation>
+        </message>
+        <message>
+            <source>peak
+%1</source>
+            <translation>최대
+%1</translation>
+        </message>
+        <message>
+            <source>at
+%1</source>
+            <translation>위치
+%1</translation>
+        </message>
+        <message>
+            <source>waviness
+%1</source>
+            <translation>파상도
+%1</translation>
+        </message>
+        <message>
+            <source>stops</source>
+            <translation>정지</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
         <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
@@ -100,6 +224,10 @@
         <message>
             <source>Waviness of the cut</source>
             <translation>절삭의 파상도</translation>
+        </message>
+        <message>
+            <source>Last tap, p-p in the work</source>
+            <translation>마지막 탭, 가공 구간 p-p</translation>
         </message>
     </context>
     <context>
@@ -281,6 +409,142 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>TappingTexts</name>
+        <message>
+            <source>%1, %2 rpm, %3 rev, gear %4</source>
+            <comment>thread, speed, depth, gear</comment>
+            <translation>%1, %2 rpm, %3회전, 기어 %4</translation>
+        </message>
+        <message>
+            <source>not tuned</source>
+            <translation>튜닝 안 됨</translation>
+        </message>
+        <message>
+            <source>tuned</source>
+            <translation>튜닝됨</translation>
+        </message>
+        <message>
+            <source>air tap</source>
+            <translation>에어 탭</translation>
+        </message>
+        <message>
+            <source>trial %1</source>
+            <translation>시험 탭 %1</translation>
+        </message>
+        <message>
+            <source>tuned, to be accepted</source>
+            <translation>튜닝 완료, 수락 대기</translation>
+        </message>
+        <message>
+            <source>proposal</source>
+            <translation>제안</translation>
+        </message>
+        <message>
+            <source>accepted</source>
+            <translation>수락됨</translation>
+        </message>
+        <message>
+            <source>rolled back</source>
+            <translation>되돌림</translation>
+        </message>
+        <message>
+            <source>tuning ended</source>
+            <translation>튜닝 종료</translation>
+        </message>
+        <message>
+            <source>The machine's own gains: nothing is stored for this job.</source>
+            <translation>기계 고유 게인: 이 작업에 저장된 튜닝이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Gains and trim of the stored tuning of this job.</source>
+            <translation>이 작업에 저장된 튜닝의 게인과 트림.</translation>
+        </message>
+        <message>
+            <source>Gains stored for this speed range; the trim does not fit: tune before production.</source>
+            <translation>이 속도 범위에 저장된 게인; 트림은 맞지 않습니다: 생산 전에 튜닝하십시오.</translation>
+        </message>
+        <message>
+            <source>Gains of this tuning.</source>
+            <translation>이번 튜닝의 게인.</translation>
+        </message>
+        <message>
+            <source>sum of errors %1 → %2 (−%3 %), in the work %4 → %5 p-p</source>
+            <translation>오차 합 %1 → %2 (−%3 %), 가공 구간 p-p %4 → %5</translation>
+        </message>
+        <message>
+            <source>Rolled back by %1; the tuning had: %2.</source>
+            <translation>%1 님이 되돌림; 그 튜닝: %2.</translation>
+        </message>
+        <message>
+            <source>Before and after, accepted by %1: %2.</source>
+            <translation>전과 후, %1 님 수락: %2.</translation>
+        </message>
+        <message>
+            <source>no link to the machine</source>
+            <translation>기계와 연결 없음</translation>
+        </message>
+        <message>
+            <source>emergency stop is pressed</source>
+            <translation>비상정지가 눌려 있음</translation>
+        </message>
+        <message>
+            <source>the machine is off</source>
+            <translation>기계 꺼짐</translation>
+        </message>
+        <message>
+            <source>hold is in force</source>
+            <translation>홀드 중</translation>
+        </message>
+    </context>
+    <context>
+        <name>TurningTexts</name>
+        <message>
+            <source>Open</source>
+            <comment>turning controller</comment>
+            <translation>개루프</translation>
+        </message>
+        <message>
+            <source>Paper's PI</source>
+            <comment>turning controller</comment>
+            <translation>논문의 PI</translation>
+        </message>
+        <message>
+            <source>Tuned PI</source>
+            <comment>turning controller</comment>
+            <translation>조정한 PI</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <comment>turning controller</comment>
+            <translation>주파수 상쇄</translation>
+        </message>
+        <message>
+            <source>out of the cut</source>
+            <translation>절삭 밖</translation>
+        </message>
+        <message>
+            <source>first revolution</source>
+            <translation>첫 회전</translation>
+        </message>
+        <message>
+            <source>cutting</source>
+            <translation>절삭 중</translation>
+        </message>
+        <message>
+            <source>out of the loop</source>
+            <translation>루프에서 빠짐</translation>
+        </message>
+        <message>
+            <source>not cutting</source>
+            <translation>절삭하지 않음</translation>
+        </message>
+        <message>
+            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
+            <comment>depth, speed, feed, radius</comment>
+            <translation>깊이 %1, %2, 회전당 %3, 공구 반경 %4</translation>
         </message>
     </context>
     <context>
@@ -1225,10 +1489,6 @@
             <translation>절삭 시작 때 힘의 %1배입니다.</translation>
         </message>
         <message>
-            <source>A known tone must be from 9 to 400 Hz.</source>
-            <translation>알려진 진동 주파수는 9에서 400 Hz 사이여야 합니다.</translation>
-        </message>
-        <message>
             <source>A vibration repeats with every revolution, so the force does not change with it.</source>
             <translation>진동이 회전마다 같은 위상으로 되풀이되어 힘에 나타나지 않습니다.</translation>
         </message>
@@ -1317,20 +1577,12 @@
             <translation>절삭력이 갑자기 변했습니다. 보정을 0으로 했으니 공구를 살피십시오.</translation>
         </message>
         <message>
-            <source>The depth of cut must be from 0.1 to 50 um.</source>
-            <translation>절삭 깊이는 0.1에서 50 um 사이여야 합니다.</translation>
-        </message>
-        <message>
             <source>The disturbance is larger than the trim may correct.</source>
             <translation>외란이 허용된 보정량보다 큽니다.</translation>
         </message>
         <message>
             <source>The face must end beyond its start.</source>
             <translation>단면의 끝은 시작보다 뒤여야 합니다.</translation>
-        </message>
-        <message>
-            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
-            <translation>이송은 회전당 0.01에서 1000 um 사이여야 합니다.</translation>
         </message>
         <message>
             <source>The force cannot see a tone at this spindle speed</source>
@@ -1357,20 +1609,12 @@
             <translation>같은 깊이인데 절삭 시작 때보다 힘이 뚜렷이 큽니다.</translation>
         </message>
         <message>
-            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
-            <translation>주축 회전수는 150에서 30000 rev/min 사이여야 합니다.</translation>
-        </message>
-        <message>
             <source>The tone is held only for about a minute; then it comes back on the surface.</source>
             <translation>그 주파수는 1분쯤만 억제되고 그 뒤 표면에 다시 나타납니다.</translation>
         </message>
         <message>
             <source>The tool has touched: first revolution.</source>
             <translation>공구가 닿았습니다: 첫 회전.</translation>
-        </message>
-        <message>
-            <source>The trim authority must be from 0 to 2 um.</source>
-            <translation>보정 허용량은 0에서 2 um 사이여야 합니다.</translation>
         </message>
         <message>
             <source>The trim cancels %1 tones of the disturbance.</source>
@@ -1579,10 +1823,6 @@
         <message>
             <source>Material exponent</source>
             <translation>재료 지수</translation>
-        </message>
-        <message>
-            <source>More than 5 % of the samples of the last tap are missing.</source>
-            <translation>마지막 탭의 표본이 5 % 넘게 빠졌습니다.</translation>
         </message>
         <message>
             <source>No blank profile is loaded: enter or import one.</source>
@@ -1839,18 +2079,6 @@
         <message>
             <source>The tap was aborted: the accepted gains are back in force.</source>
             <translation>탭이 중단되어 수락된 게인으로 되돌렸습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
-            <translation>탭을 동기로 돌려 빼고 게인을 되돌렸습니다. 나사가 뜯겼을 수 있습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync.</source>
-            <translation>탭을 동기로 돌려 뺐습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync; it does not count.</source>
-            <translation>탭을 동기로 돌려 뺐으며 세지 않습니다.</translation>
         </message>
         <message>
             <source>The tapping job has a value outside its range.</source>
@@ -2196,6 +2424,90 @@
             <source>this machine</source>
             <translation>이 기계</translation>
         </message>
+        <message>
+            <source>%1 taps in a row did not count: check the encoders.</source>
+            <translation>탭 %1회가 연속으로 인정되지 않았습니다: 엔코더를 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Error RMS</source>
+            <translation>오차 RMS</translation>
+        </message>
+        <message>
+            <source>Error p-p in the work</source>
+            <translation>가공 구간 오차 p-p</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync and the gains are rolled back. The thread may be torn.</source>
+            <translation>제어 중이면 탭을 동기하여 빼내고 게인을 되돌립니다. 나사가 뜯겼을 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync.</source>
+            <translation>제어 중이면 탭을 동기하여 빼냅니다.</translation>
+        </message>
+        <message>
+            <source>In control the tap is turned out in sync. It does not count.</source>
+            <translation>제어 중이면 탭을 동기하여 빼냅니다. 이 탭은 인정되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Largest error</source>
+            <translation>최대 오차</translation>
+        </message>
+        <message>
+            <source>More than 5 % of its samples are missing, or the loop was switched during the tap.</source>
+            <translation>샘플의 5 % 이상이 없거나 탭 중에 루프가 전환되었습니다.</translation>
+        </message>
+        <message>
+            <source>Sum of errors (SAEC)</source>
+            <translation>오차 합(SAEC)</translation>
+        </message>
+        <message>
+            <source>The control did not start the tapping program.</source>
+            <translation>컨트롤러가 탭 프로그램을 시작하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The depth must be from 1 to 200 revolutions.</source>
+            <translation>깊이는 1~200회전이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The drive did not take the gains.</source>
+            <translation>드라이브가 게인을 받지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The gear must be from 1 to 9.</source>
+            <translation>기어는 1~9이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The last tap does not count: repeat it.</source>
+            <translation>마지막 탭은 인정되지 않습니다: 다시 하십시오.</translation>
+        </message>
+        <message>
+            <source>The learned trim of these gains is not loaded.</source>
+            <translation>이 게인의 학습된 트림이 로드되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The loop was switched before the tap began.</source>
+            <translation>탭이 시작되기 전에 루프가 전환되었습니다.</translation>
+        </message>
+        <message>
+            <source>The spindle speed must be from 10 to 20000 rpm.</source>
+            <translation>주축 속도는 10~20000 rpm이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The tap was called off before it began.</source>
+            <translation>탭이 시작되기 전에 취소되었습니다.</translation>
+        </message>
+        <message>
+            <source>The tapping loop is off: switch it to advise or control to abort the tap.</source>
+            <translation>탭 루프가 꺼져 있습니다: 탭을 중단하려면 조언이나 제어로 전환하십시오.</translation>
+        </message>
+        <message>
+            <source>This tap takes %1 s; at most %2 s can be recorded: a higher speed or less depth.</source>
+            <translation>이 탭은 %1 s 걸립니다; 최대 %2 s까지 기록됩니다: 속도를 높이거나 깊이를 줄이십시오.</translation>
+        </message>
+        <message>
+            <source>Tolerance used</source>
+            <translation>공차 사용률</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2404,6 +2716,98 @@
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
             <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ComparisonPanel</name>
+        <message>
+            <source>no part is archived yet</source>
+            <translation>아직 보관된 공작물이 없습니다</translation>
+        </message>
+        <message>
+            <source>Without and with the loop</source>
+            <translation>루프 없이와 루프로</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>공작물 보관함</translation>
+        </message>
+        <message>
+            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
+            <translation>같은 설정으로 하나는 조언, 하나는 제어로 절삭하십시오. 두 번째가 끝나면 여기에 비교가 나타납니다.</translation>
+        </message>
+        <message>
+            <source>second half</source>
+            <translation>후반</translation>
+        </message>
+        <message>
+            <source>part %1, open</source>
+            <translation>공작물 %1, 개루프</translation>
+        </message>
+        <message>
+            <source>part %1, %2</source>
+            <comment>number, controller</comment>
+            <translation>공작물 %1, %2</translation>
+        </message>
+        <message>
+            <source>change</source>
+            <translation>변화</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>P-V</source>
+            <translation>P-V</translation>
+        </message>
+        <message>
+            <source>mean force</source>
+            <translation>평균 힘</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ContourChart</name>
+        <message>
+            <source>rev</source>
+            <comment>spindle revolutions, on an axis</comment>
+            <translation>회전</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>오차</translation>
+        </message>
+        <message>
+            <source>The contour error of the first tap appears here as soon as it is made.</source>
+            <translation>첫 탭을 하면 그 윤곽 오차가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Contour error over the spindle's way, in and out</source>
+            <translation>주축 경로에 따른 윤곽 오차, 진입과 후퇴</translation>
+        </message>
+        <message>
+            <source>6H: %1 p-p</source>
+            <translation>6H: %1 p-p</translation>
+        </message>
+        <message>
+            <source>reversal</source>
+            <translation>반전</translation>
+        </message>
+        <message>
+            <source>touch: whole course</source>
+            <translation>터치: 전체 경로</translation>
+        </message>
+        <message>
+            <source>touch: the band alone</source>
+            <translation>터치: 공차대만</translation>
+        </message>
+        <message>
+            <source>first tap</source>
+            <translation>첫 탭</translation>
+        </message>
+        <message>
+            <source>last tap</source>
+            <translation>마지막 탭</translation>
         </message>
     </context>
     <context>
@@ -2728,6 +3132,119 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ForcePanel</name>
+        <message>
+            <source>Force, %1: extremes and mean, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>힘, %1: 최소·최대와 평균, 최근 %2 s</translation>
+        </message>
+        <message>
+            <source>Depth, %1, last %2 s</source>
+            <comment>unit, seconds</comment>
+            <translation>깊이, %1, 최근 %2 s</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>힘</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>깊이</translation>
+        </message>
+        <message>
+            <source>from the force</source>
+            <translation>힘에서 얻은 값</translation>
+        </message>
+        <message>
+            <source>The force appears here as soon as a part is cut.</source>
+            <translation>공작물을 절삭하면 여기에 힘이 나타납니다.</translation>
+        </message>
+        <message>
+            <source>The depth that is really cut appears here with the first chip.</source>
+            <translation>첫 칩과 함께 실제 절삭 깊이가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
+            <translation>실시간 힘: 5 kHz 샘플의 최소와 최대, 평균, 목표</translation>
+        </message>
+        <message>
+            <source>Depth from the force against the programmed depth</source>
+            <translation>힘에서 얻은 깊이와 프로그램 깊이</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>목표</translation>
+        </message>
+        <message>
+            <source>programmed</source>
+            <translation>프로그램</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>평균 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::GainsPanel</name>
+        <message>
+            <source>Gains</source>
+            <translation>게인</translation>
+        </message>
+        <message>
+            <source>before</source>
+            <translation>전</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>현재</translation>
+        </message>
+        <message>
+            <source>next</source>
+            <translation>다음</translation>
+        </message>
+        <message>
+            <source>spindle Kp, 1/s</source>
+            <translation>주축 Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z Kp, 1/s</source>
+            <translation>Z Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z speed FF</source>
+            <translation>Z 속도 FF</translation>
+        </message>
+        <message>
+            <source>Z accel. FF</source>
+            <translation>Z 가속 FF</translation>
+        </message>
+        <message>
+            <source>trim, %1</source>
+            <comment>largest learned trim, unit</comment>
+            <translation>트림, %1</translation>
+        </message>
+        <message>
+            <source>Safe Z gain %1 to %2 1/s; unstable from about %3 1/s, %4 dB away.</source>
+            <translation>안전한 Z 게인 %1~%2 1/s; 약 %3 1/s부터 불안정, 여유 %4 dB.</translation>
+        </message>
+        <message>
+            <source>The safe set of gains is estimated with the first trial tap.</source>
+            <translation>안전한 게인 범위는 첫 시험 탭에서 추정됩니다.</translation>
+        </message>
+        <message>
+            <source>This machine has no tapping loop: %1</source>
+            <translation>이 기계에는 탭 루프가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>Tune again: the sum of errors has grown above that of the first taps.</source>
+            <translation>다시 튜닝하십시오: 오차 합이 처음 탭들보다 커졌습니다.</translation>
+        </message>
+        <message>
+            <source>Drift watch: %1 % of what asks for a new tune, after %2 taps.</source>
+            <translation>변화 감시: 재튜닝 기준의 %1 %, 탭 %2회 후.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
@@ -2826,6 +3343,53 @@
         <message>
             <source>All loops off, last offset held (Pause key). This is not an emergency stop.</source>
             <translation>모든 루프를 끄고 마지막 보정값을 유지합니다(Pause 키). 비상정지가 아닙니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::JobForm</name>
+        <message>
+            <source>What is tapped</source>
+            <translation>탭 작업</translation>
+        </message>
+        <message>
+            <source>coarse</source>
+            <translation>보통나사</translation>
+        </message>
+        <message>
+            <source>fine</source>
+            <translation>가는나사</translation>
+        </message>
+        <message>
+            <source>speed</source>
+            <translation>속도</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>깊이</translation>
+        </message>
+        <message>
+            <source>gear</source>
+            <translation>기어</translation>
+        </message>
+        <message>
+            <source>part type no.</source>
+            <translation>공작물 종류 번호</translation>
+        </message>
+        <message>
+            <source>tap no.</source>
+            <translation>탭 번호</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Load</source>
+            <translation>로드</translation>
+        </message>
+        <message>
+            <source>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
+            <translation>%1: 유효지름 6H(ISO 965-1)는 가공 구간에서 p-p %2, 탭이 상한이면 %3까지 허용합니다.</translation>
         </message>
     </context>
     <context>
@@ -3010,6 +3574,46 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::MarginPanel</name>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>루프 여유와 보정</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>게인, 배</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>위상</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>추가 지연</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>최소 |1 + L|</translation>
+        </message>
+        <message>
+            <source>Margins appear as soon as a law acts.</source>
+            <translation>제어 법칙이 작동하면 여유가 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Guaranteed for every process within the 95 % intervals.</source>
+            <translation>95 % 구간 안의 모든 공정에 대해 보장됩니다.</translation>
+        </message>
+        <message>
+            <source>For the process the law assumes; it is not identified.</source>
+            <translation>법칙이 가정한 공정에 대한 값이며 식별된 것이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>trim %1 of ± %2</source>
+            <comment>applied trim, authority</comment>
+            <translation>보정 %1, 범위 ± %2</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
@@ -3130,6 +3734,405 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::MillingBlankForm</name>
+        <message>
+            <source>There is no step.</source>
+            <translation>단이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Blank profile of %1</source>
+            <translation>%1의 소재 형상</translation>
+        </message>
+        <message>
+            <source>Height of the blank over the finished wall, step by step along the path.</source>
+            <translation>경로를 따라 단마다, 완성된 벽 위 소재의 높이입니다.</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>경로</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <translation>높이</translation>
+        </message>
+        <message>
+            <source>The profile appears here with its first step.</source>
+            <translation>첫 단을 넣으면 형상이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Blank profile along the path</source>
+            <translation>경로를 따른 소재 형상</translation>
+        </message>
+        <message>
+            <source>Add step</source>
+            <translation>단 추가</translation>
+        </message>
+        <message>
+            <source>Remove last</source>
+            <translation>마지막 삭제</translation>
+        </message>
+        <message>
+            <source>Import CSV</source>
+            <translation>CSV 가져오기</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>저장하고 사용</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n steps imported; look at the profile, then save.</source>
+            <translation>
+                <numerusform>%n단을 가져왔습니다. 형상을 확인한 뒤 저장하십시오.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingControlPanel</name>
+        <message>
+            <source>Nothing is stopped.</source>
+            <translation>멈춘 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>reference force</source>
+            <translation>기준 힘</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>이득 여유, 배</translation>
+        </message>
+        <message>
+            <source>peak of this cut</source>
+            <translation>이번 절삭의 최대</translation>
+        </message>
+        <message>
+            <source>Feed law</source>
+            <translation>이송 법칙</translation>
+        </message>
+        <message>
+            <source>Teach reference from this cut</source>
+            <translation>이 절삭에서 기준 힘 배우기</translation>
+        </message>
+        <message>
+            <source>Start cut</source>
+            <translation>절삭 시작</translation>
+        </message>
+        <message>
+            <source>Release feed</source>
+            <translation>이송 해제</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>밀링</translation>
+        </message>
+        <message>
+            <source>control would save</source>
+            <translation>제어하면 절약</translation>
+        </message>
+        <message>
+            <source>saved so far</source>
+            <translation>지금까지 절약</translation>
+        </message>
+        <message>
+            <source>%1 s above 110 % of the reference</source>
+            <translation>기준 힘의 110 %를 %1 s 동안 넘음</translation>
+        </message>
+        <message>
+            <source>; control would have stopped the feed</source>
+            <translation>; 제어했다면 이송을 멈췄음</translation>
+        </message>
+        <message>
+            <source>; the feed was stopped</source>
+            <translation>; 이송을 멈췄음</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop: %1</source>
+            <translation>이 기계에는 밀링 루프가 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>No cut to learn from yet.</source>
+            <translation>아직 배울 절삭이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>기계와 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>기계가 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>홀드 상태입니다.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>기계가 사용 중입니다: %1.</translation>
+        </message>
+        <message>
+            <source>No milling setup is loaded.</source>
+            <translation>밀링 설정이 없습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingLivePanel</name>
+        <message>
+            <source>Force per revolution, %1, and feed, %2</source>
+            <comment>units</comment>
+            <translation>회전당 힘, %1, 이송, %2</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>시간</translation>
+        </message>
+        <message>
+            <source>force</source>
+            <translation>힘</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>average</source>
+            <translation>평균</translation>
+        </message>
+        <message>
+            <source>wanted</source>
+            <translation>요구</translation>
+        </message>
+        <message>
+            <source>The cutting force appears here with the next cut.</source>
+            <translation>다음 절삭부터 절삭력이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>The feed appears here with the next cut.</source>
+            <translation>다음 절삭부터 이송이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Cutting force averaged per revolution, over time</source>
+            <translation>시간에 따른 회전당 평균 절삭력</translation>
+        </message>
+        <message>
+            <source>Feed made and wanted, over time</source>
+            <translation>시간에 따른 실제 이송과 요구 이송</translation>
+        </message>
+        <message>
+            <source>Raw force</source>
+            <translation>원시 힘</translation>
+        </message>
+        <message>
+            <source>planned</source>
+            <translation>계획</translation>
+        </message>
+        <message>
+            <source>reference</source>
+            <translation>기준</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>한계</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingPage</name>
+        <message>
+            <source>Nothing cut yet.</source>
+            <translation>아직 가공한 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This machine has no milling loop.</source>
+            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>소재 형상</translation>
+        </message>
+        <message>
+            <source>Cut log</source>
+            <translation>절삭 기록</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>새 공구</translation>
+        </message>
+        <message>
+            <source>Milling data: %1</source>
+            <translation>밀링 데이터: %1</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>being stored</source>
+            <translation>저장하는 중</translation>
+        </message>
+        <message>
+            <source>New tool?</source>
+            <translation>새 공구입니까?</translation>
+        </message>
+        <message>
+            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
+            <translation>다음 절삭부터 공구의 마모와 강성을 새로 배웁니다.</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>아니요</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingSetupForm</name>
+        <message>
+            <source>This part type is open.</source>
+            <translation>이 품종이 열려 있습니다.</translation>
+        </message>
+        <message>
+            <source>No part type of this name is stored.</source>
+            <translation>이 이름으로 저장된 품종이 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2 to %3; default %4, %5.</source>
+            <comment>label, lowest, highest, default, source</comment>
+            <translation>%1: %2에서 %3까지, 기본값 %4, %5.</translation>
+        </message>
+        <message>
+            <source>Setup of a milled part type</source>
+            <translation>밀링 품종 설정</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>품종</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>힘과 이송</translation>
+        </message>
+        <message>
+            <source>Path and tool</source>
+            <translation>경로와 공구</translation>
+        </message>
+        <message>
+            <source>Model and gains</source>
+            <translation>모델과 게인</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>열기</translation>
+        </message>
+        <message>
+            <source>Save and use</source>
+            <translation>저장하고 사용</translation>
+        </message>
+        <message>
+            <source>Stored part types ▾</source>
+            <translation>저장된 품종 ▾</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingToolPanel</name>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>공구: 공작물별 평균 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>ln(C·b)</source>
+            <translation>ln(C·b)</translation>
+        </message>
+        <message>
+            <source>The wear of the tool appears here after its first part.</source>
+            <translation>첫 공작물이 끝나면 공구 마모가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Mean cutting stiffness over the parts cut with this tool</source>
+            <translation>이 공구로 가공한 공작물별 평균 절삭 강성</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>현재 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>change the tool</source>
+            <translation>공구 교환</translation>
+        </message>
+        <message>
+            <source>New tool: nothing cut with it yet.</source>
+            <translation>새 공구: 아직 가공하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 with this tool, stiffness %2 % above new.</source>
+            <comment>parts, rise</comment>
+            <translation>이 공구로 %1번째, 강성이 새 공구보다 %2 % 높음.</translation>
+        </message>
+        <message>
+            <source>Trend %1 % per part.</source>
+            <translation>추세 공작물당 %1 %.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MillingWallPanel</name>
+        <message>
+            <source>Wall deviation, %1</source>
+            <comment>unit</comment>
+            <translation>벽 편차, %1</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>경로</translation>
+        </message>
+        <message>
+            <source>deviation</source>
+            <translation>편차</translation>
+        </message>
+        <message>
+            <source>cut before</source>
+            <translation>앞 절삭</translation>
+        </message>
+        <message>
+            <source>The estimated wall appears here while a part is being cut.</source>
+            <translation>가공하는 동안 추정한 벽이 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Estimated deviation of the wall along the path</source>
+            <translation>경로를 따라 추정한 벽의 편차</translation>
+        </message>
+        <message>
+            <source>waviness %1</source>
+            <translation>파상도 %1</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
@@ -3191,10 +4194,6 @@
         <message>
             <source>Lot %1 is full: %2 parts</source>
             <translation>로트 %1 완료: 공작물 %2개</translation>
-        </message>
-        <message>
-            <source>Next part: the lot is complete</source>
-            <translation>다음 공작물: 로트가 끝났습니다</translation>
         </message>
     </context>
     <context>
@@ -3630,6 +4629,43 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ProcessPanel</name>
+        <message>
+            <source>Cutting process</source>
+            <translation>절삭 공정</translation>
+        </message>
+        <message>
+            <source>identified, 95 %</source>
+            <translation>식별값, 95 %</translation>
+        </message>
+        <message>
+            <source>law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>공분산, 로그</translation>
+        </message>
+        <message>
+            <source>excitation %1: enough to learn from</source>
+            <translation>가진 %1: 배우기에 충분함</translation>
+        </message>
+        <message>
+            <source>excitation %1: too little, the values rest</source>
+            <translation>가진 %1: 부족하여 값을 유지함</translation>
+        </message>
+        <message>
+            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
+            <translation>공구 운동 센서가 있어야 식별합니다. 법칙은 가정값을 씁니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The law was tuned anew %n time(s): the process had moved.</source>
+            <translation>
+                <numerusform>공정이 변해 법칙을 %n번 다시 맞췄습니다.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
@@ -3772,774 +4808,65 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::RecoverySheet</name>
+        <message>
+            <source>the tap is turning out</source>
+            <translation>탭을 빼내는 중</translation>
+        </message>
+        <message>
+            <source>the tap is out</source>
+            <translation>탭이 빠졌음</translation>
+        </message>
+        <message>
+            <source>switch tapping to control</source>
+            <translation>탭 루프를 제어로 전환</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole</source>
+            <translation>탭이 구멍에 멈춰 있음</translation>
+        </message>
+        <message>
+            <source>Where: %1 revolutions in, %2 deep; the spindle stands %3° after a whole turn. Both are stored.</source>
+            <translation>위치: %1회전 진입, 깊이 %2; 주축은 정회전 후 %3°에 있습니다. 둘 다 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>What will happen: the accepted gains are set, then the spindle turns back %1 revolutions and Z follows it at %2 per revolution until the tap is out. No other axis moves. Do not jog Z or the spindle alone: it breaks the tap.</source>
+            <translation>진행: 수락된 게인을 설정한 뒤 주축이 %1회전 되돌고 Z가 회전당 %2로 따라가 탭이 빠집니다. 다른 축은 움직이지 않습니다. Z나 주축만 따로 움직이지 마십시오: 탭이 부러집니다.</translation>
+        </message>
+        <message>
+            <source>Ready. Keep a hand at the emergency stop.</source>
+            <translation>준비됨. 비상정지에 손을 두십시오.</translation>
+        </message>
+        <message>
+            <source>Not ready: %1.</source>
+            <translation>준비 안 됨: %1.</translation>
+        </message>
+        <message>
+            <source>Turning out: %1 revolutions to go.</source>
+            <translation>빼내는 중: %1회전 남음.</translation>
+        </message>
+        <message>
+            <source>The tap is out. Gauge the thread and look at the tap before the next one.</source>
+            <translation>탭이 빠졌습니다. 다음 탭 전에 나사를 게이지로 확인하고 탭을 살펴보십시오.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Leave it in the hole</source>
+            <translation>구멍에 두기</translation>
+        </message>
+        <message>
+            <source>Turn out in sync</source>
+            <translation>동기하여 빼내기</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ValueField</name>
-        <message>
-            <source>Enter a number.</source>
-            <translation>숫자를 입력하십시오.</translation>
-        </message>
-        <message>
-            <source>“%1” is not a number.</source>
-            <translation>“%1”은(는) 숫자가 아닙니다.</translation>
-        </message>
-        <message>
-            <source>Must be from %1 to %2.</source>
-            <translation>%1에서 %2 사이여야 합니다.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Milling</name>
-        <message>
-            <source>Constant feed</source>
-            <translation>일정 이송</translation>
-        </message>
-        <message>
-            <source>PI</source>
-            <translation>PI</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>모델</translation>
-        </message>
-        <message>
-            <source>Preview</source>
-            <translation>예측</translation>
-        </message>
-        <message>
-            <source>as long as planned</source>
-            <translation>계획과 같은 시간</translation>
-        </message>
-        <message>
-            <source>%1 s faster than planned</source>
-            <translation>계획보다 %1 s 빠름</translation>
-        </message>
-        <message>
-            <source>%1 s slower than planned</source>
-            <translation>계획보다 %1 s 느림</translation>
-        </message>
-        <message>
-            <source>control would be %1</source>
-            <translation>제어하면 %1</translation>
-        </message>
-        <message>
-            <source>peak %1 at %2</source>
-            <translation>최대 %1, 위치 %2</translation>
-        </message>
-        <message>
-            <source>waviness %1</source>
-            <translation>파상도 %1</translation>
-        </message>
-        <message>
-            <source>would have been stopped</source>
-            <translation>제어했다면 정지</translation>
-        </message>
-        <message>
-            <source>was stopped</source>
-            <translation>정지됨</translation>
-        </message>
-        <message>
-            <source>Cut %1: %2.</source>
-            <translation>절삭 %1: %2.</translation>
-        </message>
-        <message>
-            <source>Cut %1, aborted: %2.</source>
-            <translation>절삭 %1, 중단: %2.</translation>
-        </message>
-    </context>
-    <context>
-        <name>MillingCutLog</name>
-        <message>
-            <source>%1, aborted</source>
-            <translation>%1, 중단</translation>
-        </message>
-        <message>
-            <source>Last cuts</source>
-            <translation>최근 절삭</translation>
-        </message>
-        <message>
-            <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
-            <translation>조언 절삭은 계획 이송으로 가공했으며, 제어 시간은 제어했을 때 걸렸을 시간입니다.</translation>
-        </message>
-        <message>
-            <source>cut</source>
-            <translation>절삭</translation>
-        </message>
-        <message>
-            <source>law</source>
-            <translation>법칙</translation>
-        </message>
-        <message>
-            <source>mode</source>
-            <translation>모드</translation>
-        </message>
-        <message>
-            <source>planned
-%1</source>
-            <translation>계획
-%1</translation>
-        </message>
-        <message>
-            <source>controlled
-%1</source>
-            <translation>제어
-%1</translation>
-        </message>
-        <message>
-            <source>peak
-%1</source>
-            <translation>최대
-%1</translation>
-        </message>
-        <message>
-            <source>at
-%1</source>
-            <translation>위치
-%1</translation>
-        </message>
-        <message>
-            <source>waviness
-%1</source>
-            <translation>파상도
-%1</translation>
-        </message>
-        <message>
-            <source>stops</source>
-            <translation>정지</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>닫기</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingBlankForm</name>
-        <message>
-            <source>There is no step.</source>
-            <translation>단이 없습니다.</translation>
-        </message>
-        <message>
-            <source>Blank profile of %1</source>
-            <translation>%1의 소재 형상</translation>
-        </message>
-        <message>
-            <source>Height of the blank over the finished wall, step by step along the path.</source>
-            <translation>경로를 따라 단마다, 완성된 벽 위 소재의 높이입니다.</translation>
-        </message>
-        <message>
-            <source>path</source>
-            <translation>경로</translation>
-        </message>
-        <message>
-            <source>height</source>
-            <translation>높이</translation>
-        </message>
-        <message>
-            <source>The profile appears here with its first step.</source>
-            <translation>첫 단을 넣으면 형상이 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Blank profile along the path</source>
-            <translation>경로를 따른 소재 형상</translation>
-        </message>
-        <message>
-            <source>Add step</source>
-            <translation>단 추가</translation>
-        </message>
-        <message>
-            <source>Remove last</source>
-            <translation>마지막 삭제</translation>
-        </message>
-        <message>
-            <source>Import CSV</source>
-            <translation>CSV 가져오기</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>취소</translation>
-        </message>
-        <message>
-            <source>Save and use</source>
-            <translation>저장하고 사용</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n steps imported; look at the profile, then save.</source>
-            <translation>
-                <numerusform>%n단을 가져왔습니다. 형상을 확인한 뒤 저장하십시오.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingControlPanel</name>
-        <message>
-            <source>Nothing is stopped.</source>
-            <translation>멈춘 것이 없습니다.</translation>
-        </message>
-        <message>
-            <source>reference force</source>
-            <translation>기준 힘</translation>
-        </message>
-        <message>
-            <source>gain margin, times</source>
-            <translation>이득 여유, 배</translation>
-        </message>
-        <message>
-            <source>peak of this cut</source>
-            <translation>이번 절삭의 최대</translation>
-        </message>
-        <message>
-            <source>Feed law</source>
-            <translation>이송 법칙</translation>
-        </message>
-        <message>
-            <source>Teach reference from this cut</source>
-            <translation>이 절삭에서 기준 힘 배우기</translation>
-        </message>
-        <message>
-            <source>Start cut</source>
-            <translation>절삭 시작</translation>
-        </message>
-        <message>
-            <source>Release feed</source>
-            <translation>이송 해제</translation>
-        </message>
-        <message>
-            <source>Milling</source>
-            <translation>밀링</translation>
-        </message>
-        <message>
-            <source>control would save</source>
-            <translation>제어하면 절약</translation>
-        </message>
-        <message>
-            <source>saved so far</source>
-            <translation>지금까지 절약</translation>
-        </message>
-        <message>
-            <source>%1 s above 110 % of the reference</source>
-            <translation>기준 힘의 110 %를 %1 s 동안 넘음</translation>
-        </message>
-        <message>
-            <source>; control would have stopped the feed</source>
-            <translation>; 제어했다면 이송을 멈췄음</translation>
-        </message>
-        <message>
-            <source>; the feed was stopped</source>
-            <translation>; 이송을 멈췄음</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop: %1</source>
-            <translation>이 기계에는 밀링 루프가 없습니다: %1</translation>
-        </message>
-        <message>
-            <source>No cut to learn from yet.</source>
-            <translation>아직 배울 절삭이 없습니다.</translation>
-        </message>
-        <message>
-            <source>Start the program at the control.</source>
-            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop.</source>
-            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
-        </message>
-        <message>
-            <source>No link to the machine.</source>
-            <translation>기계와 연결되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>기계가 꺼져 있습니다.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>홀드 상태입니다.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>공작물을 가공하고 있습니다.</translation>
-        </message>
-        <message>
-            <source>The machine is busy: %1.</source>
-            <translation>기계가 사용 중입니다: %1.</translation>
-        </message>
-        <message>
-            <source>No milling setup is loaded.</source>
-            <translation>밀링 설정이 없습니다.</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingLivePanel</name>
-        <message>
-            <source>Force per revolution, %1, and feed, %2</source>
-            <comment>units</comment>
-            <translation>회전당 힘, %1, 이송, %2</translation>
-        </message>
-        <message>
-            <source>time</source>
-            <translation>시간</translation>
-        </message>
-        <message>
-            <source>force</source>
-            <translation>힘</translation>
-        </message>
-        <message>
-            <source>feed</source>
-            <translation>이송</translation>
-        </message>
-        <message>
-            <source>average</source>
-            <translation>평균</translation>
-        </message>
-        <message>
-            <source>wanted</source>
-            <translation>요구</translation>
-        </message>
-        <message>
-            <source>The cutting force appears here with the next cut.</source>
-            <translation>다음 절삭부터 절삭력이 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>The feed appears here with the next cut.</source>
-            <translation>다음 절삭부터 이송이 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Cutting force averaged per revolution, over time</source>
-            <translation>시간에 따른 회전당 평균 절삭력</translation>
-        </message>
-        <message>
-            <source>Feed made and wanted, over time</source>
-            <translation>시간에 따른 실제 이송과 요구 이송</translation>
-        </message>
-        <message>
-            <source>Raw force</source>
-            <translation>원시 힘</translation>
-        </message>
-        <message>
-            <source>planned</source>
-            <translation>계획</translation>
-        </message>
-        <message>
-            <source>reference</source>
-            <translation>기준</translation>
-        </message>
-        <message>
-            <source>limit</source>
-            <translation>한계</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingPage</name>
-        <message>
-            <source>Nothing cut yet.</source>
-            <translation>아직 가공한 것이 없습니다.</translation>
-        </message>
-        <message>
-            <source>This machine has no milling loop.</source>
-            <translation>이 기계에는 밀링 루프가 없습니다.</translation>
-        </message>
-        <message>
-            <source>Setup</source>
-            <translation>설정</translation>
-        </message>
-        <message>
-            <source>Blank profile</source>
-            <translation>소재 형상</translation>
-        </message>
-        <message>
-            <source>Cut log</source>
-            <translation>절삭 기록</translation>
-        </message>
-        <message>
-            <source>New tool</source>
-            <translation>새 공구</translation>
-        </message>
-        <message>
-            <source>Milling data: %1</source>
-            <translation>밀링 데이터: %1</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>공작물을 가공하고 있습니다.</translation>
-        </message>
-        <message>
-            <source>being stored</source>
-            <translation>저장하는 중</translation>
-        </message>
-        <message>
-            <source>New tool?</source>
-            <translation>새 공구입니까?</translation>
-        </message>
-        <message>
-            <source>Wear and stiffness of the tool are learnt anew from the next cut on.</source>
-            <translation>다음 절삭부터 공구의 마모와 강성을 새로 배웁니다.</translation>
-        </message>
-        <message>
-            <source>No</source>
-            <translation>아니요</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingSetupForm</name>
-        <message>
-            <source>This part type is open.</source>
-            <translation>이 품종이 열려 있습니다.</translation>
-        </message>
-        <message>
-            <source>No part type of this name is stored.</source>
-            <translation>이 이름으로 저장된 품종이 없습니다.</translation>
-        </message>
-        <message>
-            <source>%1: %2 to %3; default %4, %5.</source>
-            <comment>label, lowest, highest, default, source</comment>
-            <translation>%1: %2에서 %3까지, 기본값 %4, %5.</translation>
-        </message>
-        <message>
-            <source>Setup of a milled part type</source>
-            <translation>밀링 품종 설정</translation>
-        </message>
-        <message>
-            <source>Part type</source>
-            <translation>품종</translation>
-        </message>
-        <message>
-            <source>Force and feed</source>
-            <translation>힘과 이송</translation>
-        </message>
-        <message>
-            <source>Path and tool</source>
-            <translation>경로와 공구</translation>
-        </message>
-        <message>
-            <source>Model and gains</source>
-            <translation>모델과 게인</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>취소</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>열기</translation>
-        </message>
-        <message>
-            <source>Save and use</source>
-            <translation>저장하고 사용</translation>
-        </message>
-        <message>
-            <source>Stored part types ▾</source>
-            <translation>저장된 품종 ▾</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingToolPanel</name>
-        <message>
-            <source>Tool: mean ln(C·b) per part</source>
-            <translation>공구: 공작물별 평균 ln(C·b)</translation>
-        </message>
-        <message>
-            <source>part</source>
-            <translation>공작물</translation>
-        </message>
-        <message>
-            <source>ln(C·b)</source>
-            <translation>ln(C·b)</translation>
-        </message>
-        <message>
-            <source>The wear of the tool appears here after its first part.</source>
-            <translation>첫 공작물이 끝나면 공구 마모가 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Mean cutting stiffness over the parts cut with this tool</source>
-            <translation>이 공구로 가공한 공작물별 평균 절삭 강성</translation>
-        </message>
-        <message>
-            <source>ln(C·b) now</source>
-            <translation>현재 ln(C·b)</translation>
-        </message>
-        <message>
-            <source>change the tool</source>
-            <translation>공구 교환</translation>
-        </message>
-        <message>
-            <source>New tool: nothing cut with it yet.</source>
-            <translation>새 공구: 아직 가공하지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>Part %1 with this tool, stiffness %2 % above new.</source>
-            <comment>parts, rise</comment>
-            <translation>이 공구로 %1번째, 강성이 새 공구보다 %2 % 높음.</translation>
-        </message>
-        <message>
-            <source>Trend %1 % per part.</source>
-            <translation>추세 공작물당 %1 %.</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MillingWallPanel</name>
-        <message>
-            <source>Wall deviation, %1</source>
-            <comment>unit</comment>
-            <translation>벽 편차, %1</translation>
-        </message>
-        <message>
-            <source>path</source>
-            <translation>경로</translation>
-        </message>
-        <message>
-            <source>deviation</source>
-            <translation>편차</translation>
-        </message>
-        <message>
-            <source>cut before</source>
-            <translation>앞 절삭</translation>
-        </message>
-        <message>
-            <source>The estimated wall appears here while a part is being cut.</source>
-            <translation>가공하는 동안 추정한 벽이 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Estimated deviation of the wall along the path</source>
-            <translation>경로를 따라 추정한 벽의 편차</translation>
-        </message>
-        <message>
-            <source>waviness %1</source>
-            <translation>파상도 %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>TurningTexts</name>
-        <message>
-            <source>Open</source>
-            <comment>turning controller</comment>
-            <translation>개루프</translation>
-        </message>
-        <message>
-            <source>Paper's PI</source>
-            <comment>turning controller</comment>
-            <translation>논문의 PI</translation>
-        </message>
-        <message>
-            <source>Tuned PI</source>
-            <comment>turning controller</comment>
-            <translation>조정한 PI</translation>
-        </message>
-        <message>
-            <source>Tones</source>
-            <comment>turning controller</comment>
-            <translation>주파수 상쇄</translation>
-        </message>
-        <message>
-            <source>out of the cut</source>
-            <translation>절삭 밖</translation>
-        </message>
-        <message>
-            <source>first revolution</source>
-            <translation>첫 회전</translation>
-        </message>
-        <message>
-            <source>cutting</source>
-            <translation>절삭 중</translation>
-        </message>
-        <message>
-            <source>out of the loop</source>
-            <translation>루프에서 빠짐</translation>
-        </message>
-        <message>
-            <source>not cutting</source>
-            <translation>절삭하지 않음</translation>
-        </message>
-        <message>
-            <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
-            <comment>depth, speed, feed, radius</comment>
-            <translation>깊이 %1, %2, 회전당 %3, 공구 반경 %4</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ComparisonPanel</name>
-        <message>
-            <source>no part is archived yet</source>
-            <translation>아직 보관된 공작물이 없습니다</translation>
-        </message>
-        <message>
-            <source>Without and with the loop</source>
-            <translation>루프 없이와 루프로</translation>
-        </message>
-        <message>
-            <source>Archive of parts</source>
-            <translation>공작물 보관함</translation>
-        </message>
-        <message>
-            <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
-            <translation>같은 설정으로 하나는 조언, 하나는 제어로 절삭하십시오. 두 번째가 끝나면 여기에 비교가 나타납니다.</translation>
-        </message>
-        <message>
-            <source>second half</source>
-            <translation>후반</translation>
-        </message>
-        <message>
-            <source>part %1, open</source>
-            <translation>공작물 %1, 개루프</translation>
-        </message>
-        <message>
-            <source>part %1, %2</source>
-            <comment>number, controller</comment>
-            <translation>공작물 %1, %2</translation>
-        </message>
-        <message>
-            <source>change</source>
-            <translation>변화</translation>
-        </message>
-        <message>
-            <source>RMS</source>
-            <translation>RMS</translation>
-        </message>
-        <message>
-            <source>P-V</source>
-            <translation>P-V</translation>
-        </message>
-        <message>
-            <source>mean force</source>
-            <translation>평균 힘</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ForcePanel</name>
-        <message>
-            <source>Force, %1: extremes and mean, last %2 s</source>
-            <comment>unit, seconds</comment>
-            <translation>힘, %1: 최소·최대와 평균, 최근 %2 s</translation>
-        </message>
-        <message>
-            <source>Depth, %1, last %2 s</source>
-            <comment>unit, seconds</comment>
-            <translation>깊이, %1, 최근 %2 s</translation>
-        </message>
-        <message>
-            <source>force</source>
-            <translation>힘</translation>
-        </message>
-        <message>
-            <source>depth</source>
-            <translation>깊이</translation>
-        </message>
-        <message>
-            <source>from the force</source>
-            <translation>힘에서 얻은 값</translation>
-        </message>
-        <message>
-            <source>The force appears here as soon as a part is cut.</source>
-            <translation>공작물을 절삭하면 여기에 힘이 나타납니다.</translation>
-        </message>
-        <message>
-            <source>The depth that is really cut appears here with the first chip.</source>
-            <translation>첫 칩과 함께 실제 절삭 깊이가 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Force live: lowest and highest of every 5 kHz sample, mean, target</source>
-            <translation>실시간 힘: 5 kHz 샘플의 최소와 최대, 평균, 목표</translation>
-        </message>
-        <message>
-            <source>Depth from the force against the programmed depth</source>
-            <translation>힘에서 얻은 깊이와 프로그램 깊이</translation>
-        </message>
-        <message>
-            <source>target</source>
-            <translation>목표</translation>
-        </message>
-        <message>
-            <source>programmed</source>
-            <translation>프로그램</translation>
-        </message>
-        <message>
-            <source>mean %1</source>
-            <translation>평균 %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MarginPanel</name>
-        <message>
-            <source>Loop margins and trim</source>
-            <translation>루프 여유와 보정</translation>
-        </message>
-        <message>
-            <source>gain, times</source>
-            <translation>게인, 배</translation>
-        </message>
-        <message>
-            <source>phase</source>
-            <translation>위상</translation>
-        </message>
-        <message>
-            <source>more delay</source>
-            <translation>추가 지연</translation>
-        </message>
-        <message>
-            <source>smallest |1 + L|</source>
-            <translation>최소 |1 + L|</translation>
-        </message>
-        <message>
-            <source>Margins appear as soon as a law acts.</source>
-            <translation>제어 법칙이 작동하면 여유가 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Guaranteed for every process within the 95 % intervals.</source>
-            <translation>95 % 구간 안의 모든 공정에 대해 보장됩니다.</translation>
-        </message>
-        <message>
-            <source>For the process the law assumes; it is not identified.</source>
-            <translation>법칙이 가정한 공정에 대한 값이며 식별된 것이 아닙니다.</translation>
-        </message>
-        <message>
-            <source>trim %1 of ± %2</source>
-            <comment>applied trim, authority</comment>
-            <translation>보정 %1, 범위 ± %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ProcessPanel</name>
-        <message>
-            <source>Cutting process</source>
-            <translation>절삭 공정</translation>
-        </message>
-        <message>
-            <source>identified, 95 %</source>
-            <translation>식별값, 95 %</translation>
-        </message>
-        <message>
-            <source>law</source>
-            <translation>법칙</translation>
-        </message>
-        <message>
-            <source>covariance, log</source>
-            <translation>공분산, 로그</translation>
-        </message>
-        <message>
-            <source>excitation %1: enough to learn from</source>
-            <translation>가진 %1: 배우기에 충분함</translation>
-        </message>
-        <message>
-            <source>excitation %1: too little, the values rest</source>
-            <translation>가진 %1: 부족하여 값을 유지함</translation>
-        </message>
-        <message>
-            <source>Identified only with a sensor of the tool's motion; the law assumes its values.</source>
-            <translation>공구 운동 센서가 있어야 식별합니다. 법칙은 가정값을 씁니다.</translation>
-        </message>
-        <message numerus="yes">
-            <source>The law was tuned anew %n time(s): the process had moved.</source>
-            <translation>
-                <numerusform>공정이 변해 법칙을 %n번 다시 맞췄습니다.</numerusform>
-            </translation>
         </message>
     </context>
     <context>
@@ -4576,6 +4903,29 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::SpeedChart</name>
+        <message>
+            <source>error p-p</source>
+            <translation>오차 p-p</translation>
+        </message>
+        <message>
+            <source>Each speed that has been tuned stands here as a point: error against time per hole.</source>
+            <translation>튜닝한 속도마다 점 하나가 나타납니다: 구멍당 시간에 대한 오차.</translation>
+        </message>
+        <message>
+            <source>Sync error against time per hole, by speed</source>
+            <translation>속도별 구멍당 시간에 대한 동기 오차</translation>
+        </message>
+        <message>
+            <source>allowed</source>
+            <translation>허용</translation>
+        </message>
+        <message>
+            <source>%1 rpm</source>
+            <translation>%1 rpm</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
@@ -4608,6 +4958,191 @@
         <message>
             <source>Use %1</source>
             <translation>%1 사용</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TapActions</name>
+        <message>
+            <source>a tuning is under way</source>
+            <translation>튜닝 진행 중</translation>
+        </message>
+        <message>
+            <source>nothing to accept</source>
+            <translation>수락할 것 없음</translation>
+        </message>
+        <message>
+            <source>Job…</source>
+            <translation>작업…</translation>
+        </message>
+        <message>
+            <source>Tune</source>
+            <translation>튜닝</translation>
+        </message>
+        <message>
+            <source>One more</source>
+            <translation>한 번 더</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>수락</translation>
+        </message>
+        <message>
+            <source>Roll back</source>
+            <translation>되돌리기</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>자동</translation>
+        </message>
+        <message>
+            <source>Abort the tap</source>
+            <translation>탭 중단</translation>
+        </message>
+        <message>
+            <source>Turn the tap out…</source>
+            <translation>탭 빼내기…</translation>
+        </message>
+        <message>
+            <source>No job is loaded</source>
+            <translation>로드된 작업 없음</translation>
+        </message>
+        <message>
+            <source>Tap</source>
+            <translation>탭 가공</translation>
+        </message>
+        <message>
+            <source>Air tap</source>
+            <translation>에어 탭</translation>
+        </message>
+        <message>
+            <source>a tap stands in the hole</source>
+            <translation>탭이 구멍에 있음</translation>
+        </message>
+        <message>
+            <source>a tap is under way</source>
+            <translation>탭 진행 중</translation>
+        </message>
+        <message>
+            <source>another program is running</source>
+            <translation>다른 프로그램 실행 중</translation>
+        </message>
+        <message>
+            <source>this machine has no tapping loop</source>
+            <translation>이 기계에 탭 루프 없음</translation>
+        </message>
+        <message>
+            <source>switch to control</source>
+            <translation>제어로 전환</translation>
+        </message>
+        <message>
+            <source>no job is loaded</source>
+            <translation>로드된 작업 없음</translation>
+        </message>
+        <message>
+            <source>start it at the control</source>
+            <translation>컨트롤러에서 시작</translation>
+        </message>
+        <message>
+            <source>no proposal yet</source>
+            <translation>아직 제안 없음</translation>
+        </message>
+        <message>
+            <source>all taps are used</source>
+            <translation>탭을 모두 사용함</translation>
+        </message>
+        <message>
+            <source>nothing to roll back</source>
+            <translation>되돌릴 것 없음</translation>
+        </message>
+        <message>
+            <source>the tap is being turned out</source>
+            <translation>탭을 빼내는 중</translation>
+        </message>
+        <message>
+            <source>no tap is running</source>
+            <translation>실행 중인 탭 없음</translation>
+        </message>
+        <message>
+            <source>the loop is off: abort at the control</source>
+            <translation>루프 꺼짐: 컨트롤러에서 중단</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TappingPage</name>
+        <message>
+            <source>Load this point?</source>
+            <translation>이 점을 로드할까요?</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Load</source>
+            <translation>로드</translation>
+        </message>
+        <message>
+            <source>This machine does not tap with Kerf. The page fills when its tapping loop is fitted.</source>
+            <translation>이 기계는 Kerf로 탭 가공을 하지 않습니다. 탭 루프가 장착되면 이 페이지가 채워집니다.</translation>
+        </message>
+        <message>
+            <source>Contour error, %1, over spindle revolutions in and out</source>
+            <comment>unit</comment>
+            <translation>주축 회전에 따른 윤곽 오차, %1, 진입과 후퇴</translation>
+        </message>
+        <message>
+            <source>Trial taps</source>
+            <translation>시험 탭</translation>
+        </message>
+        <message>
+            <source>sum of errors (SAEC), %1</source>
+            <comment>unit</comment>
+            <translation>오차 합(SAEC), %1</translation>
+        </message>
+        <message>
+            <source>p-p in the work, %1</source>
+            <comment>unit</comment>
+            <translation>가공 구간 p-p, %1</translation>
+        </message>
+        <message>
+            <source>Error p-p, %1, over time per hole</source>
+            <comment>unit</comment>
+            <translation>구멍당 시간별 오차 p-p, %1</translation>
+        </message>
+        <message>
+            <source>%1 rev, error %2</source>
+            <translation>%1회전, 오차 %2</translation>
+        </message>
+        <message>
+            <source>A tap stands %1 revolutions (%2) in the hole. Turn it out in sync before anything else moves.</source>
+            <translation>탭이 구멍에 %1회전(%2) 들어가 있습니다. 다른 것이 움직이기 전에 동기하여 빼내십시오.</translation>
+        </message>
+        <message>
+            <source>No tap was made: %1</source>
+            <translation>탭을 하지 않았습니다: %1</translation>
+        </message>
+        <message>
+            <source>The tuning could not be stored: %1</source>
+            <translation>튜닝을 저장하지 못했습니다: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TrialBars</name>
+        <message>
+            <source>before</source>
+            <translation>전</translation>
+        </message>
+        <message>
+            <source>after</source>
+            <translation>후</translation>
+        </message>
+        <message>
+            <source>One bar per trial tap appears here.</source>
+            <translation>시험 탭마다 막대 하나가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>allowed %1</source>
+            <translation>허용 %1</translation>
         </message>
     </context>
     <context>
@@ -4811,6 +5346,21 @@
         <message>
             <source>The next part is cut with the new setup.</source>
             <translation>다음 공작물은 새 설정으로 절삭합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ValueField</name>
+        <message>
+            <source>Enter a number.</source>
+            <translation>숫자를 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>“%1”은(는) 숫자가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Must be from %1 to %2.</source>
+            <translation>%1에서 %2 사이여야 합니다.</translation>
         </message>
     </context>
 </TS>

@@ -8,9 +8,11 @@
 #include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
-#include "ui/pages/turning/turning_page.h"
+#include "ui/pages/tapping/tapping_page.h"
+#include "ui/pages/tapping/tapping_texts.h"
 #include "ui/pages/thermal/thermal_page.h"
 #include "ui/pages/thermal/thermal_texts.h"
+#include "ui/pages/turning/turning_page.h"
 
 #include <QCoreApplication>
 
@@ -73,6 +75,23 @@ KeyFigure millingFigure(const Services& services, const Status& status) {
     return figure;
 }
 
+/// Error of the last tap in the work; its course is the production taps' sum of errors.
+KeyFigure tappingFigure(const Services& services, const Status& status) {
+    KeyFigure figure;
+    figure.label = Pages::tr("Last tap, p-p in the work");
+    figure.unit = "um";
+    figure.decimals = kErrorDecimals;
+    if (status.tapping.taps > 0 && status.tapping.last.samples > 0) {
+        figure.value = status.tapping.last.engagedPp_um;
+    }
+    if (services.tappingDesk != nullptr) {
+        for (const float saec_mm : services.tappingDesk->view().productionSaec_mm) {
+            figure.course.push_back(static_cast<double>(saec_mm));
+        }
+    }
+    return figure;
+}
+
 }  // namespace
 
 // One row per page, in the order of the navigation. A room adds its page here, with nothing else to change.
@@ -87,6 +106,8 @@ PageList standardPages() {
          turningFigure},
         {"thermal", [] { return processName(ProcessId::Thermal); }, ProcessId::Thermal, makePage<ThermalPage>,
          thermalFigure},
+        {"tapping", [] { return processName(ProcessId::Tapping); }, ProcessId::Tapping, makePage<TappingPage>,
+         tappingFigure},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},

@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/rooms/tapping_room.h"
 
+#include <spdlog/spdlog.h>
+
+#include "app/formats/tapping_tuning_json.h"
 #include "engine/machine/simulated_tapping.h"
 #include "engine/tapping/tapping_loop.h"
 
 namespace kerf::console {
+namespace {
+
+constexpr const char* kTuning = "tuning";
+constexpr std::uint32_t kMostTunings = 500;
+
+/// Oldest first; one that cannot be read is left out and named in the log.
+std::vector<tapping::StoredTuning> storedTunings(RoomRecordReader& reader) {
+    std::vector<tapping::StoredTuning> tunings;
+    const auto rows = reader.roomRecords(ProcessId::Tapping, kTuning, {}, kMostTunings);
+    if (!rows) {
+        spdlog::error("tunings: {}", rows.error().english());
+        return tunings;
+    }
+    for (auto row = rows->rbegin(); row != rows->rend(); ++row) {
+        if (auto tuning = formats::tuningFromJson(row->bodyJson)) {
+            tunings.push_back(std::move(*tuning));
+        } else {
+            spdlog::error("tuning {}: {}", row->id, tuning.error().english());
+        }
+    }
+    return tunings;
+}
+
+}  // namespace
 
 bool TappingRoom::fits(const std::string& machineKind) const {
     return machineKind != "diamond-lathe";
@@ -12,12 +39,40 @@ bool TappingRoom::fits(const std::string& machineKind) const {
 
 std::unique_ptr<SimulatedProcess> TappingRoom::makePlant(const Options& options) {
     SimulatedTapping::Params params;
+    params.noise_um = 2.0;
+    params.loadSpread = 0.2;
+    params.frictionSpread = 0.1;
     params.seed = options.seed;
     return std::make_unique<SimulatedTapping>(params);
 }
 
 std::unique_ptr<ProcessLoop> TappingRoom::makeLoop() {
     return std::make_unique<TappingLoop>(*m_exchange);
+}
+
+void TappingRoom::open(const Context& context) {
+    m_writer = &context.writer;
+    SessionTappingDesk::Params params;
+    params.known = storedTunings(context.reader);
+    params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
+    m_desk = std::make_unique<SessionTappingDesk>(context.engine, *m_exchange, std::move(params));
+}
+
+void TappingRoom::poll() {
+    if (m_desk) m_desk->poll();
+}
+
+void TappingRoom::keep(const tapping::StoredTuning& tuning) {
+    AddRoomRecord record;
+    record.process = ProcessId::Tapping;
+    record.kind = kTuning;
+    record.subject = tuning.choice.thread;
+    record.bodyJson = formats::tuningToJson(tuning);
+    record.author = tuning.proof.author;
+    record.reason = tuning.proof.rolledBack ? "rolled back" : "accepted";
+    m_writer->submit(std::move(record), [this](const Result<Receipt>& result) {
+        m_desk->setStoreProblem(result ? Sentence{} : result.error());
+    });
 }
 
 }  // namespace kerf::console

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "app/console/rooms/room.h"
+#include "engine/tapping/session_desk.h"
 #include "engine/tapping/tap_exchange.h"
 
 namespace kerf::console {
 
-/// Tapping on the console: the built-in machine's drive and the loop that makes and records taps.
+/// Tapping on the console: the built-in machine's drive, the loop that makes and records taps, the desk that tunes.
+/// Accepted tunings are room records of kind "tuning"; at a start they come back in the order they were made.
 class TappingRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Tapping; }
     [[nodiscard]] bool fits(const std::string& machineKind) const override;
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
+    void open(const Context& context) override;
+    void serve(ui::Services& services) override { services.tappingDesk = m_desk.get(); }
+    void poll() override;
 
  private:
+    void keep(const tapping::StoredTuning& tuning);
+
     std::unique_ptr<TapExchange> m_exchange{std::make_unique<TapExchange>()};
+    StoreWriter* m_writer{nullptr};
+    std::unique_ptr<SessionTappingDesk> m_desk;
 };
 
 }  // namespace kerf::console

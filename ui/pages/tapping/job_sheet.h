@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/api/tapping_desk.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/widgets/keypad.h"
+#include "ui/widgets/value_field.h"
+
+namespace kerf::ui {
+
+/// Choice of what is tapped: thread from the table, speed, depth, gear, part type, tap. Lives on its sheet.
+class JobForm : public FaceWidget {
+    Q_OBJECT
+ public:
+    static JobForm* open(SheetHost& host, Look& look, TappingDesk& desk);
+
+ protected:
+    void refresh() override;
+
+ private:
+    JobForm(Sheet& sheet, Look& look, TappingDesk& desk);
+    void showThreads();
+    void apply();
+
+    Sheet& m_sheet;
+    TappingDesk& m_desk;
+    TapChoice m_choice;
+    bool m_coarse{true};
+    QPushButton* m_coarseButton;
+    QPushButton* m_fineButton;
+    QGridLayout* m_threads;
+    std::vector<QPushButton*> m_threadButtons;
+    QLabel* m_thread;
+    QGridLayout* m_fieldGrid{nullptr};
+    std::vector<ValueField*> m_fields;  ///< speed, depth, gear, part type, tap
+    Keypad* m_keypad;
+    QLabel* m_message;
+    QPushButton* m_cancel;
+    QPushButton* m_apply;
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/api/tapping_desk.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/link/engine_client.h"
+#include "ui/widgets/action_button.h"
+
+namespace kerf::ui {
+
+/// A tap that stands in a hole, step by step: where it stands, what will happen, what must be ready; then it turns,
+/// and the sheet says how far it is; then what to do next. Deletes itself with its sheet.
+class RecoverySheet : public FaceWidget {
+    Q_OBJECT
+ public:
+    /// Opens its sheet on `host`.
+    static RecoverySheet* open(SheetHost& host, Look& look, TappingDesk& desk, EngineClient& client);
+
+ protected:
+    void refresh() override;
+
+ private:
+    enum class Step { Ready, Turning, Out };
+    RecoverySheet(Sheet& sheet, Look& look, TappingDesk& desk, EngineClient& client);
+    void onStatus(const Status& status);
+    void show();
+    [[nodiscard]] QString whyNotTurn() const;
+
+    Sheet& m_sheet;
+    TappingDesk& m_desk;
+    EngineClient& m_client;
+    QLabel* m_where;
+    QLabel* m_what;
+    QLabel* m_state;
+    QPushButton* m_close;
+    ActionButton* m_turn;
+    Step m_step{Step::Ready};
+    bool m_asked{false};
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "engine/api/status.h"
+#include "engine/api/tapping_desk.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/card.h"
+
+class QGridLayout;
+
+namespace kerf::ui {
+
+/// What an operator can do now, each button with the reason when it is off.
+class TapActions : public Card {
+    Q_OBJECT
+ public:
+    TapActions(Look& look, const Capabilities& capabilities, QWidget* parent = nullptr);
+
+    void setView(const TappingDeskView& view);
+    void setStatus(const Status& status);
+
+ signals:
+    void jobRequested();
+    void tuneRequested();
+    void tapRequested();
+    void oneMoreRequested();
+    void acceptRequested();
+    void rollBackRequested();
+    void automaticRequested(bool automatic);
+    void abortRequested();
+    void recoveryRequested();
+
+ protected:
+    void changeEvent(QEvent* event) override;
+
+ private:
+    ActionButton* add(const char* name, int row, int column, int columns, ActionButton::WhyNot whyNot);
+    void retranslate();
+    void reconsider();
+    [[nodiscard]] QString whyNoMove() const;
+    [[nodiscard]] QString whyNoTune() const;
+    [[nodiscard]] QString whyNoTap() const;
+    [[nodiscard]] QString whyNoOneMore() const;
+    [[nodiscard]] QString whyNoRollBack() const;
+    [[nodiscard]] QString whyNoAbort() const;
+    [[nodiscard]] bool tuning() const;
+    [[nodiscard]] bool inHole() const { return m_status.tapping.phase == TapPhase::InHole; }
+
+    Look& m_look;
+    const Capabilities& m_capabilities;
+    QGridLayout* m_grid;
+    ActionButton* m_job;
+    ActionButton* m_tune;
+    ActionButton* m_tap;
+    ActionButton* m_oneMore;
+    ActionButton* m_accept;
+    ActionButton* m_rollBack;
+    QPushButton* m_automatic;
+    ActionButton* m_abort;
+    ActionButton* m_recover;
+    TappingDeskView m_view{};
+    Status m_status{};
+};
+
+}  // namespace kerf::ui

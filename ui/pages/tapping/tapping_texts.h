@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "engine/api/status.h"
+#include "engine/api/tapping_desk.h"
+#include "ui/units/unit_system.h"
+
+namespace kerf::ui {
+
+inline constexpr int kErrorDecimals = 1;  ///< of µm
+inline constexpr int kGainDecimals = 2;
+
+/// "M8 × 1.25", the pitch in mm in every unit system: it is the thread's name.
+[[nodiscard]] QString threadText(const TapThreadView& thread);
+/// "M8 × 1.25, 3000 rpm, 22 rev, gear 1".
+[[nodiscard]] QString choiceText(const TapChoice& choice, const TapThreadView& thread);
+[[nodiscard]] QString stateText(const TappingDeskView& view);
+/// "12.3 µm", with as many decimals as the size has room for.
+[[nodiscard]] QString errorText(double error_um, const UnitSystem& units);
+/// Three figures: "220", "26.6", "0.42".
+[[nodiscard]] int decimalsFor(double value);
+/// Where the gains in force come from, one sentence.
+[[nodiscard]] QString sourceText(const TappingDeskView& view);
+/// Before and after in one line; empty without a proof.
+[[nodiscard]] QString proofText(const TappingDeskView& view, const UnitSystem& units);
+/// Why the machine cannot begin a move now; empty when it can.
+[[nodiscard]] QString machineObstacle(const Status& status);
+
+}  // namespace kerf::ui
