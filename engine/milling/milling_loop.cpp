@@ -17,6 +17,7 @@ using milling::FeedController;
 constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Milling) + 1U) << 24U;
 constexpr double kStanding = 0.02;          // share of the planned feed below which the axis counts as standing
 constexpr double kSpindleSlow = 0.5;        // share of the programmed speed
+constexpr double kRunUp_s = 0.3;            // the axis may go on before the spindle has been up to speed
 constexpr double kKnobAtRest = 0.005;       // deviation of the feed knob from 100 % that does not count
 constexpr double kPatience_s = 2.0;         // at a feed limit before the operator is told
 constexpr double kShortestPeriod_s = 0.06;  // of the law: three times the lag of a usual drive
@@ -257,6 +258,8 @@ void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_stopAlarm = 0;
     m_releaseWanted = false;
     m_limitedSince_ns = -1;
+    m_spindleWas = false;
+    m_runUp_s = 0.0;
     m_last_ns = inputs.time_ns;
     m_travel_mm = 0.0;
     m_markTravel_mm = 0.0;
@@ -396,8 +399,12 @@ void MillingLoop::watchForStops(const MachineInputs& inputs, EventSink& events) 
         m_watch.disarm();
         m_status.force_N = {};
     }
-    const bool speedKnown = inputs.spindleSpeed_rpm.good();
-    if (!speedKnown || inputs.spindleSpeed_rpm.value < kSpindleSlow * m_setup.spindleSpeed_rpm) {
+    const bool turns =
+        inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value >= kSpindleSlow * m_setup.spindleSpeed_rpm;
+    // A spindle that has not been up to speed in this cut may be running up; but not while the axis goes on.
+    m_spindleWas = m_spindleWas || turns;
+    m_runUp_s = turns || m_paused ? 0.0 : m_runUp_s + m_cycle_s;
+    if (!turns && (m_spindleWas || m_runUp_s > kRunUp_s)) {
         stop(milling_alarm::kSpindleStopped, {}, events);
     }
     if (m_paused) {
@@ -418,6 +425,7 @@ void MillingLoop::watchForStops(const MachineInputs& inputs, EventSink& events) 
 LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
     const double dt_s = static_cast<double>(inputs.time_ns - m_last_ns) / kNanosecondPerSecond;
     m_last_ns = inputs.time_ns;
+    m_cycle_s = dt_s;
     m_feedKnown = inputs.actualFeed_mmPerS.good();
     if (m_feedKnown) {
         m_made_mmPerS = inputs.actualFeed_mmPerS.value;

@@ -81,6 +81,9 @@ class MillingLoop final : public ProcessLoop {
     bool m_groupTrusted{true};
     double m_travel_mm{0.0};      ///< of the axis in this cut
     double m_markTravel_mm{0.0};  ///< at the last revolution's mark
+    bool m_spindleWas{false};     ///< up to speed in this cut
+    double m_runUp_s{0.0};        ///< the axis has gone on before that
+    double m_cycle_s{0.0};        ///< since the cycle before
     bool m_feedKnown{true};
     double m_made_mmPerS{0.0};  ///< feed really made, as last known in this cut
     double m_cyclePeak_N{0.0};  ///< highest sample of this cycle

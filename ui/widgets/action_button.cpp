@@ -36,6 +36,9 @@ void ActionButton::reconsider() {
 }
 
 void ActionButton::setPrimary(bool primary) {
+    if (property("primary").toBool() == primary) {
+        return;  // polishing lays out the page anew
+    }
     setProperty("primary", primary);
     style()->unpolish(this);
     style()->polish(this);

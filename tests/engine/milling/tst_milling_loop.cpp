@@ -243,6 +243,25 @@ class TestMillingLoop : public QObject {
             QVERIFY(other.status().milling.stopped);
         }
     }
+    void aSpindleThatRunsUpIsNotStopped() {
+        InjectedFaults slow;
+        slow.spindleOverride = 0.1;
+        MillingBench bench;
+        bench.machine->inject(slow);
+        QVERIFY(bench.start(LoopMode::Control));
+        bench.engine->runCycles(150);
+        QVERIFY(!bench.status().milling.stopped);
+        bench.machine->inject(InjectedFaults{});
+        PartRecord part;
+        QVERIFY(bench.finish(part));
+        QCOMPARE(part.milling.stops, 0U);
+        MillingBench never;
+        never.machine->inject(slow);
+        QVERIFY(never.start(LoopMode::Control));
+        never.engine->runCycles(400);
+        QVERIFY(never.status().milling.stopped);
+        QVERIFY(never.status().milling.position_mm < -4.0);  // still in the air
+    }
     void unknownFeedNeverMeansFaster() {
         for (int fault = 1; fault <= 3; ++fault) {
             MillingBench bench;

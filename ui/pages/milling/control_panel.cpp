@@ -5,7 +5,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <cmath>
+#include <tuple>
 
 #include "ui/link/texts.h"
 #include "ui/pages/milling/milling_texts.h"
@@ -17,6 +17,8 @@ namespace {
 constexpr std::array<const char*, kMillingLawCount> kLawNames{"millingLawConstant", "millingLawPi", "millingLawModel",
                                                               "millingLawPreview"};
 constexpr std::array<const char*, 3> kModeNames{"millingModeOff", "millingModeAdvise", "millingModeControl"};
+
+constexpr int kPeriod_ms = 200;
 
 const LoopStatus& loopOf(const Status& status) {
     return status.loops[static_cast<std::size_t>(ProcessId::Milling)];
@@ -122,6 +124,7 @@ void MillingControlPanel::retranslate() {
     m_reference->setLabel(tr("reference force"));
     m_margin->setLabel(tr("gain margin, times"));
     m_peak->setLabel(tr("peak of this cut"));
+    m_advising.reset();
     m_lawLabel->setText(tr("Feed law"));
     for (std::size_t i = 0; i < kMillingLawCount; ++i) {
         m_lawButtons[i]->setText(lawName(static_cast<MillingLaw>(i)));
@@ -151,10 +154,19 @@ void MillingControlPanel::setView(const MillingDeskView& view) {
 }
 
 void MillingControlPanel::setStatus(const Status& status, const Capabilities& capabilities) {
+    const auto key = [](const Status& s) {
+        const LoopStatus& loop = loopOf(s);
+        return std::tuple(loop.mode, loop.state, loop.reason.text, s.milling.law, s.milling.stopped, s.milling.cutting,
+                          s.program, s.link, s.held);
+    };
+    const bool changed = key(status) != key(m_status);
     m_status = status;
     m_cycleStart = capabilities.cycleStart;
-    showNumbers();
-    showLoop();
+    if (changed || !m_sinceShown.isValid() || m_sinceShown.elapsed() >= kPeriod_ms) {
+        m_sinceShown.start();
+        showNumbers();
+        showLoop();
+    }
 }
 
 void MillingControlPanel::showNumbers() {
@@ -167,7 +179,10 @@ void MillingControlPanel::showNumbers() {
     show(m_peak, milling.peakForce_N > 0.0, milling.peakForce_N);
     show(m_saved, milling.peakForce_N > 0.0, milling.savedTime_s);
     const bool advising = loopOf(m_status).mode != LoopMode::Control;
-    m_saved->setLabel(advising ? tr("control would save") : tr("saved so far"));
+    if (advising != m_advising) {
+        m_advising = advising;
+        m_saved->setLabel(advising ? tr("control would save") : tr("saved so far"));
+    }
     QString advice;
     if (milling.overReference_s > 0.05 || milling.stops > 0) {
         advice = tr("%1 s above 110 % of the reference").arg(UnitSystem::fixed(milling.overReference_s, 1));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <array>
+#include <optional>
 
 #include "engine/api/milling_desk.h"
 #include "engine/api/status.h"
@@ -64,6 +66,8 @@ class MillingControlPanel : public Card {
     MillingDeskView m_view{};
     Status m_status{};
     Capability m_cycleStart{};
+    std::optional<bool> m_advising{};  ///< as the label says
+    QElapsedTimer m_sinceShown;
 };
 
 }  // namespace kerf::ui

@@ -10,6 +10,7 @@
 namespace kerf::ui {
 namespace {
 
+constexpr int kChartPeriod_ms = 30;
 constexpr double kWindow_s = 60.0;
 constexpr double kWidestForce_N = 8888.0;
 constexpr double kWidestFeed_mmPerS = 88.0;
@@ -122,9 +123,12 @@ void MillingLivePanel::setStatus(const Status& status) {
     if (milling.cutting) {
         m_forceNow->setReading(milling.force_N, status.machineTime_ns);
         m_feedNow->setReading(status.actualFeed_mmPerS, status.machineTime_ns);
-        const double now_s = static_cast<double>(status.machineTime_ns) * 1e-9;
-        m_force->advance(now_s);
-        m_feed->advance(now_s);
+        if (!m_sinceChart.isValid() || m_sinceChart.elapsed() >= kChartPeriod_ms) {
+            m_sinceChart.start();
+            const double now_s = static_cast<double>(status.machineTime_ns) * 1e-9;
+            m_force->advance(now_s);
+            m_feed->advance(now_s);
+        }
     } else {
         m_forceNow->setNothing();
         m_feedNow->setNothing();

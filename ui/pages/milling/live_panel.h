@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <span>
 
 #include "engine/api/milling_desk.h"
@@ -50,6 +51,7 @@ class MillingLivePanel : public Card {
     MillingSetup m_setup{};
     double m_reference_N{0.0};
     double m_overload_N{0.0};
+    QElapsedTimer m_sinceChart;
 };
 
 }  // namespace kerf::ui

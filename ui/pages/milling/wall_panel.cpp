@@ -93,7 +93,8 @@ void MillingWallPanel::setStatus(const Status& status) {
     if (changed) {
         showNote();
     }
-    if (isVisible()) {
+    if (isVisible() && (m_cutting || m_shownCutting)) {
+        m_shownCutting = m_cutting;
         showCurves();
     }
 }

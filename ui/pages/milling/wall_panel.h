@@ -50,6 +50,7 @@ class MillingWallPanel : public Card {
     double m_to_mm{0.0};
     double m_waviness_um{0.0};
     bool m_cutting{false};
+    bool m_shownCutting{true};  ///< drawn last while cutting: the end of the cut is to be drawn once more
     Bins m_bins{};
     Bins m_past{};
     QElapsedTimer m_sinceChart;
