@@ -231,6 +231,8 @@ void addBlind(CLI::App& turning) {
     });
 }
 
+constexpr double kSteadyShare = 0.005;  ///< Kalman gain of an amplitude per sample in steady state
+
 void addLimits(CLI::App& turning) {
     CLI::App* command = turning.add_subcommand(
         "limits", "Gain limits of the paper's loops with one sample of delay, and the margins of the laws, as JSON.");
@@ -256,6 +258,11 @@ void addLimits(CLI::App& turning) {
             document["margins_b2"][name] = entry(lawMargins(PlantKind::B2, gains, ProcessParams{}));
         }
         document["margins_default_at_each_tone"] = entry(cancellerMargins(120.0, kSampleRate_Hz));
+        std::vector<FollowedTone> tones;
+        for (const ToneSpec& tone : kPaperTones) {
+            tones.push_back({tone.frequency_Hz, kSteadyShare});
+        }
+        document["margins_default_paper_tones"] = entry(toneMargins(tones, {}, {}, kSampleRate_Hz));
         printJson(document);
     });
 }

@@ -8,6 +8,7 @@
 #include "engine/core/random.h"
 #include "engine/turning/identifier.h"
 #include "engine/turning/simulation.h"
+#include "tests/support/turning_bench.h"
 
 using namespace kerf::turning;
 
@@ -78,6 +79,22 @@ void identifierUpdate(benchmark::State& state) {
     }
 }
 BENCHMARK(identifierUpdate);
+
+/// A whole cycle of the diamond lathe in mid-cut: simulated plant, loop with identification, limits.
+void latheCycle(benchmark::State& state) {
+    kerf::SimulatedTurning::Params params;
+    params.motionSensorNoise_um = 0.005;
+    kerf::TurningExchange exchange;
+    kerf::test::TurningBench bench(params, 200'000, &exchange);
+    kerf::TurningSetup setup = kerf::test::shortCut();
+    setup.faceTo_mm = 900.0;
+    (void)bench.start(kerf::LoopMode::Control, setup);
+    bench.run(3.0);
+    for (auto _ : state) {
+        bench.engine->runCycles(1);
+    }
+}
+BENCHMARK(latheCycle);
 
 }  // namespace
 

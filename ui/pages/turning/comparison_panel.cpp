@@ -57,7 +57,10 @@ void ComparisonPanel::retranslate() {
         tr("Cut one part in Advise and one in Control with the same setup: the comparison appears here after the "
            "second."));
     m_grid->setHorizontalSpacing(m_look.space(Space::Medium));
-    m_grid->setVerticalSpacing(m_look.space(Space::Hair));
+    m_grid->setVerticalSpacing(0);
+    for (std::size_t row = 1; row <= kRows; ++row) {  // a minus sign may come from a taller font than the words
+        m_grid->setRowMinimumHeight(static_cast<int>(row), m_look.metrics().text(TextSize::Body) * 8 / 5);
+    }
     show();
 }
 
