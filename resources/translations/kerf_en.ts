@@ -126,6 +126,439 @@
         </message>
     </context>
     <context>
+        <name>ThermalSheets</name>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>The model that is live</source>
+            <translation>The model that is live</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>what</translation>
+        </message>
+        <message>
+            <source>value</source>
+            <translation>value</translation>
+        </message>
+        <message>
+            <source>Back to the model before</source>
+            <translation>Back to the model before</translation>
+        </message>
+        <message>
+            <source>there is no model before this</source>
+            <translation>there is no model before this</translation>
+        </message>
+        <message>
+            <source>Train a new one</source>
+            <translation>Train a new one</translation>
+        </message>
+        <message>
+            <source>model</source>
+            <translation>model</translation>
+        </message>
+        <message>
+            <source>the first one is being trained</source>
+            <translation>the first one is being trained</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>none yet</translation>
+        </message>
+        <message>
+            <source>%1, no. %2</source>
+            <translation>%1, no. %2</translation>
+        </message>
+        <message>
+            <source>error on days left out, X / Y / Z</source>
+            <translation>error on days left out, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>error on its own check rows, X / Y / Z</source>
+            <translation>error on its own check rows, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>rms %1, worst %2 %3</source>
+            <translation>rms %1, worst %2 %3</translation>
+        </message>
+        <message>
+            <source>live since</source>
+            <translation>live since</translation>
+        </message>
+        <message>
+            <source>%1, %2 h ago, by %3</source>
+            <translation>%1, %2 h ago, by %3</translation>
+        </message>
+        <message>
+            <source>thermocouples</source>
+            <translation>thermocouples</translation>
+        </message>
+        <message>
+            <source>trained on</source>
+            <translation>trained on</translation>
+        </message>
+        <message>
+            <source>%1 (%2 rows)</source>
+            <translation>%1 (%2 rows)</translation>
+        </message>
+        <message>
+            <source>formula</source>
+            <translation>formula</translation>
+        </message>
+        <message>
+            <source>file</source>
+            <translation>file</translation>
+        </message>
+        <message>
+            <source>recorded here</source>
+            <translation>recorded here</translation>
+        </message>
+        <message>
+            <source>built-in simulation</source>
+            <translation>built-in simulation</translation>
+        </message>
+        <message>
+            <source>Train a model</source>
+            <translation>Train a model</translation>
+        </message>
+        <message>
+            <source>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</source>
+            <translation>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</translation>
+        </message>
+        <message>
+            <source>use</source>
+            <translation>use</translation>
+        </message>
+        <message>
+            <source>day</source>
+            <translation>day</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>from</translation>
+        </message>
+        <message>
+            <source>rms X / Y / Z, %1</source>
+            <translation>rms X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>worst X / Y / Z</source>
+            <translation>worst X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Cancel training</source>
+            <translation>Cancel training</translation>
+        </message>
+        <message>
+            <source>Train and compare</source>
+            <translation>Train and compare</translation>
+        </message>
+        <message>
+            <source>Go live</source>
+            <translation>Go live</translation>
+        </message>
+        <message>
+            <source>nothing is being trained</source>
+            <translation>nothing is being trained</translation>
+        </message>
+        <message>
+            <source>a model is being trained</source>
+            <translation>a model is being trained</translation>
+        </message>
+        <message>
+            <source>choose days first</source>
+            <translation>choose days first</translation>
+        </message>
+        <message>
+            <source>train one first</source>
+            <translation>train one first</translation>
+        </message>
+        <message>
+            <source>The comparison appears below after the training.</source>
+            <translation>The comparison appears below after the training.</translation>
+        </message>
+        <message>
+            <source>Training: %1 %</source>
+            <translation>Training: %1 %</translation>
+        </message>
+        <message>
+            <source>Errors on days left out of the training. The live model goes on until you go live.</source>
+            <translation>Errors on days left out of the training. The live model goes on until you go live.</translation>
+        </message>
+        <message>
+            <source>Cancelled; nothing has changed.</source>
+            <translation>Cancelled; nothing has changed.</translation>
+        </message>
+        <message>
+            <source>%1: best</source>
+            <translation>%1: best</translation>
+        </message>
+        <message>
+            <source>Measure the origin</source>
+            <translation>Measure the origin</translation>
+        </message>
+        <message>
+            <source>axis</source>
+            <translation>axis</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>measured</translation>
+        </message>
+        <message>
+            <source>predicted</source>
+            <translation>predicted</translation>
+        </message>
+        <message>
+            <source>difference</source>
+            <translation>difference</translation>
+        </message>
+        <message>
+            <source>verdict</source>
+            <translation>verdict</translation>
+        </message>
+        <message>
+            <source>New reference</source>
+            <translation>New reference</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>Take over</translation>
+        </message>
+        <message>
+            <source>Measure now</source>
+            <translation>Measure now</translation>
+        </message>
+        <message>
+            <source>the gap sensors read nothing</source>
+            <translation>the gap sensors read nothing</translation>
+        </message>
+        <message>
+            <source>take a reference first</source>
+            <translation>take a reference first</translation>
+        </message>
+        <message>
+            <source>being measured</source>
+            <translation>being measured</translation>
+        </message>
+        <message>
+            <source>measure first</source>
+            <translation>measure first</translation>
+        </message>
+        <message>
+            <source>Count from now on?</source>
+            <translation>Count from now on?</translation>
+        </message>
+        <message>
+            <source>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</source>
+            <translation>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</translation>
+        </message>
+        <message>
+            <source>Leave it</source>
+            <translation>Leave it</translation>
+        </message>
+        <message>
+            <source>Count from now on</source>
+            <translation>Count from now on</translation>
+        </message>
+        <message>
+            <source>End the session</source>
+            <translation>End the session</translation>
+        </message>
+        <message>
+            <source>Record a session</source>
+            <translation>Record a session</translation>
+        </message>
+        <message>
+            <source>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</source>
+            <translation>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</source>
+            <translation>
+                <numerusform>Recording: %n minute measured. Let the spindle run as in a day's work; several hours make a good day.</numerusform>
+                <numerusform>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Measuring …</source>
+            <translation>Measuring …</translation>
+        </message>
+        <message>
+            <source>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</source>
+            <translation>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</translation>
+        </message>
+        <message>
+            <source>inside the interval</source>
+            <translation>inside the interval</translation>
+        </message>
+        <message>
+            <source>outside the interval</source>
+            <translation>outside the interval</translation>
+        </message>
+        <message>
+            <source>Shifts and measurements</source>
+            <translation>Shifts and measurements</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
+        </message>
+        <message>
+            <source>shift X / Y / Z, %1</source>
+            <translation>shift X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>drift X / Y / Z</source>
+            <translation>drift X / Y / Z</translation>
+        </message>
+        <message>
+            <source>measured X / Y / Z, %1</source>
+            <translation>measured X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>predicted X / Y / Z</source>
+            <translation>predicted X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Each change of the shift appears here.</source>
+            <translation>Each change of the shift appears here.</translation>
+        </message>
+        <message>
+            <source>Each measurement of the origin appears here.</source>
+            <translation>Each measurement of the origin appears here.</translation>
+        </message>
+        <message>
+            <source>Thermocouples</source>
+            <translation>Thermocouples</translation>
+        </message>
+        <message>
+            <source>Sick ones first, then the model's own.</source>
+            <translation>Sick ones first, then the model's own.</translation>
+        </message>
+        <message>
+            <source>thermocouple</source>
+            <translation>thermocouple</translation>
+        </message>
+        <message>
+            <source>temperature</source>
+            <translation>temperature</translation>
+        </message>
+        <message>
+            <source>state</source>
+            <translation>state</translation>
+        </message>
+        <message>
+            <source>used</source>
+            <translation>used</translation>
+        </message>
+        <message>
+            <source>Error over the work space</source>
+            <translation>Error over the work space</translation>
+        </message>
+        <message>
+            <source>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</source>
+            <translation>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</translation>
+        </message>
+        <message>
+            <source>The error elements of this machine have not been measured.</source>
+            <translation>The error elements of this machine have not been measured.</translation>
+        </message>
+        <message>
+            <source>Exact, at Z %1; the first-order formula differs by at most %2.</source>
+            <translation>Exact, at Z %1; the first-order formula differs by at most %2.</translation>
+        </message>
+        <message>
+            <source>Limits and warm-up</source>
+            <translation>Limits and warm-up</translation>
+        </message>
+        <message>
+            <source>Use</source>
+            <translation>Use</translation>
+        </message>
+    </context>
+    <context>
+        <name>ThermalTexts</name>
+        <message>
+            <source>healthy</source>
+            <translation>healthy</translation>
+        </message>
+        <message>
+            <source>suspect</source>
+            <translation>suspect</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>open</translation>
+        </message>
+        <message>
+            <source>shorted</source>
+            <translation>shorted</translation>
+        </message>
+        <message>
+            <source>stuck</source>
+            <translation>stuck</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>noisy</translation>
+        </message>
+        <message>
+            <source>jumped away</source>
+            <translation>jumped away</translation>
+        </message>
+        <message>
+            <source>disagrees</source>
+            <translation>disagrees</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>no reading</translation>
+        </message>
+        <message>
+            <source>regression on few sensors</source>
+            <translation>regression on few sensors</translation>
+        </message>
+        <message>
+            <source>network, guarded</source>
+            <translation>network, guarded</translation>
+        </message>
+        <message>
+            <source>network, as printed</source>
+            <translation>network, as printed</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>Ready for %1</source>
+            <translation>Ready for %1</translation>
+        </message>
+        <message>
+            <source>Ready for %1 in %2</source>
+            <translation>Ready for %1 in %2</translation>
+        </message>
+        <message>
+            <source>Interval wider than %1: measure the origin</source>
+            <translation>Interval wider than %1: measure the origin</translation>
+        </message>
+        <message>
+            <source>Warm-up: %1 left</source>
+            <translation>Warm-up: %1 left</translation>
+        </message>
+        <message>
+            <source>Readiness is known after 20 min of prediction</source>
+            <translation>Readiness is known after 20 min of prediction</translation>
+        </message>
+        <message>
+            <source>Drift, %1</source>
+            <translation>Drift, %1</translation>
+        </message>
+    </context>
+    <context>
         <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
@@ -1822,6 +2255,370 @@
             <source>Without the loop</source>
             <translation>Without the loop</translation>
         </message>
+        <message>
+            <source>A day cannot be used; nothing has changed.</source>
+            <translation>A day cannot be used; nothing has changed.</translation>
+        </message>
+        <message>
+            <source>A gap sensor's zero is not a number.</source>
+            <translation>A gap sensor's zero is not a number.</translation>
+        </message>
+        <message>
+            <source>A model is being trained.</source>
+            <translation>A model is being trained.</translation>
+        </message>
+        <message>
+            <source>A session is being recorded.</source>
+            <translation>A session is being recorded.</translation>
+        </message>
+        <message>
+            <source>A thermocouple is left out</source>
+            <translation>A thermocouple is left out</translation>
+        </message>
+        <message>
+            <source>Check its plug and its mounting.</source>
+            <translation>Check its plug and its mounting.</translation>
+        </message>
+        <message>
+            <source>Check that external work offset is allowed at the control.</source>
+            <translation>Check that external work offset is allowed at the control.</translation>
+        </message>
+        <message>
+            <source>Check the temperature module and its cable.</source>
+            <translation>Check the temperature module and its cable.</translation>
+        </message>
+        <message>
+            <source>Choose at least one day to train on.</source>
+            <translation>Choose at least one day to train on.</translation>
+        </message>
+        <message>
+            <source>Drift faster than the shift may follow</source>
+            <translation>Drift faster than the shift may follow</translation>
+        </message>
+        <message>
+            <source>Error the part allows</source>
+            <translation>Error the part allows</translation>
+        </message>
+        <message>
+            <source>It is open, shorted, stuck, noisy or away from what its neighbours expect.</source>
+            <translation>It is open, shorted, stuck, noisy or away from what its neighbours expect.</translation>
+        </message>
+        <message>
+            <source>Largest shift</source>
+            <translation>Largest shift</translation>
+        </message>
+        <message>
+            <source>Largest shift in a minute</source>
+            <translation>Largest shift in a minute</translation>
+        </message>
+        <message>
+            <source>Look at the thermocouples: heat does not move that fast.</source>
+            <translation>Look at the thermocouples: heat does not move that fast.</translation>
+        </message>
+        <message>
+            <source>Measure the origin now</source>
+            <translation>Measure the origin now</translation>
+        </message>
+        <message>
+            <source>Measure the origin, then set it anew or allow a larger shift.</source>
+            <translation>Measure the origin, then set it anew or allow a larger shift.</translation>
+        </message>
+        <message>
+            <source>Measure the origin; record this state and train again.</source>
+            <translation>Measure the origin; record this state and train again.</translation>
+        </message>
+        <message>
+            <source>More than two of the model's own thermocouples are left out.</source>
+            <translation>More than two of the model's own thermocouples are left out.</translation>
+        </message>
+        <message>
+            <source>No session is being recorded.</source>
+            <translation>No session is being recorded.</translation>
+        </message>
+        <message>
+            <source>No temperatures from the machine</source>
+            <translation>No temperatures from the machine</translation>
+        </message>
+        <message>
+            <source>Nothing can be predicted: too many thermocouples are left out.</source>
+            <translation>Nothing can be predicted: too many thermocouples are left out.</translation>
+        </message>
+        <message>
+            <source>Nothing has been measured yet.</source>
+            <translation>Nothing has been measured yet.</translation>
+        </message>
+        <message>
+            <source>Nothing is predicted; the last shift stays.</source>
+            <translation>Nothing is predicted; the last shift stays.</translation>
+        </message>
+        <message>
+            <source>One of the days is not there any more.</source>
+            <translation>One of the days is not there any more.</translation>
+        </message>
+        <message>
+            <source>Outside the training range: the shift fades to hold. Measure the origin.</source>
+            <translation>Outside the training range: the shift fades to hold. Measure the origin.</translation>
+        </message>
+        <message>
+            <source>Put the test bar in and measure from the thermal page.</source>
+            <translation>Put the test bar in and measure from the thermal page.</translation>
+        </message>
+        <message>
+            <source>Repair the thermocouples named on the thermal page, or go live with a model without them.</source>
+            <translation>Repair the thermocouples named on the thermal page, or go live with a model without them.</translation>
+        </message>
+        <message>
+            <source>Shift of the work origin at its limit</source>
+            <translation>Shift of the work origin at its limit</translation>
+        </message>
+        <message>
+            <source>Temperatures outside the training range</source>
+            <translation>Temperatures outside the training range</translation>
+        </message>
+        <message>
+            <source>The compensation fades to hold the last shift.</source>
+            <translation>The compensation fades to hold the last shift.</translation>
+        </message>
+        <message>
+            <source>The control does not report its work offset; nothing is shifted.</source>
+            <translation>The control does not report its work offset; nothing is shifted.</translation>
+        </message>
+        <message>
+            <source>The control does not take the shift</source>
+            <translation>The control does not take the shift</translation>
+        </message>
+        <message>
+            <source>The drift is in the part.</source>
+            <translation>The drift is in the part.</translation>
+        </message>
+        <message>
+            <source>The gap sensors have no zero yet: take a reference first.</source>
+            <translation>The gap sensors have no zero yet: take a reference first.</translation>
+        </message>
+        <message>
+            <source>The gap sensors read nothing: end the program and put the test bar in the spindle.</source>
+            <translation>The gap sensors read nothing: end the program and put the test bar in the spindle.</translation>
+        </message>
+        <message>
+            <source>The gap sensors stopped reading during the measurement.</source>
+            <translation>The gap sensors stopped reading during the measurement.</translation>
+        </message>
+        <message>
+            <source>The interval of the prediction is wider than the part allows.</source>
+            <translation>The interval of the prediction is wider than the part allows.</translation>
+        </message>
+        <message>
+            <source>The machine is in a state the model has never seen.</source>
+            <translation>The machine is in a state the model has never seen.</translation>
+        </message>
+        <message>
+            <source>The machine sends no temperatures any more.</source>
+            <translation>The machine sends no temperatures any more.</translation>
+        </message>
+        <message>
+            <source>The machine sends no temperatures; the last shift stays.</source>
+            <translation>The machine sends no temperatures; the last shift stays.</translation>
+        </message>
+        <message>
+            <source>The model goes on without it; its interval is wider.</source>
+            <translation>The model goes on without it; its interval is wider.</translation>
+        </message>
+        <message>
+            <source>The new model runs through the day so far.</source>
+            <translation>The new model runs through the day so far.</translation>
+        </message>
+        <message>
+            <source>The origin is being measured.</source>
+            <translation>The origin is being measured.</translation>
+        </message>
+        <message>
+            <source>The predicted drift is larger than the largest shift allowed.</source>
+            <translation>The predicted drift is larger than the largest shift allowed.</translation>
+        </message>
+        <message>
+            <source>The predicted drift moves faster than the rate allowed.</source>
+            <translation>The predicted drift moves faster than the rate allowed.</translation>
+        </message>
+        <message>
+            <source>The rest of the drift is in the part.</source>
+            <translation>The rest of the drift is in the part.</translation>
+        </message>
+        <message>
+            <source>The shift lags behind for some minutes.</source>
+            <translation>The shift lags behind for some minutes.</translation>
+        </message>
+        <message>
+            <source>The shift may be wrong by more than the part allows.</source>
+            <translation>The shift may be wrong by more than the part allows.</translation>
+        </message>
+        <message>
+            <source>The shift sits at its limit of size or rate.</source>
+            <translation>The shift sits at its limit of size or rate.</translation>
+        </message>
+        <message>
+            <source>The temperatures to count from are being taken; the shift stays.</source>
+            <translation>The temperatures to count from are being taken; the shift stays.</translation>
+        </message>
+        <message>
+            <source>The thermal loop does not know this command.</source>
+            <translation>The thermal loop does not know this command.</translation>
+        </message>
+        <message>
+            <source>The thermal setup has a value outside its range; the last one stays.</source>
+            <translation>The thermal setup has a value outside its range; the last one stays.</translation>
+        </message>
+        <message>
+            <source>The warm-up program needs speed and revolutions above zero.</source>
+            <translation>The warm-up program needs speed and revolutions above zero.</translation>
+        </message>
+        <message>
+            <source>The work offset the control reports is not the one commanded.</source>
+            <translation>The work offset the control reports is not the one commanded.</translation>
+        </message>
+        <message>
+            <source>The work origin follows the predicted drift.</source>
+            <translation>The work origin follows the predicted drift.</translation>
+        </message>
+        <message>
+            <source>There is no measurement beside a prediction yet.</source>
+            <translation>There is no measurement beside a prediction yet.</translation>
+        </message>
+        <message>
+            <source>There is no model before this one.</source>
+            <translation>There is no model before this one.</translation>
+        </message>
+        <message>
+            <source>There is no thermal model yet: train one.</source>
+            <translation>There is no thermal model yet: train one.</translation>
+        </message>
+        <message>
+            <source>There is no trained model that waits to go live.</source>
+            <translation>There is no trained model that waits to go live.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 disagrees with its neighbours.</source>
+            <translation>Thermocouple %1 disagrees with its neighbours.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 has jumped away from its neighbours.</source>
+            <translation>Thermocouple %1 has jumped away from its neighbours.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is noisy.</source>
+            <translation>Thermocouple %1 is noisy.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is open.</source>
+            <translation>Thermocouple %1 is open.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is shorted.</source>
+            <translation>Thermocouple %1 is shorted.</translation>
+        </message>
+        <message>
+            <source>Thermocouple %1 is stuck.</source>
+            <translation>Thermocouple %1 is stuck.</translation>
+        </message>
+        <message>
+            <source>This machine has no thermocouple %1; %2 of the model's %3 are missing.</source>
+            <translation>This machine has no thermocouple %1; %2 of the model's %3 are missing.</translation>
+        </message>
+        <message>
+            <source>This measurement has been taken over already.</source>
+            <translation>This measurement has been taken over already.</translation>
+        </message>
+        <message>
+            <source>Time between two shifts</source>
+            <translation>Time between two shifts</translation>
+        </message>
+        <message>
+            <source>Too many thermocouples lost</source>
+            <translation>Too many thermocouples lost</translation>
+        </message>
+        <message>
+            <source>Warm-up speed</source>
+            <translation>Warm-up speed</translation>
+        </message>
+        <message>
+            <source>Warm-up time</source>
+            <translation>Warm-up time</translation>
+        </message>
+        <message>
+            <source>X screw</source>
+            <translation>X screw</translation>
+        </message>
+        <message>
+            <source>Y screw</source>
+            <translation>Y screw</translation>
+        </message>
+        <message>
+            <source>Z screw</source>
+            <translation>Z screw</translation>
+        </message>
+        <message>
+            <source>bed</source>
+            <translation>bed</translation>
+        </message>
+        <message>
+            <source>column, back</source>
+            <translation>column, back</translation>
+        </message>
+        <message>
+            <source>column, foot</source>
+            <translation>column, foot</translation>
+        </message>
+        <message>
+            <source>column, left</source>
+            <translation>column, left</translation>
+        </message>
+        <message>
+            <source>column, right</source>
+            <translation>column, right</translation>
+        </message>
+        <message>
+            <source>column, top</source>
+            <translation>column, top</translation>
+        </message>
+        <message>
+            <source>front bearing</source>
+            <translation>front bearing</translation>
+        </message>
+        <message>
+            <source>head, left</source>
+            <translation>head, left</translation>
+        </message>
+        <message>
+            <source>head, right</source>
+            <translation>head, right</translation>
+        </message>
+        <message>
+            <source>quill</source>
+            <translation>quill</translation>
+        </message>
+        <message>
+            <source>rear bearing</source>
+            <translation>rear bearing</translation>
+        </message>
+        <message>
+            <source>room</source>
+            <translation>room</translation>
+        </message>
+        <message>
+            <source>saddle</source>
+            <translation>saddle</translation>
+        </message>
+        <message>
+            <source>shaft</source>
+            <translation>shaft</translation>
+        </message>
+        <message>
+            <source>spindle motor</source>
+            <translation>spindle motor</translation>
+        </message>
+        <message>
+            <source>table</source>
+            <translation>table</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -2248,6 +3045,17 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ErrorMap</name>
+        <message>
+            <source>error in %1, %2</source>
+            <translation>error in %1, %2</translation>
+        </message>
+        <message>
+            <source>X 0 to %1, Y 0 to %2</source>
+            <translation>X 0 to %1, Y 0 to %2</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>Estimated law, 95 % intervals</source>
@@ -2422,6 +3230,13 @@
         <message>
             <source>Not fitted yet.</source>
             <translation>Not fitted yet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MachineDrawing</name>
+        <message>
+            <source>The thermocouples appear here as soon as the machine reports them.</source>
+            <translation>The thermocouples appear here as soon as the machine reports them.</translation>
         </message>
     </context>
     <context>
@@ -2632,6 +3447,33 @@
         <message>
             <source>at limit</source>
             <translation>at limit</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OffsetPanel</name>
+        <message>
+            <source>Drift of the origin, predicted</source>
+            <translation>Drift of the origin, predicted</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>at limit</translation>
+        </message>
+        <message>
+            <source>shifted %1</source>
+            <translation>shifted %1</translation>
+        </message>
+        <message>
+            <source>shift not reported</source>
+            <translation>shift not reported</translation>
+        </message>
+        <message>
+            <source>shifted %1, would be %2</source>
+            <translation>shifted %1, would be %2</translation>
+        </message>
+        <message>
+            <source>This machine has no thermal loop: %1</source>
+            <translation>This machine has no thermal loop: %1</translation>
         </message>
     </context>
     <context>
@@ -2981,6 +3823,125 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ThermalPage</name>
+        <message>
+            <source>start it at the control</source>
+            <translation>start it at the control</translation>
+        </message>
+        <message>
+            <source>a program runs</source>
+            <translation>a program runs</translation>
+        </message>
+        <message>
+            <source>This machine reports no temperatures. The page fills as soon as it does.</source>
+            <translation>This machine reports no temperatures. The page fills as soon as it does.</translation>
+        </message>
+        <message>
+            <source>Drift over time, %1</source>
+            <translation>Drift over time, %1</translation>
+        </message>
+        <message>
+            <source>line: predicted, band: 95 % interval, dots: measured</source>
+            <translation>line: predicted, band: 95 % interval, dots: measured</translation>
+        </message>
+        <message>
+            <source>minutes since the reference</source>
+            <translation>minutes since the reference</translation>
+        </message>
+        <message>
+            <source>drift</source>
+            <translation>drift</translation>
+        </message>
+        <message>
+            <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>
+            <translation>The predicted drift appears here one minute after the reference, as soon as a model is live.</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>Temperatures</translation>
+        </message>
+        <message>
+            <source>Warm up</source>
+            <translation>Warm up</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Measure</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Model</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>History</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>Sensors</translation>
+        </message>
+        <message>
+            <source>Error map</source>
+            <translation>Error map</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Limits</translation>
+        </message>
+        <message>
+            <source>Stop warm-up</source>
+            <translation>Stop warm-up</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>Nothing can be stored at the moment: %1</translation>
+        </message>
+        <message>
+            <source>No temperatures yet.</source>
+            <translation>No temperatures yet.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n thermocouples give no reading.</source>
+            <translation>
+                <numerusform>%n thermocouple gives no reading.</numerusform>
+                <numerusform>%n thermocouples give no reading.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Left out: %1</source>
+            <translation>Left out: %1</translation>
+        </message>
+        <message>
+            <source>All %1 thermocouples are healthy; filled points belong to the model.</source>
+            <translation>All %1 thermocouples are healthy; filled points belong to the model.</translation>
+        </message>
+        <message>
+            <source>Touch a point to read it.</source>
+            <translation>Touch a point to read it.</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3; %4 in 10 min</source>
+            <comment>sensor, temperature, state, change</comment>
+            <translation>%1: %2, %3; %4 in 10 min</translation>
+        </message>
+        <message>
+            <source>Warm up the spindle?</source>
+            <translation>Warm up the spindle?</translation>
+        </message>
+        <message>
+            <source>The spindle turns at %1 for %2. Take care that nothing is in its way.</source>
+            <translation>The spindle turns at %1 for %2. Take care that nothing is in its way.</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>Not now</translation>
+        </message>
+        <message>
+            <source>Start the spindle</source>
+            <translation>Start the spindle</translation>
         </message>
     </context>
     <context>
