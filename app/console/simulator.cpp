@@ -42,7 +42,8 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
         boring.boredSoFar = params.partsSoFar;
         auto plant = std::make_unique<SimulatedBoring>(boring);
         m_boring = plant.get();
-        plants.insert(plants.begin(), std::move(plant));
+        plants.push_back(std::move(plant));
+        std::ranges::rotate(plants, plants.end() - 1);  // before the plant of the heat, which sees what is cut
     }
     m_machine = std::make_unique<SimulatedMachine>(machine, std::move(plants));
 }

@@ -751,9 +751,9 @@
         </message>
         <message numerus="yes">
             <source>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>Recording: %n minute measured. Let the spindle run as in a day's work; several hours make a good day.</numerusform>
+                <numerusform>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</numerusform>
             </translation>
         </message>
         <message>
@@ -3305,6 +3305,42 @@
             <source>table</source>
             <translation>table</translation>
         </message>
+        <message>
+            <source>A known tone must be from 9 to 400 Hz.</source>
+            <translation>A known tone must be from 9 to 400 Hz.</translation>
+        </message>
+        <message>
+            <source>The depth of cut must be from 0.1 to 50 um.</source>
+            <translation>The depth of cut must be from 0.1 to 50 um.</translation>
+        </message>
+        <message>
+            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
+            <translation>The feed must be from 0.01 to 1000 um per revolution.</translation>
+        </message>
+        <message>
+            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
+            <translation>The spindle speed must be from 150 to 30000 rev/min.</translation>
+        </message>
+        <message>
+            <source>The trim authority must be from 0 to 2 um.</source>
+            <translation>The trim authority must be from 0 to 2 um.</translation>
+        </message>
+        <message>
+            <source>More than 5 % of the samples of the last tap are missing.</source>
+            <translation>More than 5 % of the samples of the last tap are missing.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
+            <translation>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync.</source>
+            <translation>The tap was turned out in sync.</translation>
+        </message>
+        <message>
+            <source>The tap was turned out in sync; it does not count.</source>
+            <translation>The tap was turned out in sync; it does not count.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -5012,6 +5048,10 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
         </message>
+        <message>
+            <source>Next part: the lot is complete</source>
+            <translation>Next part: the lot is complete</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -6051,9 +6091,9 @@
         </message>
         <message numerus="yes">
             <source>%n thermocouples give no reading.</source>
-            <translation type="unfinished">
-                <numerusform />
-                <numerusform />
+            <translation>
+                <numerusform>%n thermocouple gives no reading.</numerusform>
+                <numerusform>%n thermocouples give no reading.</numerusform>
             </translation>
         </message>
         <message>
