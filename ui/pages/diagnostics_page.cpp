@@ -81,22 +81,26 @@ void DiagnosticsPage::askBackup() {
         button->setObjectName(QStringLiteral("backupFolder%1").arg(i));
         sheet->body()->addWidget(button);
         connect(button, &QPushButton::clicked, sheet, [this, sheet, file = folders[i] + name] {
-            m_backingUp = true;
-            m_backup->reconsider();
-            const QPointer<DiagnosticsPage> self(this);
-            context().services.backUp(file, [self, file](const Result<void>& done) {
-                if (DiagnosticsPage* page = self.data()) {
-                    page->m_backingUp = false;
-                    page->m_backup->reconsider();
-                    page->context().notify(
-                        done ? tr("Backed up to %1").arg(file)
-                             : tr("Not backed up: %1").arg(sentenceText(done.error(), page->look().units())));
-                }
-            });
+            startBackup(file);
             sheet->close();
         });
     }
     sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
+void DiagnosticsPage::startBackup(const QString& file) {
+    m_backingUp = true;
+    m_backup->reconsider();
+    const auto told = [self = QPointer<DiagnosticsPage>(this), file](const Result<void>& done) {
+        if (DiagnosticsPage* page = self.data()) {
+            page->m_backingUp = false;
+            page->m_backup->reconsider();
+            page->context().notify(done
+                                       ? tr("Backed up to %1").arg(file)
+                                       : tr("Not backed up: %1").arg(sentenceText(done.error(), page->look().units())));
+        }
+    };
+    context().services.backUp(file, told);
 }
 
 void DiagnosticsPage::onStatus(const Status& status) {

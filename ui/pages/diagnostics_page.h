@@ -27,6 +27,7 @@ class DiagnosticsPage : public Page {
     };
     Fact addFact(Card* card, const char* objectName);
     void askBackup();
+    void startBackup(const QString& file);
     void onStatus(const Status& status);
     void update(const Status& status);
 

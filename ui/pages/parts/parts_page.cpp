@@ -234,27 +234,37 @@ void PartsPage::askSerial() {
     edit->selectAll();
     sheet->body()->addWidget(edit);
     sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    const auto save = [this, id = part.id, edit] {
-        const QPointer<PartsPage> self(this);
-        context().services.setSerial(
-            id, edit->text().simplified(), context().session.name(), [self](const Result<void>& stored) {
-                if (PartsPage* page = self.data()) {
-                    page->context().notify(stored ? tr("The serial number is stored.")
-                                                  : sentenceText(stored.error(), page->look().units()));
-                    page->update();
-                }
-            });
-    };
     QPushButton* accept = sheet->addButton(
         tr("Save"),
-        [save, sheet] {
-            save();
+        [this, sheet, edit, id = part.id] {
+            saveSerial(id, edit->text().simplified());
             sheet->close();
         },
         false);
     accept->setObjectName(QStringLiteral("serialSave"));
     connect(edit, &QLineEdit::returnPressed, accept, &QPushButton::click);
     edit->setFocus();
+}
+
+void PartsPage::saveSerial(PartId part, const QString& serial) {
+    const auto told = [self = QPointer<PartsPage>(this)](const Result<void>& stored) {
+        if (PartsPage* page = self.data()) {
+            page->context().notify(stored ? tr("The serial number is stored.")
+                                          : sentenceText(stored.error(), page->look().units()));
+            page->update();
+        }
+    };
+    context().services.setSerial(part, serial, context().session.name(), told);
+}
+
+void PartsPage::writeReport(PartId part, const QString& file) {
+    const auto told = [self = QPointer<PartsPage>(this), file](const Result<void>& written) {
+        if (PartsPage* page = self.data()) {
+            page->context().notify(written ? tr("Written: %1").arg(file)
+                                           : sentenceText(written.error(), page->look().units()));
+        }
+    };
+    context().services.writeReport(part, file, told);
 }
 
 void PartsPage::openReport() {
@@ -290,14 +300,7 @@ void PartsPage::openReport() {
     QPushButton* pdf = sheet->addButton(
         tr("PDF"),
         [this, sheet, file, id = part.id] {
-            const QString target = file->text().trimmed() + QStringLiteral(".pdf");
-            const QPointer<PartsPage> self(this);
-            context().services.writeReport(id, target, [self, target](const Result<void>& written) {
-                if (PartsPage* page = self.data()) {
-                    page->context().notify(written ? tr("Written: %1").arg(target)
-                                                   : sentenceText(written.error(), page->look().units()));
-                }
-            });
+            writeReport(id, file->text().trimmed() + QStringLiteral(".pdf"));
             sheet->close();
         },
         false);

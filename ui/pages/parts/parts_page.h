@@ -42,7 +42,9 @@ class PartsPage : public Page {
     void afterReading();
     void fitColumns();
     void askSerial();
+    void saveSerial(PartId part, const QString& serial);
     void openReport();
+    void writeReport(PartId part, const QString& file);
     void showCount();
     void choose(PartId id);
     void openForm(const MeasurementRow& row, bool takeOut);
