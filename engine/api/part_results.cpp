@@ -75,15 +75,31 @@ constexpr std::array kTurning{
         [](const PartRecord& p) { return ofTurning(p, p.turning.controlled ? 1.0 : 0.0); }},
 };
 
+constexpr std::array kTapping{
+    Row{{"engaged_pp_um", KERF_TEXT("Error p-p in the work"), "um", 1},
+        [](const PartRecord& p) { return std::optional(p.tap.figures.engagedPp_um); }},
+    Row{{"tolerance_used_percent", KERF_TEXT("Tolerance used"), "%", 0},
+        [](const PartRecord& p) { return std::optional(100.0 * p.tap.figures.engagedPp_um / p.tap.job.allowedPp_um); }},
+    Row{{"saec_mm", KERF_TEXT("Sum of errors (SAEC)"), "mm", 2},
+        [](const PartRecord& p) { return std::optional(p.tap.figures.saec_mm); }},
+    Row{{"peak_um", KERF_TEXT("Largest error"), "um", 1},
+        [](const PartRecord& p) { return std::optional(p.tap.figures.peak_um); }},
+    Row{{"rms_um", KERF_TEXT("Error RMS"), "um", 2},
+        [](const PartRecord& p) { return std::optional(p.tap.figures.rms_um); }},
+    Row{{"speed_rpm", KERF_TEXT("Spindle speed"), "rpm", 0},
+        [](const PartRecord& p) { return std::optional(p.tap.job.speed_rpm); }},
+};
+
 std::span<const Row> rowsOf(ProcessId process) noexcept {
     switch (process) {
         case ProcessId::Milling:
             return kMilling;
         case ProcessId::Turning:
             return kTurning;
+        case ProcessId::Tapping:
+            return kTapping;
         case ProcessId::Boring:  // measured after the cut: see measurements
         case ProcessId::Thermal:
-        case ProcessId::Tapping:
             break;
     }
     return {};
@@ -98,6 +114,7 @@ constexpr std::array<PartResultSpec, N> specsOf(const std::array<Row, N>& rows) 
 
 constexpr auto kMillingSpecs = specsOf(kMilling);
 constexpr auto kTurningSpecs = specsOf(kTurning);
+constexpr auto kTappingSpecs = specsOf(kTapping);
 
 }  // namespace
 
@@ -107,9 +124,10 @@ std::span<const PartResultSpec> partResultSpecs(ProcessId process) noexcept {
             return kMillingSpecs;
         case ProcessId::Turning:
             return kTurningSpecs;
+        case ProcessId::Tapping:
+            return kTappingSpecs;
         case ProcessId::Boring:
         case ProcessId::Thermal:
-        case ProcessId::Tapping:
             break;
     }
     return {};

@@ -103,6 +103,7 @@ struct PartRecord {
     double forcePeak_N{0.0};
     TurningRecord turning{};
     MillingCut milling{};
+    TapPart tap{};
 };
 static_assert(std::is_trivially_copyable_v<PartRecord>);
 

@@ -21,6 +21,7 @@ struct TappingJob {
     double engage_rev{3.0};       ///< revolutions until the tap touches
     double abortError_um{800.0};  ///< |E_r| that ends a tap: retract in sync, gains rolled back
     double allowedPp_um{92.0};    ///< of the thread's tolerance, shown beside the result
+    std::uint8_t gear{1};         ///< spindle gear, 1…9: another gear is another spindle
 };
 
 /// Servo gains and feed-forward for the next taps. zFeedForward: [0] share of the commanded Z speed, [1] share of the
@@ -45,7 +46,7 @@ enum class TapPhase : std::uint8_t {
 enum class TapOutcome : std::uint8_t {
     None,
     Counted,
-    NotCounted,  ///< more than 5 % of the samples missing
+    NotCounted,  ///< more than 5 % of the samples missing, or the loop was stopped during the tap
     Aborted,
 };
 
@@ -57,6 +58,13 @@ struct TapFigures {
     double engagedPp_um{0.0};
     std::uint32_t samples{0};
     std::uint32_t missing{0};
+};
+
+/// What a production tap leaves in its part record.
+struct TapPart {
+    TappingJob job{};
+    TapFigures figures{};
+    bool withinTolerance{false};  ///< counted, and engaged peak-to-peak inside job.allowedPp_um
 };
 
 /// Live figures of the tapping loop, part of Status.
@@ -79,6 +87,7 @@ struct TappingStatus {
     std::uint32_t productionTaps{0};  ///< counted ones with the accepted gains
     double driftShare{0.0};           ///< accumulated rise of SAEC over its first taps; alarm at .5
     bool wantsTuning{false};
+    Sentence problem{};  ///< why the last start came to no tap; empty when it did
 };
 static_assert(std::is_trivially_copyable_v<TappingStatus>);
 

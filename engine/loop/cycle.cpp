@@ -60,7 +60,9 @@ void Cycle::step(std::int64_t now_ns) noexcept {
         if (mode != LoopMode::Control) {
             const PortRequest request = wish.request;
             wish = LoopOutputs{};
-            if (isProgramRequest(request)) {
+            const bool out =
+                mode == LoopMode::Advise && std::holds_alternative<RetractInSync>(request.action);  // asked by a person
+            if (out || isProgramRequest(request)) {
                 wish.request = request;
             }
         }

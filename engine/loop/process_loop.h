@@ -25,7 +25,8 @@ struct LoopOutputs {
     std::optional<double> toolTrim_um{};
     std::optional<double> zTrim_um{};
     /// Numbered by the loop: process index in the top byte, then a counter, so that replies find their way back. A
-    /// start or abort of the loop's own program passes in every mode; anything else only while the loop controls.
+    /// start or abort of the loop's own program passes in every mode, its synchronous retract also while advising;
+    /// anything else only while the loop controls.
     PortRequest request{};
 };
 

@@ -17,13 +17,14 @@ inline constexpr AlarmCode kNotCounted = 505;
 inline constexpr AlarmCode kWrongPitch = 506;
 
 inline constexpr std::array kSpecs{
-    AlarmSpec{kErrorLimit, 2, KERF_TEXT("Tapping error beyond its limit"),
-              KERF_TEXT("Z and spindle were further apart than the abort limit during a tap."),
-              KERF_TEXT("The tap was turned out in sync and the gains were rolled back. The thread may be torn."),
-              KERF_TEXT("Gauge the thread. Look at the record before the next trial.")},
+    AlarmSpec{
+        kErrorLimit, 2, KERF_TEXT("Tapping error beyond its limit"),
+        KERF_TEXT("Z and spindle were further apart than the abort limit during a tap."),
+        KERF_TEXT("In control the tap is turned out in sync and the gains are rolled back. The thread may be torn."),
+        KERF_TEXT("Gauge the thread. Look at the record before the next trial.")},
     AlarmSpec{kSignalLost, 2, KERF_TEXT("Tapping signal lost"),
               KERF_TEXT("Spindle angle or Z position were missing for more than 20 ms during a tap."),
-              KERF_TEXT("The tap was turned out in sync; it does not count."),
+              KERF_TEXT("In control the tap is turned out in sync. It does not count."),
               KERF_TEXT("Check the encoders. Gauge the thread.")},
     AlarmSpec{kInHole, 1, KERF_TEXT("The tap stands in the hole"),
               KERF_TEXT("An emergency stop or an abort at the control stopped the tap before it was out."),
@@ -37,11 +38,11 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("The gains sent to the drive were refused or did not read back within a second."),
               KERF_TEXT("No tap is made."), KERF_TEXT("Check that the control allows setting gains, then try again.")},
     AlarmSpec{kNotCounted, 3, KERF_TEXT("Tap not counted"),
-              KERF_TEXT("More than 5 % of the samples of the last tap are missing."),
+              KERF_TEXT("More than 5 % of its samples are missing, or the loop was switched during the tap."),
               KERF_TEXT("The tuner does not learn from it."), KERF_TEXT("Repeat the tap.")},
     AlarmSpec{kWrongPitch, 1, KERF_TEXT("Wrong pitch"),
               KERF_TEXT("Z moves by another distance per revolution than the pitch entered."),
-              KERF_TEXT("The tap was turned out in sync."),
+              KERF_TEXT("In control the tap is turned out in sync."),
               KERF_TEXT("Compare pitch entered, program and tool before the next tap.")},
 };
 

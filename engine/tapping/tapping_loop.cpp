@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Tapping) + 1U) << 24U;
 constexpr std::int64_t kReplyPatience_ns = 1'000'000'000;
+constexpr std::int64_t kAcceptedPatience_ns = 10'000'000'000;  ///< a control that has said "accepted" may take longer
 constexpr std::uint32_t kLostTicks = 20;
 constexpr double kMaxMissing = 0.05;
 constexpr double kInHole_rev = 0.2;       ///< less is not inside the hole
@@ -25,7 +26,8 @@ bool usable(const TappingJob& job) {
     const auto inRange = [](double value, double low, double high) { return value >= low && value <= high; };
     return job.revision > 0 && inRange(job.pitch_mm, 0.1, 10.0) && inRange(job.depth_rev, 1.0, 200.0) &&
            inRange(job.speed_rpm, 10.0, 20'000.0) && inRange(job.engage_rev, 0.0, 100.0) &&
-           inRange(job.abortError_um, 10.0, 5000.0) && inRange(job.allowedPp_um, 1.0, 1000.0);
+           inRange(job.abortError_um, 10.0, 5000.0) && inRange(job.allowedPp_um, 1.0, 1000.0) && job.gear >= 1 &&
+           job.gear <= 9;
 }
 
 bool usable(const TapGains& gains) {
@@ -74,10 +76,7 @@ CommandResult TappingLoop::handle(const Command& command) noexcept {
         m_status.acceptedGains = m_accepted.revision;
         return CommandResult::ok();
     }
-    if (std::holds_alternative<AbortTap>(command.action)) {
-        m_abortWanted = !idle;
-        return CommandResult::ok();
-    }
+    if (std::holds_alternative<AbortTap>(command.action)) return abortTap();
     if (std::holds_alternative<RecoverTap>(command.action)) {
         if (m_status.phase != TapPhase::InHole) {
             return CommandResult::refused(Sentence(KERF_TEXT("No tap stands in a hole.")));
@@ -87,10 +86,52 @@ CommandResult TappingLoop::handle(const Command& command) noexcept {
                 Sentence(KERF_TEXT("Switch the tapping loop to control to turn the tap out.")));
         }
         m_recoverWanted = true;
+        m_gainsSent = false;
         return CommandResult::ok();
     }
     if (std::holds_alternative<StartPart>(command.action)) return start();
     return CommandResult::refused(Sentence(KERF_TEXT("The tapping loop does not know this command.")));
+}
+
+void TappingLoop::setMode(LoopMode mode) noexcept {
+    if (mode == m_mode) return;
+    m_mode = mode;
+    m_recoverWanted = false;  // nothing may begin to turn later than it was asked for
+    m_abortWanted = m_abortWanted && mode != LoopMode::Off;
+    const bool notYetStarted = m_status.phase == TapPhase::SettingGains && m_tapAfterGains;
+    if (notYetStarted || (m_status.phase == TapPhase::Starting && !m_startSent)) {
+        noTap(Sentence(KERF_TEXT("The loop was switched before the tap began.")));
+    } else if (m_status.phase == TapPhase::Starting || m_status.phase == TapPhase::Tapping) {
+        m_interrupted = true;
+    }
+}
+
+void TappingLoop::noTap(const Sentence& why) noexcept {
+    m_abortWanted = false;
+    m_status.problem = why;
+    m_status.phase = TapPhase::Idle;
+}
+
+CommandResult TappingLoop::abortTap() noexcept {
+    switch (m_status.phase) {
+        case TapPhase::InHole:
+            return CommandResult::refused(Sentence(KERF_TEXT("A tap stands in the hole: turn it out first.")));
+        case TapPhase::SettingGains:
+            m_abortWanted = m_tapAfterGains;  // gains on their way back are not stopped
+            return CommandResult::ok();
+        case TapPhase::Starting:
+        case TapPhase::Tapping:
+            if (m_mode == LoopMode::Off) {
+                return CommandResult::refused(
+                    Sentence(KERF_TEXT("The tapping loop is off: switch it to advise or control to abort the tap.")));
+            }
+            m_abortWanted = true;
+            return CommandResult::ok();
+        case TapPhase::Idle:
+        case TapPhase::Retracting:
+            break;
+    }
+    return CommandResult::ok();
 }
 
 CommandResult TappingLoop::start() noexcept {
@@ -99,6 +140,11 @@ CommandResult TappingLoop::start() noexcept {
     }
     if (m_status.phase != TapPhase::Idle) return CommandResult::refused(Sentence(KERF_TEXT("A tap is under way.")));
     if (m_job.revision == 0) return CommandResult::refused(Sentence(KERF_TEXT("No tapping job is loaded.")));
+    (void)m_exchange.trims.refresh();
+    if (m_mode == LoopMode::Control && m_next.trimRevision != 0 &&
+        m_exchange.trims.value().revision != m_next.trimRevision) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The learned trim of these gains is not loaded.")));
+    }
     m_startWanted = true;
     return CommandResult::ok();
 }
@@ -107,19 +153,26 @@ bool TappingLoop::gainsInForce(const MachineInputs& inputs) const noexcept {
     return inputs.servoGainsQuality == Quality::Good && sameGains(inputs.servoGains, m_next.gains);
 }
 
+bool TappingLoop::refused(const MachineInputs& inputs) const noexcept {
+    return inputs.reply.number == m_requestNumber && inputs.reply.state == RequestState::Refused;
+}
+
 void TappingLoop::request(LoopOutputs& outputs, const decltype(PortRequest::action)& action) noexcept {
     m_requestNumber = kRequestBase + ++m_requestCount;
     outputs.request.number = m_requestNumber;
     outputs.request.action = action;
 }
 
-LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities&, LoopOutputs& outputs,
+LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
     m_now_ns = inputs.time_ns;
+    m_tick_ns = capabilities.cycle_ns;
     m_status.drive = inputs.servoGainsQuality == Quality::Good ? inputs.servoGains : ServoGains{};
     if (m_startWanted) {
         m_startWanted = false;
         m_status.kind = m_status.airTapPassed ? m_wantedKind : TapKind::Air;
+        m_status.problem = Sentence{};
+        m_interrupted = false;
         m_tapAfterGains = true;
         m_gainsSent = false;
         m_startSent = false;
@@ -130,6 +183,9 @@ LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities&, 
     switch (m_status.phase) {
         case TapPhase::Idle:
             m_abortWanted = false;
+            if (m_restoreWanted && m_mode == LoopMode::Control && inputs.program != ProgramState::Running) {
+                beginRestore();
+            }
             break;
         case TapPhase::SettingGains:
             setGains(inputs, outputs, events);
@@ -145,14 +201,7 @@ LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities&, 
             record(inputs, outputs, events);
             break;
         case TapPhase::InHole:
-            if (m_recoverWanted && m_mode == LoopMode::Control) {
-                m_recoverWanted = false;
-                m_recording = false;
-                m_startSent = false;
-                request(outputs, RetractInSync{});
-                m_phaseSince_ns = inputs.time_ns;
-                m_status.phase = TapPhase::Retracting;
-            }
+            if (m_recoverWanted) recover(inputs, outputs, events);
             break;
     }
     return describe();
@@ -162,10 +211,16 @@ void TappingLoop::setGains(const MachineInputs& inputs, LoopOutputs& outputs, Ev
     const bool needed = m_mode == LoopMode::Control && m_next.revision != 0 && !gainsInForce(inputs);
     if (!needed || m_abortWanted) {
         events.clear(tapping_alarm::kGainsNotTaken);
-        m_status.phase = m_tapAfterGains && !m_abortWanted ? TapPhase::Starting : TapPhase::Idle;
-        m_abortWanted = false;
+        if (!needed) m_restoreWanted = m_restoreWanted && m_mode != LoopMode::Control;
         m_phaseSince_ns = inputs.time_ns;
-        if (m_status.phase == TapPhase::Starting) startProgram(inputs, outputs);
+        if (m_abortWanted) {
+            noTap(Sentence(KERF_TEXT("The tap was called off before it began.")));
+        } else if (m_tapAfterGains) {
+            m_status.phase = TapPhase::Starting;
+            startProgram(inputs, outputs);
+        } else {
+            m_status.phase = TapPhase::Idle;
+        }
         return;
     }
     if (!m_gainsSent) {
@@ -173,11 +228,41 @@ void TappingLoop::setGains(const MachineInputs& inputs, LoopOutputs& outputs, Ev
         m_gainsSent = true;
         return;
     }
-    const bool refused = inputs.reply.number == m_requestNumber && inputs.reply.state == RequestState::Refused;
-    if (refused || inputs.time_ns - m_phaseSince_ns > kReplyPatience_ns) {
-        events.raise(tapping_alarm::kGainsNotTaken, refused ? inputs.reply.reason : Sentence{});
-        m_status.phase = TapPhase::Idle;
+    if (refused(inputs) || inputs.time_ns - m_phaseSince_ns > kReplyPatience_ns) {
+        events.raise(tapping_alarm::kGainsNotTaken, refused(inputs) ? inputs.reply.reason : Sentence{});
+        m_restoreWanted = false;  // the alarm stands; the next start tries again
+        noTap(Sentence(KERF_TEXT("The drive did not take the gains.")));
     }
+}
+
+void TappingLoop::beginRestore() noexcept {
+    m_tapAfterGains = false;
+    m_gainsSent = false;
+    m_phaseSince_ns = m_now_ns;
+    m_status.phase = TapPhase::SettingGains;
+}
+
+// The accepted gains first: the ones of the trial may be what stopped the tap.
+void TappingLoop::recover(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
+    if (!m_gainsSent) {
+        restoreAccepted();
+        m_gainsSent = true;
+        m_phaseSince_ns = inputs.time_ns;
+        if (m_accepted.revision != 0 && !gainsInForce(inputs)) {
+            request(outputs, SetServoGains{m_next.gains});
+            return;
+        }
+    }
+    if (m_accepted.revision != 0 && !gainsInForce(inputs)) {
+        if (!refused(inputs) && inputs.time_ns - m_phaseSince_ns <= kReplyPatience_ns) return;
+        events.raise(tapping_alarm::kGainsNotTaken, refused(inputs) ? inputs.reply.reason : Sentence{});
+    }
+    m_recoverWanted = false;
+    m_recording = false;
+    m_startSent = false;
+    request(outputs, RetractInSync{});
+    m_phaseSince_ns = inputs.time_ns;
+    m_status.phase = TapPhase::Retracting;
 }
 
 void TappingLoop::startProgram(const MachineInputs& inputs, LoopOutputs& outputs) noexcept {
@@ -208,22 +293,29 @@ void TappingLoop::startProgram(const MachineInputs& inputs, LoopOutputs& outputs
         m_low_um = 0.0;
         m_high_um = 0.0;
         m_lostInARow = 0;
+        m_signalLost = false;
         m_deepest_rev = 0.0;
         m_deepest_mm = 0.0;
         m_recording = true;
+        m_tapBegin_ns = inputs.time_ns;
         m_lastSequence = inputs.partSequence;
         m_status.phase = TapPhase::Tapping;
         return;
     }
-    const bool refused = inputs.reply.number == m_requestNumber && inputs.reply.state == RequestState::Refused;
-    if (refused || m_abortWanted || inputs.time_ns - m_phaseSince_ns > kReplyPatience_ns) {
-        m_abortWanted = false;
-        m_status.phase = TapPhase::Idle;
+    // Once asked, the control may start at any moment: an abort waits for the tap and then turns it out.
+    const bool accepted = inputs.reply.number == m_requestNumber && inputs.reply.state == RequestState::Accepted;
+    const std::int64_t patience_ns = accepted ? kAcceptedPatience_ns : kReplyPatience_ns;
+    if (refused(inputs)) {
+        noTap(inputs.reply.reason);
+    } else if (inputs.time_ns - m_phaseSince_ns > patience_ns) {
+        noTap(Sentence(KERF_TEXT("The control did not start the tapping program.")));
     }
 }
 
 void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
     if (inputs.link != LinkState::Up) return;  // the control goes on by itself; nothing can be told or learned
+    fillGap(inputs.time_ns);
+    m_signalLost = m_signalLost || m_lostInARow > kLostTicks;
     const Reading& z = inputs.position_mm[2];
     const bool good = inputs.spindleAngle_rev.good() && z.good();
     TapRecord& tap = m_exchange.records.writeSlot();
@@ -244,8 +336,7 @@ void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, Even
         return;
     }
     if (!running) {
-        const bool waiting = retracting && inputs.time_ns - m_phaseSince_ns < kReplyPatience_ns &&
-                             !(inputs.reply.number == m_requestNumber && inputs.reply.state == RequestState::Refused);
+        const bool waiting = retracting && inputs.time_ns - m_phaseSince_ns < kReplyPatience_ns && !refused(inputs);
         if (!waiting) stopInHole(events);  // a recovery takes a cycle to begin
         return;
     }
@@ -275,21 +366,40 @@ void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, Even
         ++figures.missing;
     }
     const TrimTable& trim = m_exchange.trims.value();
-    if (m_next.trimRevision != 0 && trim.revision == m_next.trimRevision && m_next.revision == tap.gains) {
+    if (m_next.trimRevision != 0 && trim.revision == m_next.trimRevision && m_next.revision == tap.gains &&
+        !m_interrupted) {
         // What is sent now acts in the next tick: sample k has just been taken, command k is already with the drive.
         outputs.zTrim_um = tap.count < trim.count ? static_cast<double>(trim.trim_um[tap.count]) : 0.0;
     }
     watch(outputs, events);
 }
 
+// Cycles that did not happen (link down, overrun) leave places in the record: sample k is always at tick k.
+void TappingLoop::fillGap(std::int64_t now_ns) noexcept {
+    if (m_status.phase != TapPhase::Tapping || !m_recording) return;
+    TapRecord& tap = m_exchange.records.writeSlot();
+    const auto due =
+        static_cast<std::uint64_t>((now_ns - m_tapBegin_ns + m_tick_ns / 10) / std::max<std::int64_t>(1, m_tick_ns));
+    while (tap.count > 0 && tap.count < due && tap.count < kMaxTapTicks) {
+        const std::uint32_t k = tap.count++;
+        tap.spindle_rev[k] = tap.spindle_rev[k - 1];
+        tap.z_mm[k] = tap.z_mm[k - 1];
+        tap.valid[k] = 0;
+        ++m_status.last.missing;
+        ++m_lostInARow;
+    }
+}
+
+// Only a controlling loop ends a tap by itself; an advising one says what it sees.
 void TappingLoop::watch(LoopOutputs& outputs, EventSink& events) noexcept {
     if (m_abortWanted) {
         abortInSync(outputs);
         return;
     }
-    if (m_lostInARow > kLostTicks) {
+    m_signalLost = m_signalLost || m_lostInARow > kLostTicks;
+    if (m_signalLost) {
         events.raise(tapping_alarm::kSignalLost);
-        abortInSync(outputs);
+        if (m_mode == LoopMode::Control) abortInSync(outputs);
         return;
     }
     if (std::abs(m_status.error_um) <= m_job.abortError_um) return;
@@ -304,7 +414,7 @@ void TappingLoop::watch(LoopOutputs& outputs, EventSink& events) noexcept {
                      Sentence(KERF_TEXT("%1 µm at %2 revolutions; the limit is %3 µm."), {m_status.error_um, 0},
                               {m_status.spindle_rev, 1}, {m_job.abortError_um, 0}));
     }
-    abortInSync(outputs);
+    if (m_mode == LoopMode::Control) abortInSync(outputs);
 }
 
 bool TappingLoop::pitchFits() const noexcept {
@@ -330,7 +440,7 @@ void TappingLoop::endTap(TapOutcome outcome, EventSink& events) noexcept {
         if (outcome == TapOutcome::Counted) figures.saec_mm *= total / static_cast<double>(figures.samples);
     }
     if (outcome == TapOutcome::Counted &&
-        (figures.samples == 0 || static_cast<double>(figures.missing) > kMaxMissing * total)) {
+        (m_interrupted || figures.samples == 0 || static_cast<double>(figures.missing) > kMaxMissing * total)) {
         outcome = TapOutcome::NotCounted;
     }
     m_status.outcome = outcome;
@@ -346,7 +456,7 @@ void TappingLoop::endTap(TapOutcome outcome, EventSink& events) noexcept {
         }
         if (m_status.kind == TapKind::Production) {
             ++m_status.productionTaps;
-            m_drift.add(figures.saec_mm);
+            if (m_mode == LoopMode::Control) m_drift.add(figures.saec_mm);  // else the gains are not the watched ones
         }
         m_status.driftShare = m_drift.excess();
         m_status.wantsTuning = m_drift.grown();
@@ -361,15 +471,33 @@ void TappingLoop::endTap(TapOutcome outcome, EventSink& events) noexcept {
         tap.figures = figures;
         m_exchange.records.publish();
     }
+    if (m_status.kind == TapKind::Production) finishPart(outcome, events);
     m_status.phase = TapPhase::Idle;
-    if (outcome == TapOutcome::Aborted && m_accepted.revision != 0) {
-        m_next = m_accepted;
-        m_status.nextGains = m_next.revision;
-        m_tapAfterGains = false;
-        m_gainsSent = false;
-        m_phaseSince_ns = m_now_ns;
-        m_status.phase = TapPhase::SettingGains;
+    m_abortWanted = false;
+    if (outcome == TapOutcome::Aborted) {
+        restoreAccepted();
+        if (m_restoreWanted && m_mode == LoopMode::Control) beginRestore();
     }
+}
+
+void TappingLoop::restoreAccepted() noexcept {
+    if (m_accepted.revision == 0) return;
+    m_next = m_accepted;
+    m_status.nextGains = m_next.revision;
+    m_restoreWanted = true;
+}
+
+void TappingLoop::finishPart(TapOutcome outcome, EventSink& events) const noexcept {
+    PartRecord part;
+    part.process = ProcessId::Tapping;
+    part.partSequence = m_lastSequence;
+    part.complete = outcome != TapOutcome::Aborted;
+    part.begin_ns = m_tapBegin_ns;
+    part.end_ns = m_now_ns;
+    part.tap.job = m_job;
+    part.tap.figures = m_status.last;
+    part.tap.withinTolerance = outcome == TapOutcome::Counted && m_status.last.engagedPp_um <= m_job.allowedPp_um;
+    events.finishPart(part);
 }
 
 void TappingLoop::stopInHole(EventSink& events) noexcept {

@@ -16,7 +16,8 @@ namespace kerf {
 /// The tuner is not here: it takes the record from the exchange, and sends gains and trim for the next tap. Gains
 /// change only between taps. An abort (error limit, lost signal, wrong pitch, AbortTap) turns the tap out in sync and
 /// then restores the accepted gains. Unless the mode is Control, taps run with the machine's own gains and without
-/// trim.
+/// trim, and only AbortTap ends them (in Off nothing of Kerf's does). A tap during which the mode changed does not
+/// count.
 class TappingLoop final : public ProcessLoop {
  public:
     /// `exchange` outlives the loop.
@@ -25,7 +26,7 @@ class TappingLoop final : public ProcessLoop {
     [[nodiscard]] ProcessId id() const noexcept override { return ProcessId::Tapping; }
     [[nodiscard]] std::span<const AlarmSpec> alarms() const noexcept override;
     [[nodiscard]] CommandResult handle(const Command& command) noexcept override;
-    void setMode(LoopMode mode) noexcept override { m_mode = mode; }
+    void setMode(LoopMode mode) noexcept override;
     [[nodiscard]] LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                                    EventSink& events) noexcept override;
     void report(Status& status) const noexcept override { status.tapping = m_status; }
@@ -33,6 +34,12 @@ class TappingLoop final : public ProcessLoop {
 
  private:
     [[nodiscard]] CommandResult start() noexcept;
+    [[nodiscard]] CommandResult abortTap() noexcept;
+    void noTap(const Sentence& why) noexcept;
+    [[nodiscard]] bool refused(const MachineInputs& inputs) const noexcept;
+    void beginRestore() noexcept;
+    void recover(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
+    void fillGap(std::int64_t now_ns) noexcept;
     [[nodiscard]] bool gainsInForce(const MachineInputs& inputs) const noexcept;
     void request(LoopOutputs& outputs, const decltype(PortRequest::action)& action) noexcept;
     void setGains(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
@@ -42,6 +49,8 @@ class TappingLoop final : public ProcessLoop {
     [[nodiscard]] bool pitchFits() const noexcept;
     void abortInSync(LoopOutputs& outputs) noexcept;
     void endTap(TapOutcome outcome, EventSink& events) noexcept;
+    void restoreAccepted() noexcept;
+    void finishPart(TapOutcome outcome, EventSink& events) const noexcept;
     void stopInHole(EventSink& events) noexcept;
     [[nodiscard]] LoopVerdict describe() const noexcept;
 
@@ -56,6 +65,8 @@ class TappingLoop final : public ProcessLoop {
     bool m_abortWanted{false};
     bool m_recoverWanted{false};
     bool m_tapAfterGains{false};  ///< SettingGains leads to a tap, else to Idle
+    bool m_restoreWanted{false};  ///< the drive may still have a trial's gains
+    bool m_interrupted{false};    ///< the loop was stopped during this tap
     bool m_gainsSent{false};
     bool m_startSent{false};
     bool m_recording{false};
@@ -63,6 +74,8 @@ class TappingLoop final : public ProcessLoop {
     std::uint32_t m_requestNumber{0};
     std::uint32_t m_lastSequence{0};
     std::int64_t m_phaseSince_ns{0};
+    std::int64_t m_tapBegin_ns{0};
+    std::int64_t m_tick_ns{1'000'000};
     std::int64_t m_now_ns{0};
     double m_spindleZero_rev{0.0};
     double m_zZero_mm{0.0};
@@ -73,6 +86,7 @@ class TappingLoop final : public ProcessLoop {
     double m_deepest_mm{0.0};
     bool m_engaged{false};
     std::uint32_t m_lostInARow{0};
+    bool m_signalLost{false};  ///< for too long, in this tap
     DriftWatch m_drift{};
 };
 

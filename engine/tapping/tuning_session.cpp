@@ -7,11 +7,37 @@
 namespace kerf {
 namespace {
 
-ServoGains gainsOf(const tapping::TapSettings& settings) {
-    return {settings.spindleKp_perS, settings.zKp_perS, {settings.zVelocityFf, settings.zAccelFf}};
-}
+constexpr int kMostRepeats = 3;  ///< taps in a row that do not count
 
 }  // namespace
+
+std::optional<Sentence> settleCommands(const Status& status, std::vector<std::uint32_t>& sent) {
+    std::optional<Sentence> why;
+    std::uint32_t oldest = 0;
+    for (const CommandResult& result : status.recentCommands) {
+        if (result.number == 0) continue;
+        oldest = result.number;  // newest first
+        if (std::erase(sent, result.number) > 0 && !result.done) why = result.reason;
+    }
+    // What is older than all that is remembered has been executed too.
+    std::erase_if(sent, [oldest](std::uint32_t number) { return number < oldest; });
+    return why;
+}
+
+LoadTapGains gainsToLoad(TapExchange& exchange, const tapping::TapSettings& settings, std::uint32_t revision) {
+    LoadTapGains load;
+    load.gains.revision = revision;
+    load.gains.gains = {settings.spindleKp_perS, settings.zKp_perS, {settings.zVelocityFf, settings.zAccelFf}};
+    if (settings.zTrim_mm.empty()) return load;
+    load.gains.trimRevision = revision;
+    TrimTable& table = exchange.trims.writeSlot();
+    table.revision = revision;
+    table.count = static_cast<std::uint32_t>(std::min(settings.zTrim_mm.size(), kMaxTapTicks));
+    std::transform(settings.zTrim_mm.begin(), settings.zTrim_mm.begin() + table.count, table.trim_um.begin(),
+                   [](double trim_mm) { return static_cast<float>(1000.0 * trim_mm); });
+    exchange.trims.publish();
+    return load;
+}
 
 TuningSession::TuningSession(EngineApi& engine, TapExchange& exchange, const tapping::TunerSetup& setup,
                              const TappingJob& job, bool automatic)
@@ -39,19 +65,10 @@ void TuningSession::send(const decltype(Command::action)& action) {
 }
 
 void TuningSession::load(const tapping::TapSettings& settings, bool accept, bool production) {
-    TapGains gains;
-    gains.revision = ++m_revision;
-    gains.gains = gainsOf(settings);
-    if (!settings.zTrim_mm.empty()) {
-        gains.trimRevision = m_revision;
-        TrimTable& table = m_exchange.trims.writeSlot();
-        table.revision = m_revision;
-        table.count = static_cast<std::uint32_t>(std::min(settings.zTrim_mm.size(), kMaxTapTicks));
-        std::transform(settings.zTrim_mm.begin(), settings.zTrim_mm.begin() + table.count, table.trim_um.begin(),
-                       [](double trim_mm) { return static_cast<float>(1000.0 * trim_mm); });
-        m_exchange.trims.publish();
-    }
-    send(LoadTapGains{gains, accept, production});
+    LoadTapGains load = gainsToLoad(m_exchange, settings, ++m_revision);
+    load.accept = accept;
+    load.production = production;
+    send(load);
 }
 
 void TuningSession::tap(State state) {
@@ -61,45 +78,70 @@ void TuningSession::tap(State state) {
 }
 
 bool TuningSession::commandsDone() {
-    for (const CommandResult& result : m_engine.status().recentCommands) {
-        const auto found = std::ranges::find(m_sent, result.number);
-        if (result.number == 0 || found == m_sent.end()) continue;
-        m_sent.erase(found);
-        if (!result.done) {
-            m_state = State::Failed;
-            m_reason = result.reason;
-        }
-    }
+    if (const auto why = settleCommands(m_engine.status(), m_sent); why && m_state != State::Failed) failed(*why);
     return m_sent.empty();
+}
+
+void TuningSession::failed(const Sentence& why) {
+    m_state = State::Failed;
+    m_reason = why;
+    m_kept = m_setup.initial;
+    load(m_setup.initial, true, true);  // an abort leaves the accepted gains, but the exchange has a trial's trim
 }
 
 void TuningSession::poll() {
     if (!commandsDone() || (m_state != State::Air && m_state != State::Trial)) return;
     const TappingStatus& status = m_engine.status().tapping;
     if (status.phase == TapPhase::InHole) {
-        m_state = State::Failed;
-        m_reason = Sentence(KERF_TEXT("The tap stands in the hole: turn it out in sync, then tune again."));
+        failed(Sentence(KERF_TEXT("The tap stands in the hole: turn it out in sync, then tune again.")));
         return;
     }
-    if (status.taps == m_tapsBefore) return;
+    if (status.taps == m_tapsBefore) {
+        if (status.phase == TapPhase::Idle) {
+            failed(status.problem.empty() ? Sentence(KERF_TEXT("The control did not start the tapping program."))
+                                          : status.problem);
+        }
+        return;
+    }
     (void)m_exchange.records.refresh();
     const TapRecord& record = m_exchange.records.value();
     if (status.outcome == TapOutcome::Aborted || record.number != status.taps) {
-        m_tuner->rollBack();
-        m_state = State::Failed;
-        m_reason = Sentence(KERF_TEXT("The tap was aborted: the accepted gains are back in force."));
+        failed(Sentence(KERF_TEXT("The tap was aborted: the accepted gains are back in force.")));
         return;
     }
+    if (status.outcome == TapOutcome::NotCounted && ++m_repeats >= kMostRepeats) {
+        failed(Sentence(KERF_TEXT("%1 taps in a row did not count: check the encoders."),
+                        {static_cast<double>(m_repeats), 0}));
+        return;
+    }
+    if (status.outcome == TapOutcome::Counted) m_repeats = 0;
     if (m_state == State::Air) {
         if (status.outcome == TapOutcome::Counted && !status.airTapPassed) {
-            m_state = State::Failed;
-            m_reason = Sentence(KERF_TEXT("The air tap shows another pitch than the one entered."));
+            failed(Sentence(KERF_TEXT("The air tap shows another pitch than the one entered.")));
             return;
         }
         tap(status.airTapPassed ? State::Trial : State::Air);
         return;
     }
-    learn(record);
+    if (status.outcome == TapOutcome::NotCounted) {
+        repeat(record);
+    } else {
+        learn(record);
+    }
+    if (m_state == State::Proposed && m_automatic) setAutomatic(true);
+}
+
+void TuningSession::repeat(const TapRecord& record) {
+    Trial trial;
+    trial.settings = m_tuner->settings();
+    trial.figures = record.figures;
+    trial.counted = false;
+    m_trials.push_back(std::move(trial));
+    m_step.finished = false;
+    m_step.counted = false;
+    m_step.next = m_tuner->settings();
+    m_reason = Sentence(KERF_TEXT("The last tap does not count: repeat it."));
+    m_state = State::Proposed;
 }
 
 void TuningSession::learn(const TapRecord& record) {
@@ -111,24 +153,35 @@ void TuningSession::learn(const TapRecord& record) {
     trial.settings = m_tuner->settings();
     trial.figures = record.figures;
     for (std::size_t k = 0; k < count; ++k) {
+        if (record.valid[k] == 0) continue;
         trial.spindle_rev.push_back(record.spindle_rev[k]);
         trial.error_um.push_back(static_cast<float>(1000.0 * (m_setup.assumed.pitch_mm * spindle_rev[k] - z_mm[k])));
     }
     m_step = m_tuner->observe({spindle_rev, z_mm, valid});
+    m_counted += m_step.counted ? 1 : 0;
     trial.accepted = m_step.accepted;
     trial.counted = m_step.counted;
     m_trials.push_back(std::move(trial));
     m_reason = m_step.reason;
+    m_state = State::Proposed;
+}
+
+void TuningSession::setAutomatic(bool automatic) {
+    m_automatic = automatic;
+    if (!automatic || m_state != State::Proposed) return;
     if (m_step.finished) {
         finish(m_step.next);
-        return;
+    } else {
+        confirm();
     }
-    m_state = State::Proposed;
-    if (m_automatic) confirm();
+}
+
+bool TuningSession::mayTapMore() const {
+    return m_state == State::Proposed && m_counted < m_setup.maxTaps;
 }
 
 void TuningSession::confirm() {
-    if (m_state != State::Proposed) return;
+    if (!mayTapMore()) return;
     load(m_step.next, false, false);
     tap(State::Trial);
 }
@@ -141,6 +194,10 @@ void TuningSession::finish(const tapping::TapSettings& settings) {
 
 void TuningSession::accept() {
     if (m_state != State::Proposed) return;
+    if (m_step.finished) {
+        finish(m_step.next);
+        return;
+    }
     m_tuner->rollBack();
     finish(m_tuner->settings());
 }

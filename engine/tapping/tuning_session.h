@@ -12,8 +12,17 @@
 
 namespace kerf {
 
+/// Takes the commands that have been executed out of `sent`; the reason when one of them was refused.
+[[nodiscard]] std::optional<Sentence> settleCommands(const Status& status, std::vector<std::uint32_t>& sent);
+
+/// The command that loads settings as revision `revision`; publishes their trim first, so that both arrive together.
+[[nodiscard]] LoadTapGains gainsToLoad(TapExchange& exchange, const tapping::TapSettings& settings,
+                                       std::uint32_t revision);
+
 /// One tuning on the machine: air tap, first tap with the initial gains, then propose, confirm, tap, decide.
 ///
+/// However it ends, gains and trim of an accepted setting are loaded: the kept ones, or after an abort, a refusal or a
+/// roll back the initial ones.
 /// Lives beside the page or on a worker, never in the cycle: it takes records from the exchange, asks the tuner, and
 /// sends commands. poll() is called on a timer; every call returns at once but the one that asks the tuner (some ms).
 class TuningSession {
@@ -23,7 +32,7 @@ class TuningSession {
         Trial,     ///< a tap with the settings of `trials().back()` or the initial ones
         Proposed,  ///< waits for confirm(), accept() or rollBack()
         Done,      ///< settings accepted; production may go on with them
-        Failed,    ///< aborted or refused: reason() says why, the accepted gains are in force
+        Failed,    ///< aborted or refused: reason() says why, the initial settings are loaded
     };
     struct Trial {
         tapping::TapSettings settings{};
@@ -34,13 +43,17 @@ class TuningSession {
         std::vector<float> error_um{};  ///< E_r over the tap, for the chart
     };
 
-    /// `automatic`: proposals are confirmed at once. @pre engine and exchange outlive the session.
+    /// `automatic`: proposals are confirmed at once, and accepted when the tuner has finished. @pre engine and exchange
+    /// outlive the session.
     TuningSession(EngineApi& engine, TapExchange& exchange, const tapping::TunerSetup& setup, const TappingJob& job,
                   bool automatic);
 
     void poll();
-    /// Make the proposed tap. @pre state() == Proposed
+    void setAutomatic(bool automatic);
+    /// Make the proposed tap; nothing happens unless mayTapMore(). @pre state() == Proposed
     void confirm();
+    /// A proposal stands and the taps of the tuning are not used up.
+    [[nodiscard]] bool mayTapMore() const;
     /// Keep the best settings so far; ends the session.
     void accept();
     /// Back to the initial settings; ends the session.
@@ -60,7 +73,9 @@ class TuningSession {
     void load(const tapping::TapSettings& settings, bool accept, bool production);
     void tap(State state);
     void finish(const tapping::TapSettings& settings);
+    void failed(const Sentence& why);
     void learn(const TapRecord& record);
+    void repeat(const TapRecord& record);
     [[nodiscard]] bool commandsDone();
 
     EngineApi& m_engine;
@@ -76,6 +91,8 @@ class TuningSession {
     std::vector<std::uint32_t> m_sent{};
     std::uint32_t m_revision{0};
     std::uint32_t m_tapsBefore{0};
+    int m_counted{0};
+    int m_repeats{0};  ///< taps in a row that did not count
 };
 
 }  // namespace kerf

@@ -1,102 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
-#include <memory>
-#include <set>
-#include <vector>
 
-#include "engine/loop/engine.h"
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_tapping.h"
-#include "engine/tapping/session_desk.h"
+#include "engine/api/part_results.h"
 #include "engine/tapping/tapping_alarms.h"
-#include "engine/tapping/tapping_loop.h"
-#include "engine/tapping/trial_machine.h"
-#include "engine/tapping/tuning_session.h"
 #include "tests/support/cycle_guard.h"
 #include "tests/support/golden.h"
+#include "tests/support/tapping_bench.h"
 
 using namespace kerf;
-
-namespace {
-
-/// Simulated tapping machine, loop and engine, not started.
-struct TappingBench {
-    explicit TappingBench(const SimulatedTapping::Params& params = {}) : exchange(std::make_unique<TapExchange>()) {
-        std::vector<std::unique_ptr<SimulatedProcess>> plants;
-        plants.push_back(std::make_unique<SimulatedTapping>(params));
-        machine = std::make_unique<SimulatedMachine>(SimulatedMachine::Params{}, std::move(plants));
-        (void)machine->connect();
-        std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<TappingLoop>(*exchange));
-        engine = std::make_unique<Engine>(*machine, std::move(loops));
-        engine->runCycles(1);
-        (void)execute(SetLoopMode{ProcessId::Tapping, LoopMode::Control});
-    }
-    template <class Action>
-    CommandResult execute(const Action& action) {
-        Command command;
-        command.action = action;
-        (void)engine->send(command);
-        engine->runCycles(1);
-        return engine->status().lastCommand;
-    }
-    template <class Condition>
-    bool runUntil(Condition condition, int most = 20'000) {
-        for (int i = 0; i < most; ++i) {
-            engine->runCycles(1);
-            if (condition(engine->status().tapping)) return true;
-        }
-        return false;
-    }
-    bool runTap() {
-        const std::uint32_t before = tapping().taps;
-        return execute(StartPart{ProcessId::Tapping}).done &&
-               runUntil([before](const TappingStatus& s) { return s.taps > before && s.phase == TapPhase::Idle; });
-    }
-    [[nodiscard]] const TappingStatus& tapping() { return engine->status().tapping; }
-    [[nodiscard]] const ServoGains& gains() { return engine->cycle().inputs().servoGains; }
-    void drainAlarms() {
-        AlarmEvent event;
-        while (engine->nextAlarm(event)) {
-            if (event.raised) raised.insert(event.code);
-            QVERIFY(engine->alarmSpec(event.code) != nullptr);
-        }
-    }
-    [[nodiscard]] bool wasRaised(AlarmCode code) {
-        drainAlarms();
-        return raised.contains(code);
-    }
-
-    std::unique_ptr<TapExchange> exchange;
-    std::unique_ptr<SimulatedMachine> machine;
-    std::unique_ptr<Engine> engine;
-    std::set<AlarmCode> raised;
-};
-
-TappingJob job() {
-    TappingJob job;
-    job.revision = 1;
-    return job;
-}
-
-LoadTapGains initialGains() {
-    LoadTapGains load;
-    load.gains.revision = 1;
-    load.gains.gains.spindleKp_perS = 40.0;
-    load.gains.gains.zKp_perS = 48.0;
-    load.accept = true;
-    return load;
-}
-
-tapping::TunerSetup setup(const tapping::DriveParams& drive) {
-    tapping::TunerSetup setup;
-    setup.assumed = tapping::knownTo(drive, {});
-    setup.initial = tapping::settingsOf(drive);
-    setup.maxTaps = 6;
-    return setup;
-}
-
-}  // namespace
+using kerf::test::initialGains;
+using kerf::test::job;
+using kerf::test::setup;
+using kerf::test::TappingBench;
 
 class TestTappingLoop : public QObject {
     Q_OBJECT
@@ -135,81 +50,6 @@ class TestTappingLoop : public QObject {
         QVERIFY(!bench.tapping().airTapPassed);
         QVERIFY(bench.runTap());
         QCOMPARE(bench.tapping().kind, TapKind::Air);
-    }
-
-    void sessionTunesWithinTolerance() {
-        SimulatedTapping::Params params;
-        params.noise_um = 2.0;
-        params.loadSpread = 0.2;
-        params.frictionSpread = 0.1;
-        TappingBench bench(params);
-        TuningSession session(*bench.engine, *bench.exchange, setup(params.drive), job(), true);
-        for (int i = 0; i < 30'000 && session.state() != TuningSession::State::Done; ++i) {
-            bench.engine->runCycles(1);
-            session.poll();
-            QVERIFY2(session.state() != TuningSession::State::Failed, session.reason().english().c_str());
-        }
-        QCOMPARE(session.state(), TuningSession::State::Done);
-        QVERIFY(session.trials().size() <= 6);
-        QVERIFY(session.trials().back().figures.saec_mm < 0.03 * session.trials().front().figures.saec_mm);
-        bench.engine->runCycles(5);
-        // Production with what was learned: the gains read back, the trim acts.
-        QVERIFY(bench.runTap());
-        QCOMPARE(bench.tapping().kind, TapKind::Production);
-        QVERIFY(bench.tapping().last.engagedPp_um < 28.0);
-        QCOMPARE(bench.tapping().productionTaps, 1U);
-        KERF_CLOSE(bench.gains().zKp_perS, session.kept().zKp_perS, 1e-9);
-        QVERIFY(bench.raised.empty());
-    }
-
-    void proposalWaitsForTheOperator() {
-        TappingBench bench;
-        TuningSession session(*bench.engine, *bench.exchange, setup({}), job(), false);
-        const auto run = [&](TuningSession::State wanted) {
-            for (int i = 0; i < 10'000 && session.state() != wanted; ++i) {
-                bench.engine->runCycles(1);
-                session.poll();
-            }
-            return session.state() == wanted;
-        };
-        QVERIFY(run(TuningSession::State::Proposed));
-        const std::uint32_t taps = bench.tapping().taps;
-        bench.engine->runCycles(2000);
-        session.poll();
-        QCOMPARE(bench.tapping().taps, taps);
-        QVERIFY(!session.proposal().reason.empty());
-        session.confirm();
-        QVERIFY(run(TuningSession::State::Trial));
-        QVERIFY(run(TuningSession::State::Proposed));
-        session.rollBack();
-        QCOMPARE(session.state(), TuningSession::State::Done);
-        QVERIFY(bench.runTap());
-        KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);
-    }
-
-    void deskShowsTrialsCurvesAndSafeSet() {
-        TappingBench bench;
-        SessionTappingDesk desk(*bench.engine, *bench.exchange, tapping::DriveParams{});
-        QVERIFY(!desk.begin("M7", 3000.0, 22.0).has_value());
-        QVERIFY(desk.begin("M8", 3000.0, 22.0).has_value());
-        QVERIFY(!desk.begin("M8", 3000.0, 22.0).has_value());  // one at a time
-        for (int i = 0; i < 40'000 && desk.view().state != TuningState::Done; ++i) {
-            bench.engine->runCycles(1);
-            desk.poll();
-            QVERIFY2(desk.view().state != TuningState::Failed, desk.view().reason.english().c_str());
-            if (desk.view().state == TuningState::Proposed) {
-                QVERIFY(desk.view().nextZKp_perS <= desk.view().highestZKp_perS);
-                desk.oneMore();
-            }
-        }
-        const TappingDeskView& view = desk.view();
-        QCOMPARE(view.state, TuningState::Done);
-        QVERIFY(view.trials.size() >= 2);
-        QCOMPARE(view.first.error_um.size(), 1180U);
-        QVERIFY(view.first.reversal > 500 && view.first.reversal < 600);
-        QVERIFY(view.trials.back().figures.engagedPp_um < view.thread.allowedPpWornTap_um);
-        QCOMPARE(view.speeds.size(), 1U);
-        KERF_CLOSE(view.speeds.front().hole_s, 1.08, 1e-9);
     }
 
     void abortTurnsOutInSyncAndRestoresTheGains() {
@@ -309,6 +149,221 @@ class TestTappingLoop : public QObject {
         QVERIFY(bench.runUntil([](const TappingStatus& s) { return s.phase == TapPhase::Idle; }));
         QCOMPARE(bench.tapping().outcome, TapOutcome::Aborted);
         QVERIFY(bench.wasRaised(tapping_alarm::kSignalLost));
+    }
+
+    // Faults during a tap.
+    void abortPressedTwiceStillRestoresTheGains() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains trial = initialGains();
+        trial.gains.revision = 2;
+        trial.gains.gains.zKp_perS = 42.0;
+        trial.accept = false;
+        QVERIFY(bench.execute(trial).done);
+        QVERIFY(bench.runInto(10.0));
+        QVERIFY(bench.execute(AbortTap{}).done);
+        bench.engine->runCycles(20);
+        QVERIFY(bench.execute(AbortTap{}).done);
+        QVERIFY(bench.runToIdle());
+        bench.engine->runCycles(5);
+        KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);
+    }
+    void abortBeforeTheTapBeginsEndsWithTheTapOut_data() {
+        QTest::addColumn<int>("cycles");
+        for (const int cycles : {0, 1, 2, 3, 4, 5})
+            QTest::addRow("%d cycles", cycles) << cycles;
+    }
+    void abortBeforeTheTapBeginsEndsWithTheTapOut() {
+        QFETCH(int, cycles);
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains other = initialGains();
+        other.gains.revision = 2;
+        other.gains.gains.zKp_perS = 42.0;
+        other.accept = false;
+        QVERIFY(bench.execute(other).done);
+        Command start;
+        start.action = StartPart{ProcessId::Tapping};
+        QVERIFY(bench.engine->send(start).has_value());
+        bench.engine->runCycles(static_cast<std::uint64_t>(cycles));
+        QVERIFY(bench.execute(AbortTap{}).done);
+        QVERIFY(bench.runToIdle());
+        bench.engine->runCycles(3000);  // nothing starts later
+        QCOMPARE(bench.tapping().phase, TapPhase::Idle);
+        QVERIFY(std::abs(bench.tapping().spindle_rev) < 0.05);
+        QVERIFY(bench.engine->status().program != ProgramState::Running);
+    }
+    void holdAllDuringATapLetsTheControlEndItAndItDoesNotCount() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady(true));
+        QVERIFY(bench.runInto(8.0));
+        bench.engine->holdAll();
+        QVERIFY(bench.runToIdle());
+        QCOMPARE(bench.tapping().outcome, TapOutcome::NotCounted);
+        QVERIFY(bench.wasRaised(tapping_alarm::kNotCounted));
+        QCOMPARE(bench.tapping().productionTaps, 0U);
+    }
+    void holdAllBetweenStartAndTapKeepsTheSpindleStill() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains other = initialGains();
+        other.gains.revision = 2;
+        other.gains.gains.zKp_perS = 42.0;
+        QVERIFY(bench.execute(other).done);
+        QVERIFY(bench.execute(StartPart{ProcessId::Tapping}).done);
+        QCOMPARE(bench.tapping().phase, TapPhase::SettingGains);
+        bench.engine->holdAll();
+        bench.engine->runCycles(2000);
+        QCOMPARE(bench.tapping().phase, TapPhase::Idle);
+        QVERIFY(!bench.tapping().problem.empty());
+        QVERIFY(bench.engine->status().program != ProgramState::Running);
+    }
+    void moreThanFivePercentMissingDoesNotCount_data() {
+        QTest::addColumn<int>("gaps");
+        QTest::addColumn<bool>("counts");
+        QTest::newRow("4.2 %") << 5 << true;  // of 1180 samples, ten each
+        QTest::newRow("5.9 %") << 7 << false;
+    }
+    void moreThanFivePercentMissingDoesNotCount() {
+        QFETCH(int, gaps);
+        QFETCH(bool, counts);
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        const double clean_mm = bench.tapping().last.saec_mm;
+        QVERIFY(bench.runInto(3.0));
+        for (int gap = 0; gap < gaps; ++gap) {
+            bench.inject(SignalFault::Unplugged, 10);
+            bench.engine->runCycles(100);
+        }
+        QVERIFY(bench.runToIdle());
+        QCOMPARE(bench.tapping().outcome, counts ? TapOutcome::Counted : TapOutcome::NotCounted);
+        QCOMPARE(bench.wasRaised(tapping_alarm::kNotCounted), !counts);
+        QVERIFY(bench.tapping().last.missing >= static_cast<std::uint32_t>(10 * gaps));
+        QVERIFY(clean_mm > 0.0);
+    }
+    void cutCableLeavesPlacesInTheRecordAndEndsTheTap() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        QVERIFY(bench.runInto(8.0));
+        InjectedFaults faults;
+        faults.linkDown = true;
+        bench.machine->inject(faults);
+        bench.engine->runCycles(100);
+        bench.machine->inject({});
+        QVERIFY(bench.runToIdle());
+        // The loop was off while the link was down: the tap counts for nothing; every tick has its place.
+        QVERIFY(bench.tapping().outcome != TapOutcome::Counted);
+        QVERIFY(bench.tapping().last.missing >= 100U);
+        QVERIFY(bench.wasRaised(tapping_alarm::kSignalLost));
+        (void)bench.exchange->records.refresh();
+        const TapRecord& record = bench.exchange->records.value();
+        QCOMPARE(record.count, record.figures.samples + record.figures.missing);
+        QVERIFY(std::abs(bench.tapping().spindle_rev) < 0.05);
+    }
+    void errorBeyondTheLimitInAnEngagedTapIsTurnedOutAndRolledBack() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains bad = initialGains();
+        bad.gains.revision = 2;
+        bad.gains.gains.zKp_perS = 12.0;
+        bad.accept = false;
+        QVERIFY(bench.execute(bad).done);
+        QVERIFY(bench.runTap());
+        QCOMPARE(bench.tapping().outcome, TapOutcome::Aborted);
+        QVERIFY(bench.wasRaised(tapping_alarm::kErrorLimit));
+        bench.engine->runCycles(5);
+        KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);
+        QVERIFY(bench.runTap());
+        QCOMPARE(bench.tapping().outcome, TapOutcome::Counted);
+    }
+    void advisingOnlySaysSoButAPersonMayStillTurnTheTapOut() {
+        TappingBench bench;
+        TappingJob tight = job();
+        tight.abortError_um = 200.0;  // the untuned drive reaches 260
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Tapping, LoopMode::Advise}).done);
+        QVERIFY(bench.execute(LoadTappingJob{tight}).done);
+        QVERIFY(bench.runTap());
+        QCOMPARE(bench.tapping().outcome, TapOutcome::Counted);  // it went on
+        QVERIFY(bench.wasRaised(tapping_alarm::kErrorLimit));
+        QVERIFY(bench.runInto(10.0));
+        QVERIFY(bench.execute(AbortTap{}).done);
+        double deepest_rev = 0.0;
+        QVERIFY(bench.runUntil([&](const TappingStatus& s) {
+            deepest_rev = std::max(deepest_rev, s.spindle_rev);
+            return s.phase == TapPhase::Idle;
+        }));
+        QVERIFY(deepest_rev < 18.0);
+        QCOMPARE(bench.tapping().outcome, TapOutcome::Aborted);
+        QVERIFY(bench.runInto(5.0));
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Tapping, LoopMode::Off}).done);
+        QVERIFY(!bench.execute(AbortTap{}).done);  // off: nothing of Kerf's acts
+    }
+    void recoverySetsTheAcceptedGainsBeforeItTurns() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains trial = initialGains();
+        trial.gains.revision = 2;
+        trial.gains.gains.zKp_perS = 42.0;
+        trial.accept = false;
+        QVERIFY(bench.execute(trial).done);
+        QVERIFY(bench.runInto(12.0));
+        InjectedFaults faults;
+        faults.emergencyStop = true;
+        bench.machine->inject(faults);
+        bench.engine->runCycles(10);
+        bench.machine->inject({});
+        bench.engine->runCycles(3);
+        QCOMPARE(bench.tapping().phase, TapPhase::InHole);
+        QVERIFY(!bench.execute(AbortTap{}).done);
+        QVERIFY(bench.execute(RecoverTap{}).done);
+        QVERIFY(bench.runUntil([](const TappingStatus& s) { return s.phase == TapPhase::Retracting; }));
+        KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);
+        QVERIFY(bench.runToIdle());
+        QVERIFY(std::abs(bench.tapping().z_mm) < 0.1);
+    }
+    void recoveryAskedBeforeAHoldDoesNotBeginAfterIt() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        QVERIFY(bench.runInto(12.0));
+        InjectedFaults faults;
+        faults.emergencyStop = true;
+        bench.machine->inject(faults);
+        bench.engine->runCycles(10);
+        bench.machine->inject({});
+        bench.engine->runCycles(3);
+        bench.engine->holdAll();
+        (void)bench.execute(RecoverTap{});  // in the very cycle of the hold
+        QVERIFY(!bench.execute(RecoverTap{}).done);
+        QVERIFY(bench.execute(ReleaseHold{1}).done);
+        bench.engine->runCycles(2000);
+        QCOMPARE(bench.tapping().phase, TapPhase::InHole);
+    }
+    void learnedTrimThatIsNotLoadedRefusesTheTap() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady());
+        LoadTapGains trimmed = initialGains();
+        trimmed.gains.revision = 2;
+        trimmed.gains.trimRevision = 2;
+        QVERIFY(bench.execute(trimmed).done);
+        QVERIFY(!bench.execute(StartPart{ProcessId::Tapping}).done);
+    }
+    void productionTapsArePartsWithTheirFigures() {
+        TappingBench bench;
+        QVERIFY(bench.makeReady(true));
+        QVERIFY(bench.runTap());
+        PartRecord part;
+        QVERIFY(bench.engine->partRecords().tryPop(part));
+        QCOMPARE(part.process, ProcessId::Tapping);
+        QVERIFY(part.complete);
+        QVERIFY(!part.tap.withinTolerance);  // the untuned drive: 520 µm
+        QCOMPARE(part.tap.figures.saec_mm, bench.tapping().last.saec_mm);
+        QVERIFY(!partResults(part).empty());
+        QVERIFY(bench.runInto(10.0));
+        QVERIFY(bench.execute(AbortTap{}).done);
+        QVERIFY(bench.runToIdle());
+        QVERIFY(bench.engine->partRecords().tryPop(part));
+        QVERIFY(!part.complete);
+        QVERIFY(!bench.engine->partRecords().tryPop(part));  // neither the air tap nor anything twice
     }
 
     void advisingLeavesTheMachinesGains() {

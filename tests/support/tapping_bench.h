@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTest>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "engine/loop/engine.h"
+#include "engine/machine/simulated_machine.h"
+#include "engine/machine/simulated_tapping.h"
+#include "engine/tapping/tapping_loop.h"
+#include "engine/tapping/trial_machine.h"
+#include "engine/tapping/tuner.h"
+
+namespace kerf::test {
+
+inline TappingJob job() {
+    TappingJob job;
+    job.revision = 1;
+    return job;
+}
+
+inline LoadTapGains initialGains() {
+    LoadTapGains load;
+    load.gains.revision = 1;
+    load.gains.gains.spindleKp_perS = 40.0;
+    load.gains.gains.zKp_perS = 48.0;
+    load.accept = true;
+    return load;
+}
+
+inline tapping::TunerSetup setup(const tapping::DriveParams& drive) {
+    tapping::TunerSetup setup;
+    setup.assumed = tapping::knownTo(drive, {});
+    setup.initial = tapping::settingsOf(drive);
+    setup.maxTaps = 6;
+    return setup;
+}
+
+/// Simulated tapping machine, loop and engine, not started.
+struct TappingBench {
+    explicit TappingBench(const SimulatedTapping::Params& params = {}) : exchange(std::make_unique<TapExchange>()) {
+        std::vector<std::unique_ptr<SimulatedProcess>> plants;
+        plants.push_back(std::make_unique<SimulatedTapping>(params));
+        machine = std::make_unique<SimulatedMachine>(SimulatedMachine::Params{}, std::move(plants));
+        (void)machine->connect();
+        std::vector<std::unique_ptr<ProcessLoop>> loops;
+        loops.push_back(std::make_unique<TappingLoop>(*exchange));
+        engine = std::make_unique<Engine>(*machine, std::move(loops));
+        engine->runCycles(1);
+        (void)execute(SetLoopMode{ProcessId::Tapping, LoopMode::Control});
+    }
+    template <class Action>
+    CommandResult execute(const Action& action) {
+        Command command;
+        command.action = action;
+        (void)engine->send(command);
+        engine->runCycles(1);
+        return engine->status().lastCommand;
+    }
+    template <class Condition>
+    bool runUntil(Condition condition, int most = 20'000) {
+        for (int i = 0; i < most; ++i) {
+            engine->runCycles(1);
+            if (condition(engine->status().tapping)) return true;
+        }
+        return false;
+    }
+    bool runTap() {
+        const std::uint32_t before = tapping().taps;
+        return execute(StartPart{ProcessId::Tapping}).done &&
+               runUntil([before](const TappingStatus& s) { return s.taps > before && s.phase == TapPhase::Idle; });
+    }
+    [[nodiscard]] const TappingStatus& tapping() { return engine->status().tapping; }
+    [[nodiscard]] const ServoGains& gains() { return engine->cycle().inputs().servoGains; }
+    void drainAlarms() {
+        AlarmEvent event;
+        while (engine->nextAlarm(event)) {
+            if (event.raised) raised.insert(event.code);
+            QVERIFY(engine->alarmSpec(event.code) != nullptr);
+        }
+    }
+    void inject(SignalFault spindleAngle, int cycles) {
+        InjectedFaults faults;
+        faults.spindleAngle = spindleAngle;
+        machine->inject(faults);
+        engine->runCycles(static_cast<std::uint64_t>(cycles));
+        machine->inject({});
+    }
+    /// Job, gains and the air tap.
+    bool makeReady(bool production = false) {
+        LoadTapGains gains = initialGains();
+        gains.production = production;
+        return execute(LoadTappingJob{job()}).done && execute(gains).done && runTap();
+    }
+    bool runInto(double spindle_rev) {
+        return execute(StartPart{ProcessId::Tapping}).done &&
+               runUntil([spindle_rev](const TappingStatus& s) { return s.spindle_rev > spindle_rev; });
+    }
+    bool runToIdle() {
+        return runUntil([](const TappingStatus& s) { return s.phase == TapPhase::Idle; });
+    }
+    [[nodiscard]] bool wasRaised(AlarmCode code) {
+        drainAlarms();
+        return raised.contains(code);
+    }
+
+    std::unique_ptr<TapExchange> exchange;
+    std::unique_ptr<SimulatedMachine> machine;
+    std::unique_ptr<Engine> engine;
+    std::set<AlarmCode> raised;
+};
+
+}  // namespace kerf::test
