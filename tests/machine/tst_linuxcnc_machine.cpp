@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QFile>
-#include <QProcess>
-#include <QTcpSocket>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <thread>
 
@@ -12,18 +8,7 @@
 #include "engine/loop/engine.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "tests/machine/port_conformance.h"
-
-namespace {
-
-std::int64_t monotonic_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
-
-bool portAnswers() {
-    QTcpSocket socket;
-    socket.connectToHost(QStringLiteral("127.0.0.1"), 5007);
-    return socket.waitForConnected(200);
-}
-
-}  // namespace
+#include "tests/support/linuxcnc_control.h"
 
 /// The suite of the port against LinuxCNC's own simulator, started here; skipped, with the reason, where it cannot run.
 class TestLinuxCncMachine : public kerf::test::PortConformance {
@@ -33,7 +18,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     std::int64_t nextCycle() override {
         m_deadline += std::chrono::milliseconds(1);
         std::this_thread::sleep_until(m_deadline);
-        return monotonic_ns();
+        return kerf::test::monotonic_ns();
     }
     kerf::StartProgram shortProgram() const override {
         kerf::StartProgram program;
@@ -47,60 +32,22 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     int patience() const override { return 10'000; }
 
    private:
-    bool startControl() {
-        m_control.setProgram(QStringLiteral(KERF_SOURCE_DIR "/scripts/linuxcnc-sim"));
-        m_control.setArguments({QString::fromLocal8Bit(qgetenv("KERF_BIN"))});
-        m_control.setStandardOutputFile(QStringLiteral("linuxcnc.log"));
-        m_control.setStandardErrorFile(QStringLiteral("linuxcnc.log"), QIODevice::Append);
-        m_control.start();
-        for (int i = 0; i < 300 && m_control.state() != QProcess::NotRunning; ++i) {
-            if (portAnswers() && makeMachine()) {
-                return true;
-            }
-            QTest::qWait(100);
-        }
-        return false;
-    }
-    bool makeMachine() {
-        kerf::linuxcnc::LinuxCncMachine::Params params;
-        params.rsh.prepareMachine = true;
-        m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(params);
-        return m_machine->connect().has_value();
-    }
-    void stopControl() {
-        QProcess::execute(QStringLiteral("pkill"), {QStringLiteral("-x"), QStringLiteral("linuxcncrsh")});
-        if (!m_control.waitForFinished(20'000)) {
-            m_control.kill();
-            m_control.waitForFinished();
-        }
-    }
     bool linkIs(kerf::LinkState state) {
         return cycleUntil([this, state] { return m_inputs.link == state; }, neutral());
     }
 
    private slots:
     void initTestCase() {
-        if (!QFile::exists(QString::fromLocal8Bit(qgetenv("KERF_BIN")) + QStringLiteral("/kerf-hal")) ||
-            QProcess::execute(QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("command -v linuxcnc >/dev/null")}) != 0) {
-            QSKIP("LinuxCNC is not installed here (packages linuxcnc-uspace and linuxcnc-uspace-dev)");
+        if (const QString why = kerf::test::LinuxCncControl::whyNot(); !why.isEmpty()) {
+            QSKIP(qPrintable(why));
         }
-        if (portAnswers()) {
-            QSKIP("another LinuxCNC answers on port 5007: stop it first");
-        }
-        if (!startControl()) {
-            QFile log(QStringLiteral("linuxcnc.log"));
-            (void)log.open(QIODevice::ReadOnly);
-            QFAIL(("LinuxCNC did not start: " + log.readAll().right(800)).constData());
-        }
-        m_deadline = std::chrono::steady_clock::now();
-        QVERIFY(cycleUntil([this] { return m_inputs.machineOn && !m_inputs.emergencyStop && homed(); }, neutral()));
+        m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(kerf::linuxcnc::LinuxCncMachine::Params{});
+        QVERIFY(m_machine->connect().has_value());  // before LinuxCNC: the console starts without it
+        cycle(neutral());
+        QCOMPARE(m_inputs.link, kerf::LinkState::Down);
+        QVERIFY2(m_control.start(), m_control.log());
     }
-    void cleanupTestCase() {
-        m_machine.reset();
-        if (m_control.state() != QProcess::NotRunning) {
-            stopControl();
-        }
-    }
+    void cleanupTestCase() { m_machine.reset(); }
     void init() {
         m_inputs = kerf::MachineInputs{};
         m_deadline = std::chrono::steady_clock::now();
@@ -161,13 +108,13 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         slow.feedScale = 0.2;
         QVERIFY(cycleUntil(
             [this] { return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed(); }, slow));
-        const std::int64_t silentFrom_ns = monotonic_ns();
+        const std::int64_t silentFrom_ns = kerf::test::monotonic_ns();
         std::int64_t reacted_ns = 0;
-        while (monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
+        while (kerf::test::monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
             machine().read(nextCycle(), m_inputs);  // looks, but says nothing: hung
             QVERIFY(m_inputs.actualFeed_mmPerS.value <= programmed() * 1.001);
             if (m_inputs.appliedFeedScale.value == 1.0) {
-                reacted_ns = monotonic_ns();
+                reacted_ns = kerf::test::monotonic_ns();
             }
         }
         QVERIFY(reacted_ns != 0);
@@ -175,24 +122,22 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         qInfo("console silent: back at programmed feed after %.0f ms", reaction_ms);
     }
     void controlKilledIsNoticedAndComesBack() {
-        const std::int64_t killed_ns = monotonic_ns();
-        QProcess::execute(QStringLiteral("pkill"), {QStringLiteral("-9"), QStringLiteral("-x"), QStringLiteral("kerf-hal")});
+        const std::int64_t killed_ns = kerf::test::monotonic_ns();
+        m_control.killBridge();
         std::int64_t noticed_ns = 0;
         m_deadline = std::chrono::steady_clock::now();
-        while (monotonic_ns() - killed_ns < 2'000'000'000 && noticed_ns == 0) {
+        while (kerf::test::monotonic_ns() - killed_ns < 2'000'000'000 && noticed_ns == 0) {
             cycle(neutral());
             if (m_inputs.link == kerf::LinkState::Down) {
-                noticed_ns = monotonic_ns();
+                noticed_ns = kerf::test::monotonic_ns();
             }
         }
         QVERIFY(noticed_ns != 0);
         qInfo("link lost noticed %.0f ms after the kill was asked", static_cast<double>(noticed_ns - killed_ns) * 1e-6);
-        // The test cannot load the bridge into a running control as an ordinary user would; a new control is the same to the port.
-        m_machine->disconnect();
-        stopControl();
-        QVERIFY(startControl());
+        m_control.stop();
+        QVERIFY2(m_control.start(), m_control.log());
         m_deadline = std::chrono::steady_clock::now();
-        QVERIFY(linkIs(kerf::LinkState::Up));
+        QVERIFY(linkIs(kerf::LinkState::Up));  // by itself
         QVERIFY(cycleUntil([this] { return m_inputs.machineOn && homed(); }, neutral()));
     }
 
@@ -206,7 +151,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         }
     }
 
-    QProcess m_control;
+    kerf::test::LinuxCncControl m_control;
     std::unique_ptr<kerf::linuxcnc::LinuxCncMachine> m_machine;
     std::chrono::steady_clock::time_point m_deadline{};
 };

@@ -125,9 +125,11 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
     while (inputs.servoCount < kMaxServoSamples && m_memory->servo.read(m_nextPeriod, period)) {
         if (period.cutting && !running()) {
             begin(ProgramState::Running);
+            answer(m_tapRequest, RequestState::Done);
+            m_tapRequest = 0;
         }
         if (period.cutting && running()) {
-            inputs.servo[inputs.servoCount++] = m_tap.next(period);
+            inputs.servoCount += m_tap.next(period, inputs.servo[inputs.servoCount]) ? 1 : 0;
         } else if (running()) {
             m_tapEnds = true;
             m_tapFinished = period.finished;
@@ -152,6 +154,9 @@ void LinuxCncMachine::takeReplies(std::int64_t now_ns) noexcept {
             m_shiftUnderWay = false;
         } else {
             m_reply = reply;
+            if (reply.number == m_tapRequest && reply.state == RequestState::Done) {
+                m_reply.state = RequestState::Accepted;  // spindle and Z get ready first; done when the tap begins
+            }
         }
     }
     if (m_gainsRequest == 0) {
@@ -224,7 +229,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.temperatures = nullptr;
     fillGains(inputs, quality);
     if (up && m_fitted.simulator && m_process == ProcessId::Milling) {
-        m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, now_ns, inputs);
+        m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_program == ProgramState::Running, now_ns, inputs);
     }
     inputs.reply = m_reply;
 }
@@ -266,6 +271,7 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         m_wasCutting = false;
         m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
         m_tapEnds = false;
+        m_tapRequest = start->process == ProcessId::Tapping ? request.number : 0;
         if (m_memory != nullptr) {
             m_nextPeriod = m_memory->servo.written();
         }

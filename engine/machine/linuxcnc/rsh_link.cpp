@@ -40,7 +40,7 @@ bool RshLink::connectOnce() {
         disconnect();
         return false;
     }
-    const bool greeted = acknowledged("hello EMC kerf 1") && acknowledged("set enable EMCTOO") &&
+    const bool greeted = acknowledged("hello EMC kerf 1") &&
                          acknowledged("set echo off") && acknowledged("set verbose on");
     if (!greeted) {
         disconnect();
@@ -82,8 +82,13 @@ bool RshLink::acknowledged(const std::string& line) {
     return say(line, answer) && answer.find("NAK") == std::string::npos;
 }
 
+// Only one connection may command at a time: the one that was enabled last.
+bool RshLink::command(const std::string& line) {
+    return acknowledged("set enable EMCTOO") && acknowledged(line);
+}
+
 bool RshLink::mdi(const std::string& line) {
-    return acknowledged("set mode mdi") && acknowledged(line);
+    return command("set mode mdi") && command(line);
 }
 
 RequestReply RshLink::carryOut(const Errand& errand) {
@@ -113,7 +118,7 @@ RequestReply RshLink::carryOut(const PortRequest& request) {
         }
         done = mdi(*line);
     } else if (std::holds_alternative<AbortProgram>(request.action)) {
-        done = acknowledged("set abort");
+        done = command("set abort");
     } else {
         return refuse(Sentence(KERF_TEXT("This control cannot do that.")));
     }

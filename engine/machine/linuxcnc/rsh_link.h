@@ -56,6 +56,7 @@ class RshLink {
     [[nodiscard]] bool acknowledged(const std::string& line);
     [[nodiscard]] RequestReply carryOut(const Errand& errand);
     [[nodiscard]] RequestReply carryOut(const PortRequest& request);
+    [[nodiscard]] bool command(const std::string& line);
     [[nodiscard]] bool mdi(const std::string& line);
 
     Params m_params;

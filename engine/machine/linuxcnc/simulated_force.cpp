@@ -17,10 +17,14 @@ void SimulatedForce::begin(double axis_mm, double spindle_rev, std::int64_t now_
     m_last_ns = now_ns;
 }
 
-void SimulatedForce::step(double axis_mm, double spindle_rev, std::int64_t now_ns, MachineInputs& inputs) noexcept {
+void SimulatedForce::step(double axis_mm, double spindle_rev, bool cutting, std::int64_t now_ns, MachineInputs& inputs) noexcept {
     const double before_N = m_cut.force_N();
     const double turned_rev = spindle_rev - m_lastAngle_rev;
-    m_cut.step(axis_mm - m_cut.axis_mm(), turned_rev, 1.0);
+    if (cutting) {
+        m_cut.step(axis_mm - m_cut.axis_mm(), turned_rev, 1.0);
+    } else {
+        m_cut.begin(m_plant, m_blank, m_plant.cuttingCoefficient, axis_mm);
+    }
     for (std::size_t i = 0; i < kSamplesPerCycle; ++i) {
         const double share = static_cast<double>(i + 1) / static_cast<double>(kSamplesPerCycle);
         FastSample& sample = inputs.fast[i];

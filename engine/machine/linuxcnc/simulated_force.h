@@ -18,8 +18,9 @@ class SimulatedForce {
 
     /// A new cut begins at `axis_mm`; the blank is a stair of 1, 2, 3, 2, 1 mm over 100 mm, with air around it.
     void begin(double axis_mm, double spindle_rev, std::int64_t now_ns) noexcept;
-    /// Fills `inputs.fast` from where the axis and the spindle have got to since the last call.
-    void step(double axis_mm, double spindle_rev, std::int64_t now_ns, MachineInputs& inputs) noexcept;
+    /// Fills `inputs.fast` from where the axis and the spindle have got to since the last call; `cutting` false: out of
+    /// the work.
+    void step(double axis_mm, double spindle_rev, bool cutting, std::int64_t now_ns, MachineInputs& inputs) noexcept;
 
  private:
     static constexpr std::size_t kSamplesPerCycle = 5;
