@@ -49,7 +49,8 @@ class OutputLimiter {
     OutputLimiter(const OutputLimits& limits, const Capabilities& capabilities) noexcept;
 
     /// Take over what the machine reports as applied; after connect and reconnect, so that nothing jumps.
-    void adopt(const MachineInputs& inputs) noexcept;
+    /// What the machine can do may be another thing than before.
+    void adopt(const MachineInputs& inputs, const Capabilities& capabilities) noexcept;
 
     /// One cycle. `wishes[p]` are the outputs of process p that may act (empty ones for loops that do not control).
     [[nodiscard]] MachineOutputs apply(const std::array<LoopOutputs, kProcessCount>& wishes,
@@ -58,15 +59,18 @@ class OutputLimiter {
     [[nodiscard]] const OutputLimits& limits() const noexcept { return m_limits; }
 
  private:
+    void fit(const Capabilities& capabilities) noexcept;
+    void adoptOffset(std::size_t axis, const Reading& applied_um) noexcept;
     void limitFeedScale(const LoopOutputs& owner, bool running, double dt_s, LimitReport& report) noexcept;
     [[nodiscard]] bool admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept;
 
     OutputLimits m_limits;
-    double m_feedScaleTop;
-    bool m_feedScaleFitted;
-    bool m_workOffsetFitted;
-    bool m_toolTrimFitted;
-    bool m_zTrimFitted;
+    double m_feedScaleTop{1.0};
+    bool m_feedScaleFitted{false};
+    bool m_workOffsetFitted{false};
+    bool m_toolTrimFitted{false};
+    bool m_zTrimFitted{false};
+    std::array<bool, kAxisCount> m_offsetKnown{};  ///< a control that has zeroed its offsets is taken over again
     MachineOutputs m_last{};
 };
 

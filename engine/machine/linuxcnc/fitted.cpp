@@ -21,8 +21,8 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept {
     const auto why = [&](const Sentence& reason) { return known ? reason : unknown; };
 
     Capabilities c;
-    const std::string_view name = machine.simulator ? "LinuxCNC simulator" : "LinuxCNC";
-    std::ranges::copy(name, c.machineName.begin());
+    constexpr std::string_view kName = "LinuxCNC";
+    std::ranges::copy(kName, c.machineName.begin());
     c.maxFeedScale = machine.maxFeedScale;
     set(c.feedScale, true, {});
     set(c.cycleStart, true, {});
@@ -38,8 +38,9 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept {
     }
     const auto host = [&c](ProcessId id) -> Capability& { return c.process[static_cast<std::size_t>(id)]; };
     set(host(ProcessId::Boring), true, {});
-    set(host(ProcessId::Milling), c.forceSensor.fitted, c.forceSensor.why);
-    set(host(ProcessId::Tapping), machine.servoGains && machine.servoRecord, c.servoGains.why);
+    // What is not known yet is not ruled out: a mode kept from yesterday waits for the machine.
+    set(host(ProcessId::Milling), !known || c.forceSensor.fitted, c.forceSensor.why);
+    set(host(ProcessId::Tapping), !known || (machine.servoGains && machine.servoRecord), c.servoGains.why);
     set(host(ProcessId::Thermal), false,
         why(Sentence(KERF_TEXT("This LinuxCNC brings no temperatures: without them nothing can be predicted."))));
     set(host(ProcessId::Turning), false,
