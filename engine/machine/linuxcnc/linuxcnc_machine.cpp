@@ -101,17 +101,21 @@ void LinuxCncMachine::begin(ProgramState state) noexcept {
 
 void LinuxCncMachine::followProgram() noexcept {
     const bool cutting = m_seen.cutting && m_seen.programRunning;
-    if (cutting && !m_wasCutting && m_program != ProgramState::Paused) {
+    m_outputFell = m_outputFell || !m_seen.cutting;  // an aborted program leaves it on
+    if (cutting && m_outputFell && !running()) {
+        m_outputFell = false;
         begin(ProgramState::Running);
+    }
+    if (!running()) {
+        return;
     }
     if (m_seen.cutting && m_seen.programPaused) {
         m_program = ProgramState::Paused;
     } else if (cutting) {
         m_program = ProgramState::Running;
-    } else if (running()) {
+    } else {
         m_program = m_seen.finished ? ProgramState::Finished : ProgramState::Aborted;
     }
-    m_wasCutting = cutting;
 }
 
 void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
@@ -123,7 +127,9 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
     }
     ServoPeriod period;
     while (inputs.servoCount < kMaxServoSamples && m_memory->servo.read(m_nextPeriod, period)) {
-        if (period.cutting && !running()) {
+        m_outputFell = m_outputFell || !period.cutting;
+        if (period.cutting && m_outputFell && !running()) {
+            m_outputFell = false;
             begin(ProgramState::Running);
             answer(m_tapRequest, RequestState::Done);
             m_tapRequest = 0;
@@ -218,6 +224,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     const bool byOrigin = !m_fitted.externalOffsets && m_fitted.originShift;
     const bool offsetKnown = up && m_seen.machineOn && (byOrigin ? m_seen.originKnown : m_seen.offsetEpoch == m_offsetEpoch);
     m_offsetEpoch = m_seen.offsetEpoch;  // known from the next cycle on: so it is taken over and not overwritten
+    m_wishEpoch = offsetKnown ? m_seen.offsetEpoch : 0;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         inputs.position_mm[axis] = {m_seen.position_mm[axis], now_ns, quality};
         const double shift_um =
@@ -268,7 +275,6 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
     }
     if (const auto* start = std::get_if<StartProgram>(&request.action); start != nullptr && !running()) {
         m_process = start->process;
-        m_wasCutting = false;
         m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
         m_tapEnds = false;
         m_tapRequest = start->process == ProcessId::Tapping ? request.number : 0;
@@ -318,7 +324,7 @@ void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     wish.feedScale = outputs.feedScale;
     wish.feedHold = outputs.feedHold;
     wish.externalOffset_um = outputs.workOffset_um;
-    wish.offsetEpoch = m_offsetEpoch;
+    wish.offsetEpoch = m_wishEpoch;
     wish.gainsRevision = m_gainsRevision;
     wish.gains = m_gains;
     wish.shiftWord = m_word.answer(m_seen.requestWord, outputs.workOffset_um);

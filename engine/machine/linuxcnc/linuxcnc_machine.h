@@ -91,7 +91,7 @@ class LinuxCncMachine final : public MachinePort {
     ProgramState m_program{ProgramState::Idle};
     ProcessId m_process{ProcessId::Boring};
     std::uint32_t m_partSequence{0};
-    bool m_wasCutting{false};
+    bool m_outputFell{false};  ///< the program's output was off since the last begin
     double m_startPosition_mm{0.0};
     // tapping
     TapFollower m_tap{};
@@ -103,6 +103,7 @@ class LinuxCncMachine final : public MachinePort {
     SimulatedForce m_force{};
     // thermal
     std::uint32_t m_offsetEpoch{0};
+    std::uint32_t m_wishEpoch{0};  ///< 0: what we want is not meant for this control's offsets yet
     bool m_shiftUnderWay{false};
     std::int64_t m_lastShift_ns{0};
     ShiftWordAnswer m_word{};
