@@ -17,8 +17,7 @@ struct GcodeOptions {
 };
 
 void exportGcode(GcodeOptions options) {
-    options.params.dialect =
-        options.dialect == "macro" ? boring::GcodeDialect::Macro : boring::GcodeDialect::LinuxCnc;
+    options.params.dialect = options.dialect == "macro" ? boring::GcodeDialect::Macro : boring::GcodeDialect::LinuxCnc;
     const auto lines = boring::boringSubroutine(options.schedule, options.params);
     if (!lines) {
         throw BadInput(lines.error().english());
@@ -36,7 +35,8 @@ void addBoringGcode(CLI::App& boring) {
     s.revision = 1;
     auto* command = boring.add_subcommand(
         "export-gcode",
-        "A feed schedule as a G-code subroutine on stdout, for controls without a live link: segments of constant feed\n"
+        "A feed schedule as a G-code subroutine on stdout, for controls without a live link: segments of constant "
+        "feed\n"
         "per revolution (G95), the feeds as macro variables from #101 on. Z0 is where the bore begins.");
     command->add_option("--ln-c", s.lnC, "ln C of the law d = C S^alpha L^beta (mm, mm/rev)");
     command->add_option("--alpha", s.alpha, "alpha, > 0");
@@ -54,7 +54,8 @@ void addBoringGcode(CLI::App& boring) {
         ->capture_default_str();
     command->add_option("--name", options->params.name, "linuxcnc: name of the subroutine")->capture_default_str();
     command->add_option("--number", options->params.number, "macro: number of the subroutine")->capture_default_str();
-    command->add_option("--deviation", options->params.deviation, "Largest share by which a segment misses the schedule")
+    command
+        ->add_option("--deviation", options->params.deviation, "Largest share by which a segment misses the schedule")
         ->capture_default_str();
     command->callback([options] { exportGcode(*options); });
 }

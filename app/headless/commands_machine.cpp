@@ -158,7 +158,8 @@ Spread spreadOf(std::vector<double> late_us) {
     }
     std::ranges::sort(late_us);
     const auto at = [&](double share) {
-        return late_us[std::min(late_us.size() - 1, static_cast<std::size_t>(share * static_cast<double>(late_us.size())))];
+        return late_us[std::min(late_us.size() - 1,
+                                static_cast<std::size_t>(share * static_cast<double>(late_us.size())))];
     };
     spread.count = late_us.size();
     spread.missed = static_cast<std::size_t>(std::ranges::count_if(late_us, [](double late) { return late > 1000.0; }));
@@ -211,7 +212,8 @@ void jitter(const MachineOptions& options) {
 }  // namespace
 
 void addMachineCommands(CLI::App& kerf) {
-    auto* machine = kerf.add_subcommand("machine", "A real machine: what it can do, what it reports, how evenly it runs");
+    auto* machine =
+        kerf.add_subcommand("machine", "A real machine: what it can do, what it reports, how evenly it runs");
     machine->require_subcommand(1);
     auto options = std::make_shared<MachineOptions>();
     const auto add = [&](const char* name, const char* what, void (*run)(const MachineOptions&)) {
@@ -224,15 +226,20 @@ void addMachineCommands(CLI::App& kerf) {
     };
     add("status", "Capabilities, with the reason for what is missing, and signals as JSON. Reads only.", status);
     auto* watching = add("watch", "The signals as one line of JSON per period. Reads only.", watch);
-    watching->add_option("--seconds", options->seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
+    watching->add_option("--seconds", options->seconds, "How long")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->capture_default_str();
     watching->add_option("--period", options->period_s, "Seconds from line to line")
         ->check(CLI::Range(0.01, 60.0))
         ->capture_default_str();
-    auto* timing = add("jitter",
-                       "Runs an empty engine on the machine and compares the punctuality of its cycle with the control's "
-                       "servo thread, as CSV. No console may be connected.",
-                       jitter);
-    timing->add_option("--seconds", options->seconds, "How long")->check(CLI::Range(1.0, 3600.0))->capture_default_str();
+    auto* timing =
+        add("jitter",
+            "Runs an empty engine on the machine and compares the punctuality of its cycle with the control's "
+            "servo thread, as CSV. No console may be connected.",
+            jitter);
+    timing->add_option("--seconds", options->seconds, "How long")
+        ->check(CLI::Range(1.0, 3600.0))
+        ->capture_default_str();
 }
 
 }  // namespace kerf::headless

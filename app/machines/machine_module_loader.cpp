@@ -14,8 +14,9 @@ Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name) {
     void* handle = unreadable ? nullptr : dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
     auto* make = handle != nullptr ? reinterpret_cast<MakeMachine*>(dlsym(handle, kMakeMachineSymbol)) : nullptr;
     if (make == nullptr) {
-        return fail(KERF_TEXT("The module kerf-%1.so is not beside the program: this machine cannot be driven from here."),
-                    SentenceArg(name));
+        return fail(
+            KERF_TEXT("The module kerf-%1.so is not beside the program: this machine cannot be driven from here."),
+            SentenceArg(name));
     }
     return std::unique_ptr<MachinePort>(make());
 }

@@ -38,10 +38,10 @@ bool usable(const BoringSchedule& s) {
 }
 
 bool usable(const GcodeParams& p) {
-    const bool named = !p.name.empty() && p.name.size() <= 60 && std::ranges::all_of(p.name, [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_';
-    });
-    return named && p.number >= 1 && p.number <= 9999 && p.deviation >= kLeastDeviation && p.deviation <= kMostDeviation;
+    const bool named = !p.name.empty() && p.name.size() <= 60 &&
+                       std::ranges::all_of(p.name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+    return named && p.number >= 1 && p.number <= 9999 && p.deviation >= kLeastDeviation &&
+           p.deviation <= kMostDeviation;
 }
 
 /// One feed for overhangs from…to: S(L) is monotonic, so its ends are the extremes.
@@ -80,11 +80,13 @@ std::vector<Segment> segmentsOf(const BoringSchedule& s, double deviation) {
 
 Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule, const GcodeParams& params) {
     if (!usable(schedule)) {
-        return fail(KERF_TEXT("The schedule has a value outside its range: feeds, overhangs, speed and alpha above zero."));
+        return fail(
+            KERF_TEXT("The schedule has a value outside its range: feeds, overhangs, speed and alpha above zero."));
     }
     if (!usable(params)) {
-        return fail(KERF_TEXT("A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and "
-                              "a deviation from 0.001 to 0.1."));
+        return fail(
+            KERF_TEXT("A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and "
+                      "a deviation from 0.001 to 0.1."));
     }
     const std::vector<Segment> segments = segmentsOf(schedule, params.deviation);
     if (segments.size() > kMostGcodeSegments) {
@@ -98,7 +100,8 @@ Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule
                          schedule.overhangFrom_mm, schedule.overhangTo_mm, schedule.spindleSpeed_rpm));
     lines.push_back(line("(ln C %.6f, alpha %.6f, beta %.6f, deflection %.6f mm)", schedule.lnC, schedule.alpha,
                          schedule.beta, schedule.targetDeflection_mm));
-    lines.push_back(line("(feed within %.1f %% of the schedule; Z0 is where the bore begins)", 100.0 * params.deviation));
+    lines.push_back(
+        line("(feed within %.1f %% of the schedule; Z0 is where the bore begins)", 100.0 * params.deviation));
     for (std::size_t i = 0; i < segments.size(); ++i) {
         lines.push_back(line("#%zu=%.5f (mm/rev)", kFirstVariable + i, segments[i].feed_mmPerRev));
     }
@@ -108,8 +111,7 @@ Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule
     lines.emplace_back(linuxCnc ? "G64 P0.002 (no stop between segments)" : "G64 (no stop between segments)");
     lines.push_back(line("G95 F#%zu", kFirstVariable));
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        lines.push_back(
-            line("G1 Z-%.4f F#%zu", segments[i].end_mm - schedule.overhangFrom_mm, kFirstVariable + i));
+        lines.push_back(line("G1 Z-%.4f F#%zu", segments[i].end_mm - schedule.overhangFrom_mm, kFirstVariable + i));
     }
     lines.emplace_back("G94 F100");
     lines.emplace_back("G0 Z0");

@@ -31,6 +31,7 @@ inline constexpr std::size_t kMostGcodeSegments = 99;  ///< #101…#199
 ///
 /// A segment is as long as its constant feed stays within `deviation` of S(L); where the schedule is clamped, one
 /// segment does. Refused: values out of range, or a schedule that would need more than 99 segments.
-[[nodiscard]] Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule, const GcodeParams& params);
+[[nodiscard]] Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule,
+                                                                const GcodeParams& params);
 
 }  // namespace kerf::boring

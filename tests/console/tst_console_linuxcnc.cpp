@@ -53,6 +53,18 @@ class TestConsoleLinuxCnc : public QObject {
         }
         return nullptr;
     }
+    [[nodiscard]] bool waits(std::uint32_t number) {
+        const BorePartView* part = awaited();
+        return part != nullptr && part->number == number;
+    }
+    [[nodiscard]] std::size_t measured(std::uint32_t number) {
+        for (const BorePartView& part : m_bench.desk().parts) {
+            if (part.number == number) {
+                return part.measurements.size();
+            }
+        }
+        return 0;
+    }
     template <class Action>
     bool send(const Action& action) {
         Command command;
@@ -82,7 +94,8 @@ class TestConsoleLinuxCnc : public QObject {
             return m_bench.status().loops[static_cast<std::size_t>(id)].reason.english();
         };
         QTRY_VERIFY(!m_bench.status().loops[static_cast<std::size_t>(ProcessId::Thermal)].fitted);
-        QVERIFY2(reason(ProcessId::Thermal).find("temperatures") != std::string::npos, reason(ProcessId::Thermal).c_str());
+        QVERIFY2(reason(ProcessId::Thermal).find("temperatures") != std::string::npos,
+                 reason(ProcessId::Thermal).c_str());
         QVERIFY2(reason(ProcessId::Turning).find("0.2 ms") != std::string::npos, reason(ProcessId::Turning).c_str());
     }
     void lotOfSixBoresWithEntries() {
@@ -91,12 +104,13 @@ class TestConsoleLinuxCnc : public QObject {
         QVERIFY(send(SetLoopMode{ProcessId::Boring, LoopMode::Control}));
         for (std::uint32_t number = 1; number <= kParts; ++number) {
             QVERIFY(send(StartPart{ProcessId::Boring}));
-            QTRY_VERIFY2_WITH_TIMEOUT(awaited() != nullptr && awaited()->number == number,
-                                      m_bench.status().lastCommand.reason.english().c_str(), 20'000);
+            QTRY_VERIFY2_WITH_TIMEOUT(waits(number), m_bench.status().lastCommand.reason.english().c_str(), 20'000);
             for (const double overhang_mm : {40.0, 48.0}) {
-                const std::size_t before = awaited() != nullptr ? awaited()->measurements.size() : 0;
-                QVERIFY(m_bench.keyIn(QString::number(diameter_mm(*awaited(), overhang_mm), 'f', 3)));
-                QTRY_VERIFY_WITH_TIMEOUT(awaited() == nullptr || awaited()->measurements.size() > before, 10'000);
+                const BorePartView* part = awaited();
+                QVERIFY(part != nullptr);
+                const std::size_t before = part->measurements.size();
+                QVERIFY(m_bench.keyIn(QString::number(diameter_mm(*part, overhang_mm), 'f', 3)));
+                QTRY_VERIFY_WITH_TIMEOUT(measured(number) > before, 10'000);
             }
             QTRY_VERIFY(awaited() == nullptr);
         }

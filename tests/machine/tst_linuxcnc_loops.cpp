@@ -42,7 +42,8 @@ class TestLinuxCncLoops : public QObject {
         const auto number = m_engine->send(command);
         return number && QTest::qWaitFor([&] {
                    const auto& recent = m_engine->status().recentCommands;
-                   return std::ranges::any_of(recent, [&](const CommandResult& r) { return r.number == *number && r.done; });
+                   return std::ranges::any_of(recent,
+                                              [&](const CommandResult& r) { return r.number == *number && r.done; });
                });
     }
 
@@ -143,8 +144,10 @@ class TestLinuxCncLoops : public QObject {
         const auto at = [&](double share) {
             return deviations[static_cast<std::size_t>(share * static_cast<double>(deviations.size() - 1))];
         };
-        qInfo("force against its reference: %zu revolutions, median %.1f %%, nine of ten within %.1f %%, feed %.2f to %.2f mm/s",
-              deviations.size(), 100.0 * at(0.5), 100.0 * at(0.9), low_mmPerS, high_mmPerS);
+        qInfo(
+            "force against its reference: %zu revolutions, median %.1f %%, nine of ten within %.1f %%, feed %.2f to "
+            "%.2f mm/s",
+            deviations.size(), 100.0 * at(0.5), 100.0 * at(0.9), low_mmPerS, high_mmPerS);
         QVERIFY(at(0.5) < 0.05);
         QVERIFY(at(0.9) < 0.15);
         QVERIFY(high_mmPerS > 1.3 * low_mmPerS);  // it is the feed that holds it
@@ -169,9 +172,11 @@ class TestLinuxCncLoops : public QObject {
             },
             60'000));
         for (const TuningSession::Trial& trial : session.trials()) {
-            qInfo("gain %.1f 1/s, feed-forward %.3f, %.3f: SAEC %.2f mm, peak %.1f um, p-p %.1f um, %u samples, %u missing",
-                  trial.settings.zKp_perS, trial.settings.zVelocityFf, trial.settings.zAccelFf, trial.figures.saec_mm,
-                  trial.figures.peak_um, trial.figures.engagedPp_um, trial.figures.samples, trial.figures.missing);
+            qInfo(
+                "gain %.1f 1/s, feed-forward %.3f, %.3f: SAEC %.2f mm, peak %.1f um, p-p %.1f um, %u samples, %u "
+                "missing",
+                trial.settings.zKp_perS, trial.settings.zVelocityFf, trial.settings.zAccelFf, trial.figures.saec_mm,
+                trial.figures.peak_um, trial.figures.engagedPp_um, trial.figures.samples, trial.figures.missing);
         }
         QVERIFY2(session.state() == TuningSession::State::Done, session.reason().english().c_str());
         QVERIFY(session.trials().size() >= 2);

@@ -21,7 +21,7 @@ constexpr const char* kBeAConsole = "--be-a-console";
 /// The suite of the port against LinuxCNC's own simulator, started here; skipped, with the reason, where it cannot run.
 class TestLinuxCncMachine : public kerf::test::PortConformance {
     Q_OBJECT
-   protected:
+ protected:
     kerf::MachinePort& machine() override { return *m_machine; }
     std::int64_t nextCycle() override {
         m_deadline += std::chrono::milliseconds(1);
@@ -39,12 +39,12 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     }
     int patience() const override { return 10'000; }
 
-   private:
+ private:
     bool linkIs(kerf::LinkState state) {
         return cycleUntil([this, state] { return m_inputs.link == state; }, neutral());
     }
 
-   private slots:
+ private slots:
     void initTestCase() {
         if (const QString why = kerf::test::LinuxCncControl::whyNot(); !why.isEmpty()) {
             QSKIP(qPrintable(why));
@@ -100,7 +100,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QVERIFY(engine.partRecords().tryPop(part));
         QVERIFY(part.complete);
         QVERIFY(part.feed.count > 50);
-        // The first millimetre is the axis's acceleration. 
+        // The first millimetre is the axis's acceleration.
         std::vector<double> deviations;
         for (std::size_t i = 4; i + 1 < part.feed.count; ++i) {
             const double wanted = schedule.feed_mmPerRev(static_cast<double>(part.feed.overhang_mm[i]));
@@ -118,7 +118,8 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         kerf::test::AtTheControl control;
         QVERIFY(startShortProgram());
         control.say("set pause");
-        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Paused && m_inputs.feedHold; }, neutral()));
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Paused && m_inputs.feedHold; },
+                           neutral()));
         control.say("set resume");
         QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Running; }, neutral()));
         QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Finished; }, neutral()));
@@ -131,7 +132,8 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         const auto request = shortProgram();
         const double asked_mmPerS = request.programmedFeed_mmPerRev * request.spindleSpeed_rpm / 60.0;
         const bool halved = cycleUntil(
-            [&] { return std::abs(m_inputs.actualFeed_mmPerS.value - 0.5 * asked_mmPerS) < 0.02 * asked_mmPerS; }, neutral());
+            [&] { return std::abs(m_inputs.actualFeed_mmPerS.value - 0.5 * asked_mmPerS) < 0.02 * asked_mmPerS; },
+            neutral());
         control.say("set feed_override 100");
         QVERIFY(halved);
         QVERIFY(cycleUntil([this] { return m_inputs.operatorOverride > 0.99; }, neutral()));
@@ -214,7 +216,8 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QVERIFY(startShortProgram());
         kerf::test::AtTheControl control;
         control.say("set estop on");
-        QVERIFY(limitedUntil([&] { return m_inputs.emergencyStop && m_inputs.program == kerf::ProgramState::Aborted; }));
+        QVERIFY(
+            limitedUntil([&] { return m_inputs.emergencyStop && m_inputs.program == kerf::ProgramState::Aborted; }));
         QVERIFY(!m_inputs.machineOn);
         control.say("set estop off");
         control.say("set machine on");
@@ -223,7 +226,8 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QVERIFY2(std::abs(m_inputs.workOffset_um[2].value) < 1.0,
                  qPrintable(QString::number(m_inputs.workOffset_um[2].value)));  // the control has zeroed it
         QVERIFY(limitedUntil([&] { return std::abs(m_inputs.workOffset_um[2].value - 12.0) < 0.5; }));
-        QVERIFY2(largestStep_um < 8.0, qPrintable(QString::number(largestStep_um)));  // and we lead it back, not throw it
+        QVERIFY2(largestStep_um < 8.0,
+                 qPrintable(QString::number(largestStep_um)));  // and we lead it back, not throw it
     }
     void digitalWordAnswersTheControlsRequest() {
         QCOMPARE(setPin("kerf.request-4", "1"), 0);  // start, axis Z
@@ -251,8 +255,10 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         }
         setPin("kerf.hold-on-loss", "0");
         QVERIFY(stopped_ns != 0);
-        qInfo("console silent, hold asked: feed stands after %.0f ms", static_cast<double>(stopped_ns - silentFrom_ns) * 1e-6);
-        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Finished; }, neutral()));  // and goes on
+        qInfo("console silent, hold asked: feed stands after %.0f ms",
+              static_cast<double>(stopped_ns - silentFrom_ns) * 1e-6);
+        QVERIFY(
+            cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Finished; }, neutral()));  // and goes on
     }
     void killedConsoleIsNoticedByTheControl() {
         m_machine->disconnect();
@@ -284,7 +290,10 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         kerf::MachineOutputs slow = neutral();
         slow.feedScale = 0.2;
         QVERIFY(cycleUntil(
-            [this] { return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed(); }, slow));
+            [this] {
+                return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed();
+            },
+            slow));
         const std::int64_t silentFrom_ns = kerf::test::monotonic_ns();
         std::int64_t reacted_ns = 0;
         while (kerf::test::monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
@@ -318,14 +327,15 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QVERIFY(cycleUntil([this] { return m_inputs.machineOn && homed(); }, neutral()));
     }
 
-   private:
+ private:
     /// As an ordinary user, like everything that touches LinuxCNC's HAL.
     static QProcess& halcmd(const QStringList& arguments) {
         static QProcess process;
         QStringList all{QStringLiteral("halcmd")};
         if (::geteuid() == 0) {
-            all = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=nobody"), QStringLiteral("--regid=nogroup"),
-                              QStringLiteral("--clear-groups"), QStringLiteral("halcmd")};
+            all = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=nobody"),
+                              QStringLiteral("--regid=nogroup"), QStringLiteral("--clear-groups"),
+                              QStringLiteral("halcmd")};
         }
         all += arguments;
         process.start(all.takeFirst(), all);

@@ -10,7 +10,8 @@ class Maker {
     explicit Maker(int component) : m_component(component) {}
 
     void operator()(FloatPin& pin, hal_pin_dir_t direction, const std::string& name) {
-        make(pin, [&](hal_float_t** slot) { return hal_pin_float_newf(direction, slot, m_component, "%s", name.c_str()); });
+        make(pin,
+             [&](hal_float_t** slot) { return hal_pin_float_newf(direction, slot, m_component, "%s", name.c_str()); });
     }
     void operator()(BitPin& pin, hal_pin_dir_t direction, const std::string& name) {
         make(pin, [&](hal_bit_t** slot) { return hal_pin_bit_newf(direction, slot, m_component, "%s", name.c_str()); });
@@ -45,6 +46,8 @@ bool Pins::make(int component) {
     pin(spindleRevs, HAL_IN, "kerf.spindle-revs");
     pin(feedOverride, HAL_IN, "kerf.feed-override");
     pin(driveBandwidth, HAL_IN, "kerf.z-bandwidth");
+    pin(offsetRatio, HAL_IN, "kerf.offset-ratio");
+    pin(maxFeedOverride, HAL_IN, "kerf.max-feed-override");
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string axis = axes[i];
         pin(position[i], HAL_IN, "kerf.position-" + axis);

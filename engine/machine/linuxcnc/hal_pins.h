@@ -42,9 +42,11 @@ using IntPin = Pin<std::int32_t>;
 
 struct Pins {
     // from the control
-    FloatPin currentVelocity, requestedVelocity, spindleSpeed, spindleRevs, feedOverride, driveBandwidth;
+    FloatPin currentVelocity, requestedVelocity, spindleSpeed, spindleRevs, feedOverride, driveBandwidth, offsetRatio,
+        maxFeedOverride;
     std::array<FloatPin, 3> position, offsetActual, originShift;
-    BitPin machineOn, emergencyStop, programRunning, programPaused, cutting, finished, softLimit, simulator, originKnown;
+    BitPin machineOn, emergencyStop, programRunning, programPaused, cutting, finished, softLimit, simulator,
+        originKnown;
     std::array<BitPin, 5> requestWord;
     // to the control
     FloatPin feedScale;

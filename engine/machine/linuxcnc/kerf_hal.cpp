@@ -14,10 +14,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <new>
 #include <optional>
-#include <string_view>
 
 #include "engine/machine/linuxcnc/hal_pins.h"
 
@@ -31,10 +29,11 @@ using kerf::linuxcnc::ServoPeriod;
 using kerf::linuxcnc::ToControl;
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;
-constexpr std::int64_t kOwnStall_ns = 5'000'000;  // of a round of ours that came late, only this much is the console's silence
-constexpr double kDefaultTimeout_s = 0.06;        // console and control together must settle within 100 ms
+constexpr std::int64_t kOwnStall_ns =
+    5'000'000;  // of a round of ours that came late, only this much is the console's silence
+constexpr double kDefaultTimeout_s = 0.06;  // console and control together must settle within 100 ms
 constexpr double kDefaultBandwidth_perS = 400.0;
-constexpr int kSamplerKey = 0x48534130;           // of HAL's sampler.0
+constexpr int kSamplerKey = 0x48534130;  // of HAL's sampler.0
 constexpr unsigned kAliveBit = 15;
 
 volatile std::sig_atomic_t g_stop = 0;
@@ -57,25 +56,6 @@ LinkMemory* openLink() {
     void* block = mmap(nullptr, sizeof(LinkMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     close(file);
     return block == MAP_FAILED ? nullptr : new (block) LinkMemory();
-}
-
-/// A number of the ini LinuxCNC was started with, 0 when it is not there.
-double iniNumber(std::string_view section, std::string_view key) {
-    const char* path = std::getenv("INI_FILE_NAME");
-    std::ifstream ini(path != nullptr ? path : "");
-    std::string line;
-    bool inside = false;
-    while (std::getline(ini, line)) {
-        if (!line.empty() && line.front() == '[') {
-            inside = line.substr(1, line.find(']') - 1) == section;
-        } else if (inside && line.compare(0, key.size(), key) == 0) {
-            const auto equals = line.find('=');
-            if (equals != std::string::npos && line.find_first_not_of(" \t", key.size()) == equals) {
-                return std::strtod(line.c_str() + equals + 1, nullptr);
-            }
-        }
-    }
-    return 0.0;
 }
 
 /// motion.adaptive-feed is clipped to 1 before 2.10.
@@ -126,8 +106,7 @@ class Bridge {
         *pins.timeout_s = kDefaultTimeout_s;
         *pins.driveBandwidth = kDefaultBandwidth_perS;
         *pins.consoleLost = true;
-        m_offsetRatio = iniNumber("AXIS_Z", "OFFSET_AV_RATIO");
-        m_fitted.maxFeedScale = adaptiveFeedMayRise() ? std::max(1.0, iniNumber("DISPLAY", "MAX_FEED_OVERRIDE")) : 1.0;
+        *pins.maxFeedOverride = 1.0;
         letGo();
     }
 
@@ -169,12 +148,13 @@ class Bridge {
                 m_sampler = sampler;
             }
         }
-        m_fitted.externalOffsets = m_offsetRatio > 0.0 && m_pins.offsetCounts[2].linked();
+        m_fitted.externalOffsets = *m_pins.offsetRatio > 0.0 && m_pins.offsetCounts[2].linked();
         m_fitted.originShift = m_pins.originShift[2].linked();
         m_fitted.servoGains = m_pins.pGain.linked();
         m_fitted.servoRecord = m_sampler.has_value();
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
+        m_fitted.maxFeedScale = m_mayRise ? std::max(1.0, static_cast<double>(*m_pins.maxFeedOverride)) : 1.0;
     }
 
     /// LinuxCNC zeroes its external offsets when the machine is switched on, and counts on from where the counts stand.
@@ -230,7 +210,8 @@ class Bridge {
             }
         }
         const double sum = wish.gains.pGain_perS + wish.gains.ff1 + wish.gains.ff2_s;
-        if (wish.gainsRevision != 0 && wish.gainsRevision != m_gainsRevision && std::isfinite(sum) && !*m_pins.cutting) {
+        if (wish.gainsRevision != 0 && wish.gainsRevision != m_gainsRevision && std::isfinite(sum) &&
+            !*m_pins.cutting) {
             m_gainsRevision = wish.gainsRevision;
             *m_pins.pGain = wish.gains.pGain_perS;
             *m_pins.ff1 = wish.gains.ff1;
@@ -253,7 +234,7 @@ class Bridge {
     std::optional<Sampler> m_sampler{};
     int m_samplerTries{0};
     Fitted m_fitted{};
-    double m_offsetRatio{0.0};
+    bool m_mayRise{adaptiveFeedMayRise()};
     std::uint64_t m_beat{0};
     std::uint64_t m_servoPeriods{0};
     std::uint64_t m_consoleBeat{0};
@@ -271,7 +252,8 @@ int main() {
     std::signal(SIGINT, onSignal);
     const int component = hal_init("kerf-hal");
     if (component < 0) {
-        std::fprintf(stderr, "kerf-hal: HAL does not take the component (code %d); is one already loaded?\n", component);
+        std::fprintf(stderr, "kerf-hal: HAL does not take the component (code %d); is one already loaded?\n",
+                     component);
         return 1;
     }
     Pins pins;

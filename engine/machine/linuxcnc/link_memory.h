@@ -12,16 +12,16 @@
 /// other's beat whether it lives.
 namespace kerf::linuxcnc {
 
-/// What the bridge found fitted: pins that are linked in HAL, entries of the ini. Constant while the bridge runs but
+/// What the bridge found fitted: pins that are linked or set in HAL, the version. Constant while the bridge runs but
 /// for pins that are linked later.
 struct Fitted {
-    bool externalOffsets{false};  ///< kerf.offset-counts-z is linked and OFFSET_AV_RATIO of Z is above 0
+    bool externalOffsets{false};  ///< kerf.offset-counts-z is linked and kerf.offset-ratio is above 0
     bool originShift{false};      ///< kerf.origin-shift-z is linked: the shift goes by G10 L2 (kerf_shift.ngc)
     bool servoGains{false};       ///< kerf.z-pgain is linked
     bool servoRecord{false};      ///< a sampler brings every servo period
     bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
     bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
-    double maxFeedScale{1.0};     ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
+    double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
     friend bool operator==(const Fitted&, const Fitted&) = default;
 };
 

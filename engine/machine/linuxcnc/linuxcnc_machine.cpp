@@ -172,7 +172,8 @@ void LinuxCncMachine::takeReplies(std::int64_t now_ns) noexcept {
         answer(m_gainsRequest, RequestState::Done);
         m_gainsRequest = 0;
     } else if (now_ns - m_gainsSince_ns > kGainsPatience_ns) {
-        answer(m_gainsRequest, RequestState::Refused, Sentence(KERF_TEXT("The gains do not read back from the control.")));
+        answer(m_gainsRequest, RequestState::Refused,
+               Sentence(KERF_TEXT("The gains do not read back from the control.")));
         m_gainsRequest = 0;
     }
 }
@@ -209,9 +210,8 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.link = up ? LinkState::Up : LinkState::Down;
     inputs.emergencyStop = m_seen.emergencyStop;
     inputs.machineOn = m_seen.machineOn;
-    inputs.feedHold =
-        m_seen.programPaused || (m_program == ProgramState::Running && m_process != ProcessId::Tapping &&
-                                 m_seen.currentVelocity_mmPerS == 0.0);
+    inputs.feedHold = m_seen.programPaused || (m_program == ProgramState::Running && m_process != ProcessId::Tapping &&
+                                               m_seen.currentVelocity_mmPerS == 0.0);
     inputs.operatorOverride = m_seen.feedOverride;
     inputs.program = m_program;
     inputs.programProcess = m_process;
@@ -222,7 +222,8 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.spindleAngle_rev = {m_seen.spindleAngle_rev, now_ns, quality};
     inputs.appliedFeedScale = {m_seen.appliedFeedScale, now_ns, quality};
     const bool byOrigin = !m_fitted.externalOffsets && m_fitted.originShift;
-    const bool offsetKnown = up && m_seen.machineOn && (byOrigin ? m_seen.originKnown : m_seen.offsetEpoch == m_offsetEpoch);
+    const bool offsetKnown =
+        up && m_seen.machineOn && (byOrigin ? m_seen.originKnown : m_seen.offsetEpoch == m_offsetEpoch);
     m_offsetEpoch = m_seen.offsetEpoch;  // known from the next cycle on: so it is taken over and not overwritten
     m_wishEpoch = offsetKnown ? m_seen.offsetEpoch : 0;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -236,7 +237,8 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.temperatures = nullptr;
     fillGains(inputs, quality);
     if (up && m_fitted.simulator && m_process == ProcessId::Milling) {
-        m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_program == ProgramState::Running, now_ns, inputs);
+        m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_program == ProgramState::Running, now_ns,
+                     inputs);
     }
     inputs.reply = m_reply;
 }
@@ -265,12 +267,14 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         return;
     }
     if (std::holds_alternative<RetractInSync>(request.action)) {
-        // G33.1 turns round at its depth and comes out in sync by itself, whatever happens to its gains and its console.
+        // G33.1 turns round at its depth and comes out in sync by itself, whatever happens to its gains and its
+        // console.
         const bool tapping = m_process == ProcessId::Tapping && running();
         answer(request.number, tapping ? RequestState::Done : RequestState::Refused,
-               tapping ? Sentence{}
-                       : Sentence(KERF_TEXT("This control cannot turn a standing tap out in sync: turn spindle and Z back "
-                                            "by hand at the control, one pitch per revolution.")));
+               tapping
+                   ? Sentence{}
+                   : Sentence(KERF_TEXT("This control cannot turn a standing tap out in sync: turn spindle and Z back "
+                                        "by hand at the control, one pitch per revolution.")));
         return;
     }
     if (const auto* start = std::get_if<StartProgram>(&request.action); start != nullptr && !running()) {

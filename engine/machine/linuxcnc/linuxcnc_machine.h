@@ -20,9 +20,10 @@ namespace kerf::linuxcnc {
 /// A machine run by LinuxCNC. Signals come from the HAL bridge through shared memory, read in the cycle without locks;
 /// commands go over linuxcncrsh on a thread of their own.
 ///
-/// The link is up while the bridge's beat and the control's servo thread both move; either one still for 100 ms means it
-/// is down, and the loops are held. LinuxCNC need not be there when the console starts, and may be restarted: when the
-/// two move again the link is up by itself, and the limiter takes over what the control reports, so that nothing jumps.
+/// The link is up while the bridge's beat and the control's servo thread both move; either one still for 100 ms means
+/// it is down, and the loops are held. LinuxCNC need not be there when the console starts, and may be restarted: when
+/// the two move again the link is up by itself, and the limiter takes over what the control reports, so that nothing
+/// jumps.
 ///
 /// The part program tells where it is: M62 P0 while it cuts, M62 P1 when it has reached its end (docs/linuxcnc.md).
 /// Tapping is recorded in every servo period; a cycle that came late loses none of them.
@@ -30,8 +31,8 @@ class LinuxCncMachine final : public MachinePort {
  public:
     struct Params {
         RshLink::Params rsh{};
-        double overhangAtZero_mm{40.0};   ///< boring: spindle overhang L where Z is at the program's start
-        double spindleKp_perS{40.0};      ///< the control has none that can be set: what the gains of a pair are told with
+        double overhangAtZero_mm{40.0};  ///< boring: spindle overhang L where Z is at the program's start
+        double spindleKp_perS{40.0};  ///< the control has none that can be set: what the gains of a pair are told with
     };
     explicit LinuxCncMachine(const Params& params);
     ~LinuxCncMachine() override;

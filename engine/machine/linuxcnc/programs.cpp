@@ -35,8 +35,8 @@ Result<std::string> cutLine(const StartProgram& start) {
     const bool sound = positive({start.programmedFeed_mmPerRev, start.spindleSpeed_rpm, length_mm});
     if (start.process == ProcessId::Boring) {
         if (!sound) {
-            return fail(
-                KERF_TEXT("The boring program needs feed, speed and overhangs above zero, the end deeper than the start."));
+            return fail(KERF_TEXT(
+                "The boring program needs feed, speed and overhangs above zero, the end deeper than the start."));
         }
         return call("kerf_bore", {length_mm, feed_mmPerMin, start.spindleSpeed_rpm});
     }

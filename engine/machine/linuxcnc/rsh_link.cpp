@@ -40,8 +40,8 @@ bool RshLink::connectOnce() {
         disconnect();
         return false;
     }
-    const bool greeted = acknowledged("hello EMC kerf 1") &&
-                         acknowledged("set echo off") && acknowledged("set verbose on");
+    const bool greeted =
+        acknowledged("hello EMC kerf 1") && acknowledged("set echo off") && acknowledged("set verbose on");
     if (!greeted) {
         disconnect();
     }
@@ -95,8 +95,7 @@ RequestReply RshLink::carryOut(const Errand& errand) {
     if (errand.kind == Errand::Request) {
         return carryOut(errand.request);
     }
-    const std::string line =
-        errand.kind == Errand::ShiftOrigin ? originShiftLine(errand.shift_um) : originReportLine();
+    const std::string line = errand.kind == Errand::ShiftOrigin ? originShiftLine(errand.shift_um) : originReportLine();
     return {kOwnRequest, m_connected && mdi(line) ? RequestState::Done : RequestState::Refused, {}};
 }
 

@@ -13,9 +13,9 @@ namespace kerf::linuxcnc {
 ///
 /// G33.1 starts Z with a turning spindle, catches up with it above the work, and only from then on follows it: the
 /// thread's phase is made there. So the angle that counts is the measured one while the tap is in the work, joined to
-/// what the Z command says before and after, where no thread is cut: θ(n) = z_command(n + 2) / pitch, since motion reads
-/// the spindle of the last period and its command is the one of the next. pitch·θ − z is then the true error against
-/// the spindle in the work, and what it would be above it.
+/// what the Z command says before and after, where no thread is cut: θ(n) = z_command(n + 2) / pitch, since motion
+/// reads the spindle of the last period and its command is the one of the next. pitch·θ − z is then the true error
+/// against the spindle in the work, and what it would be above it.
 class TapFollower {
  public:
     static constexpr std::size_t kDelay = 2;  ///< servo periods from the spindle's angle to the Z command
