@@ -13,9 +13,9 @@
 #include "app/console/logging.h"
 #include "app/console/part_report.h"
 #include "app/console/preferences.h"
+#include "app/machines/machine_module_loader.h"
 #include "db/migrator.h"
 #include "engine/boring/boring_loop.h"
-#include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "ui/link/texts.h"
 
 namespace kerf::console {
@@ -156,7 +156,11 @@ Result<void> ConsoleApplication::openMachine() {
         }
     }
     if (m_options.machine == "linuxcnc") {
-        m_realMachine = std::make_unique<linuxcnc::LinuxCncMachine>(linuxcnc::LinuxCncMachine::Params{});
+        auto machine = loadMachine(m_options.machine);
+        if (!machine) {
+            return tl::unexpected(machine.error());
+        }
+        m_realMachine = std::move(*machine);
         m_machine = m_realMachine.get();
         return m_machine->connect();
     }

@@ -13,5 +13,7 @@ void addThermalCommands(CLI::App& kerf);
 void addTappingCommands(CLI::App& kerf);
 /// The data file: export, verify, check, backup.
 void addDataCommands(CLI::App& kerf);
+/// A real machine: status, watch, jitter.
+void addMachineCommands(CLI::App& kerf);
 
 }  // namespace kerf::headless

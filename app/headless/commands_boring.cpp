@@ -170,6 +170,7 @@ void addBoringCommands(CLI::App& kerf) {
     addBoringReplay(*boring);
     addBoringSimulate(*boring);
     addBoringTable(*boring);
+    addBoringGcode(*boring);
 }
 
 }  // namespace kerf::headless

@@ -13,6 +13,7 @@ namespace kerf::headless {
 void addBoringReplay(CLI::App& boring);
 void addBoringSimulate(CLI::App& boring);
 void addBoringTable(CLI::App& boring);
+void addBoringGcode(CLI::App& boring);
 
 /// Options every boring command understands.
 struct BoringOptions {

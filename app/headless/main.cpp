@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     kerf::headless::addTappingCommands(kerf);
     kerf::headless::addThermalCommands(kerf);
     kerf::headless::addDataCommands(kerf);
+    kerf::headless::addMachineCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -26,24 +26,35 @@ double stepped(double from, double to, double up, double down) {
 
 }  // namespace
 
-OutputLimiter::OutputLimiter(const OutputLimits& limits, const Capabilities& capabilities) noexcept
-    : m_limits(limits),
-      m_feedScaleTop(std::max(limits.feedScaleMin, std::min(limits.feedScaleMax, capabilities.maxFeedScale))),
-      m_feedScaleFitted(capabilities.feedScale.fitted),
-      m_workOffsetFitted(capabilities.workOffset.fitted),
-      m_toolTrimFitted(capabilities.toolTrim.fitted),
-      m_zTrimFitted(capabilities.zTrim.fitted) {}
+OutputLimiter::OutputLimiter(const OutputLimits& limits, const Capabilities& capabilities) noexcept : m_limits(limits) {
+    fit(capabilities);
+}
 
-void OutputLimiter::adopt(const MachineInputs& inputs) noexcept {
+void OutputLimiter::fit(const Capabilities& capabilities) noexcept {
+    m_feedScaleTop =
+        std::max(m_limits.feedScaleMin, std::min(m_limits.feedScaleMax, std::max(capabilities.maxFeedScale, 0.0)));
+    m_feedScaleFitted = capabilities.feedScale.fitted;
+    m_workOffsetFitted = capabilities.workOffset.fitted;
+    m_toolTrimFitted = capabilities.toolTrim.fitted;
+    m_zTrimFitted = capabilities.zTrim.fitted;
+}
+
+void OutputLimiter::adopt(const MachineInputs& inputs, const Capabilities& capabilities) noexcept {
+    fit(capabilities);
     m_last = MachineOutputs{};
     if (m_feedScaleFitted && inputs.appliedFeedScale.good()) {
         m_last.feedScale = std::clamp(inputs.appliedFeedScale.value, m_limits.feedScaleMin, m_feedScaleTop);
     }
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        if (m_workOffsetFitted && inputs.workOffset_um[axis].good()) {
-            m_last.workOffset_um[axis] =
-                std::clamp(inputs.workOffset_um[axis].value, -m_limits.workOffsetMax_um, m_limits.workOffsetMax_um);
-        }
+        adoptOffset(axis, inputs.workOffset_um[axis]);
+    }
+}
+
+void OutputLimiter::adoptOffset(std::size_t axis, const Reading& applied_um) noexcept {
+    m_offsetKnown[axis] = applied_um.good();
+    if (m_workOffsetFitted && applied_um.good()) {
+        m_last.workOffset_um[axis] =
+            std::clamp(applied_um.value, -m_limits.workOffsetMax_um, m_limits.workOffsetMax_um);
     }
 }
 
@@ -99,6 +110,10 @@ MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessCount>
 
     const LoopOutputs& thermal = wishes[indexOf(ProcessId::Thermal)];
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const Reading& applied_um = inputs.workOffset_um[axis];
+        if (!m_offsetKnown[axis] || !applied_um.good()) {
+            adoptOffset(axis, applied_um);
+        }
         if (m_workOffsetFitted && finite(thermal.workOffset_um[axis])) {
             const double wanted = *thermal.workOffset_um[axis];
             const double target = std::clamp(wanted, -m_limits.workOffsetMax_um, m_limits.workOffsetMax_um);

@@ -11,18 +11,18 @@ namespace kerf {
 
 /// Range, rate and authority of every value that leaves Kerf. Declared per machine; no loop can widen it.
 struct OutputLimits {
-    double feedScaleMin{0.05};             ///< lowest factor a loop may ask, (0, 1]; a stop is a feed hold
-    double feedScaleMax{1.0};              ///< ≥ 1; the machine's own maxFeedScale is applied as well
-    double feedScaleRise_perS{2.0};        ///< > 0
-    double feedScaleFall_perS{20.0};       ///< > 0: backs off faster than it recovers
-    double workOffsetMax_um{200.0};        ///< size of the whole shift per axis, ≥ 0
-    double workOffsetRate_umPerS{1.0};     ///< > 0
-    double toolTrimMax_um{2.0};            ///< ≥ 0
-    double toolTrimRate_umPerS{1'000.0};   ///< > 0: from the end of its range to zero in 2 ms
-    double zTrimMax_um{1000.0};            ///< ≥ 0
-    double zTrimRate_umPerS{100'000.0};    ///< > 0
-    double servoGainMin_perS{5.0};         ///< > 0
-    double servoGainMax_perS{200.0};       ///< ≥ min
+    double feedScaleMin{0.05};            ///< lowest factor a loop may ask, (0, 1]; a stop is a feed hold
+    double feedScaleMax{1.0};             ///< ≥ 1; the machine's own maxFeedScale is applied as well
+    double feedScaleRise_perS{2.0};       ///< > 0
+    double feedScaleFall_perS{20.0};      ///< > 0: backs off faster than it recovers
+    double workOffsetMax_um{200.0};       ///< size of the whole shift per axis, ≥ 0
+    double workOffsetRate_umPerS{1.0};    ///< > 0
+    double toolTrimMax_um{2.0};           ///< ≥ 0
+    double toolTrimRate_umPerS{1'000.0};  ///< > 0: from the end of its range to zero in 2 ms
+    double zTrimMax_um{1000.0};           ///< ≥ 0
+    double zTrimRate_umPerS{100'000.0};   ///< > 0
+    double servoGainMin_perS{5.0};        ///< > 0
+    double servoGainMax_perS{200.0};      ///< ≥ min
 };
 
 /// Which limits were at work in this cycle.
@@ -49,7 +49,8 @@ class OutputLimiter {
     OutputLimiter(const OutputLimits& limits, const Capabilities& capabilities) noexcept;
 
     /// Take over what the machine reports as applied; after connect and reconnect, so that nothing jumps.
-    void adopt(const MachineInputs& inputs) noexcept;
+    /// What the machine can do may be another thing than before.
+    void adopt(const MachineInputs& inputs, const Capabilities& capabilities) noexcept;
 
     /// One cycle. `wishes[p]` are the outputs of process p that may act (empty ones for loops that do not control).
     [[nodiscard]] MachineOutputs apply(const std::array<LoopOutputs, kProcessCount>& wishes,
@@ -58,15 +59,18 @@ class OutputLimiter {
     [[nodiscard]] const OutputLimits& limits() const noexcept { return m_limits; }
 
  private:
+    void fit(const Capabilities& capabilities) noexcept;
+    void adoptOffset(std::size_t axis, const Reading& applied_um) noexcept;
     void limitFeedScale(const LoopOutputs& owner, bool running, double dt_s, LimitReport& report) noexcept;
     [[nodiscard]] bool admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept;
 
     OutputLimits m_limits;
-    double m_feedScaleTop;
-    bool m_feedScaleFitted;
-    bool m_workOffsetFitted;
-    bool m_toolTrimFitted;
-    bool m_zTrimFitted;
+    double m_feedScaleTop{1.0};
+    bool m_feedScaleFitted{false};
+    bool m_workOffsetFitted{false};
+    bool m_toolTrimFitted{false};
+    bool m_zTrimFitted{false};
+    std::array<bool, kAxisCount> m_offsetKnown{};  ///< a control that has zeroed its offsets is taken over again
     MachineOutputs m_last{};
 };
 

@@ -78,7 +78,8 @@ void Cycle::step(std::int64_t now_ns) noexcept {
 void Cycle::watchMachine() noexcept {
     const bool linkUp = m_inputs.link == LinkState::Up;
     if (linkUp && !m_linkWasUp) {
-        m_limiter.adopt(m_inputs);  // after every (re)connect: go on from what the machine really has
+        m_limiter.adopt(m_inputs,
+                        m_port.capabilities());  // after every (re)connect: go on from what the machine really has
     }
     m_linkWasUp = linkUp;
     m_events.set(machine_alarm::kLinkDown, !linkUp);

@@ -19,6 +19,7 @@ namespace kerf {
 inline constexpr std::size_t kAxisCount = 3;        ///< X, Y, Z
 inline constexpr std::size_t kMaxFastSamples = 64;  ///< force samples in one cycle
 inline constexpr std::size_t kMaxTemperatures = 64;
+inline constexpr std::size_t kMaxServoSamples = 64;  ///< servo periods in one cycle
 
 /// One thing a machine can or cannot do; `why` says why not, for the operator.
 struct Capability {
@@ -26,7 +27,8 @@ struct Capability {
     Sentence why{};
 };
 
-/// What this machine can do, known after connect() and constant until disconnect().
+/// What this machine can do, known after connect(); changes only while the link is down, when the machine that comes
+/// back is another one.
 struct Capabilities {
     std::array<char, 32> machineName{};
     std::int64_t cycle_ns{1'000'000};  ///< period of the cycle on machine time
@@ -57,6 +59,12 @@ struct FastSample {
     double spindleAngle_rev{0.0};  ///< accumulated, never wraps
     double force_N{0.0};           ///< normal force on the tool, ≥ 0 into the work
     Quality quality{Quality::Missing};
+};
+
+/// One period of the control's own servo loop while tapping.
+struct ServoSample {
+    double spindle_rev{0.0};
+    double z_mm{0.0};  ///< as position_mm: down into the hole is negative
 };
 
 /// Temperatures change slowly; the port refreshes the frame at its own pace and counts.
@@ -106,6 +114,10 @@ struct MachineInputs {
     Quality servoGainsQuality{Quality::Missing};
     std::uint16_t fastCount{0};
     std::array<FastSample, kMaxFastSamples> fast{};
+    bool servoRecord{false};  ///< while tapping, `servo` holds every servo period since the last cycle; else look at
+                              ///< spindleAngle_rev and position_mm once per cycle
+    std::uint16_t servoCount{0};
+    std::array<ServoSample, kMaxServoSamples> servo{};
     const TemperatureFrame* temperatures{nullptr};  ///< owned by the port, constant during a cycle; may be null
     RequestReply reply{};
 };

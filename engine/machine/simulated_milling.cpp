@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/units.h"
 
@@ -30,15 +29,11 @@ Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t 
         return fail(KERF_TEXT("The milling program needs feed and speed above zero and an end beyond its start."));
     }
     m_program = program;
-    m_blank = m_params.blanks[m_partsBegun % m_params.blanks.size()];
-    m_coefficient = m_params.plant.cuttingCoefficient *
-                    std::exp(m_params.wearPerPart * m_partsWithTool.fetch_add(1, std::memory_order_relaxed));
+    const double wear = m_params.wearPerPart * m_partsWithTool.fetch_add(1, std::memory_order_relaxed);
+    m_cut.begin(m_params.plant, m_params.blanks[m_partsBegun % m_params.blanks.size()],
+                m_params.plant.cuttingCoefficient * std::exp(wear), program.from_mm);
     ++m_partsBegun;
-    m_axis_mm = program.from_mm;
-    m_tip_mm = program.from_mm;
     m_feed_mmPerS = 0.0;
-    m_deflection_mm = 0.0;
-    m_force_N = 0.0;
     m_running = true;
     return {};
 }
@@ -47,24 +42,7 @@ void SimulatedMilling::cut(const SimulationStep& step, double speed_rpm) noexcep
     const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
     const double wanted_mmPerS = programmed_mmPerS * step.feedFactor;
     m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * (1.0 - std::exp(-step.dt_s / m_params.driveLag_s));
-    const double moved_mm = m_feed_mmPerS * step.dt_s;
-    m_axis_mm += moved_mm;
-    const double turned_rev = speed_rpm / 60.0 * step.dt_s;
-    if (turned_rev <= 0.0) {
-        m_tip_mm = m_axis_mm - m_deflection_mm;  // a standing tool does not cut; the feed is held by the control
-        return;
-    }
-    const milling::PlantParams& plant = m_params.plant;
-    const double theta = plant.forceAngle_deg * std::numbers::pi / 180.0;
-    const double depth_mm = m_blank.engagedDepth_mm(m_tip_mm, plant.toolRadius_mm);
-    const double broken = step.faults->toolBroken ? 0.02 : 1.0;
-    const double compliance = m_coefficient * broken * depth_mm * std::cos(theta) / plant.kx_NPerMm;
-    const double supply_mm = moved_mm + m_deflection_mm;
-    const double cut_mm =
-        milling::solveCutFeed_mmPerRev(compliance * std::pow(turned_rev, -plant.exponent), supply_mm, plant.exponent);
-    m_deflection_mm = std::max(0.0, supply_mm - cut_mm);
-    m_force_N = m_deflection_mm * plant.kx_NPerMm * std::tan(theta);
-    m_tip_mm += cut_mm;
+    m_cut.step(m_feed_mmPerS * step.dt_s, speed_rpm / 60.0 * step.dt_s, step.faults->toolBroken ? 0.02 : 1.0);
 }
 
 void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
@@ -78,7 +56,7 @@ void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm,
         const double ago_s = (1.0 - share) * step.dt_s;
         FastSample& sample = inputs.fast[i];
         sample.spindleAngle_rev = step.spindleAngle_rev + speed_rpm / 60.0 * step.dt_s * share;
-        const double mean_N = std::lerp(forceBefore_N, m_force_N, share);
+        const double mean_N = std::lerp(forceBefore_N, m_cut.force_N(), share);
         double force_N = milling::sampledForce_N(m_params.shape, mean_N, sample.spindleAngle_rev) +
                          m_params.sampleNoise_N * m_noise.gauss();
         SignalFault fault = step.faults->force;
@@ -98,10 +76,10 @@ void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm,
 
 bool SimulatedMilling::advance(const SimulationStep& step, MachineInputs& inputs) noexcept {
     const double speed_rpm = m_running ? m_program.spindleSpeed_rpm * step.spindleFactor : 0.0;
-    const double forceBefore_N = m_force_N;
+    const double forceBefore_N = m_cut.force_N();
     if (m_running) {
         cut(step, speed_rpm);
-        if (m_axis_mm >= m_program.to_mm) {
+        if (m_cut.axis_mm() >= m_program.to_mm) {
             m_running = false;
         }
     }
@@ -109,8 +87,7 @@ bool SimulatedMilling::advance(const SimulationStep& step, MachineInputs& inputs
         return m_running;
     }
     if (!m_running) {  // the tool has left the work
-        m_force_N = 0.0;
-        m_deflection_mm = 0.0;
+        m_cut.leaveWork();
         m_feed_mmPerS = 0.0;
     }
     sampleForce(step, speed_rpm, forceBefore_N, inputs);
@@ -119,7 +96,7 @@ bool SimulatedMilling::advance(const SimulationStep& step, MachineInputs& inputs
     inputs.spindleSpeed_rpm = simulatedReading(speed_rpm, step.now_ns, faults.spindleSpeed, m_lastSpeed_rpm);
     inputs.actualFeed_mmPerS = simulatedReading(m_feed_mmPerS, step.now_ns, faults.actualFeed, m_lastFeed_mmPerS);
     inputs.programmedFeed_mmPerS = {m_running ? programmed_mmPerS : 0.0, step.now_ns, Quality::Good};
-    inputs.position_mm[0] = {m_axis_mm, step.now_ns, Quality::Good};
+    inputs.position_mm[0] = {m_cut.axis_mm(), step.now_ns, Quality::Good};
     m_lastSpeed_rpm = inputs.spindleSpeed_rpm;
     m_lastFeed_mmPerS = inputs.actualFeed_mmPerS;
     return m_running;

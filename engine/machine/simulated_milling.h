@@ -7,17 +7,14 @@
 
 #include "engine/core/random.h"
 #include "engine/machine/simulated_process.h"
-#include "engine/milling/blank_profile.h"
-#include "engine/milling/plant.h"
+#include "engine/milling/moving_cut.h"
 #include "engine/milling/sampled_force.h"
 
 namespace kerf {
 
 /// Milling machine of the simulator: the paper's plant between revolutions as well, with a force sensor at 5 kHz.
 ///
-/// Per step dt the tool cuts L and bends: L + K (n dt)^−m L^m = v dt + δ_x with K = C b cos θ/k_x, v the axis feed and
-/// n the revolutions per second: equation 5 of docs/milling.md for a part of a revolution; dt = T gives it back
-/// exactly.
+/// The axis feed follows the program with a lag; milling::MovingCut makes force and deflection of it.
 class SimulatedMilling final : public SimulatedProcess {
  public:
     struct Params {
@@ -43,8 +40,8 @@ class SimulatedMilling final : public SimulatedProcess {
     void setTool(std::uint32_t parts) noexcept { m_partsWithTool.store(parts, std::memory_order_relaxed); }
 
     /// True normal force, for tests: what the sensor would average without noise and ripple.
-    [[nodiscard]] double trueForce_N() const noexcept { return m_force_N; }
-    [[nodiscard]] double tip_mm() const noexcept { return m_tip_mm; }
+    [[nodiscard]] double trueForce_N() const noexcept { return m_cut.force_N(); }
+    [[nodiscard]] double tip_mm() const noexcept { return m_cut.tip_mm(); }
 
  private:
     void cut(const SimulationStep& step, double speed_rpm) noexcept;
@@ -54,13 +51,8 @@ class SimulatedMilling final : public SimulatedProcess {
     Params m_params;
     Random m_noise;
     StartProgram m_program{};
-    milling::BlankProfile m_blank{};
-    double m_coefficient{0.0};  ///< C with wear
-    double m_axis_mm{0.0};
-    double m_tip_mm{0.0};
+    milling::MovingCut m_cut{};
     double m_feed_mmPerS{0.0};
-    double m_deflection_mm{0.0};
-    double m_force_N{0.0};
     double m_samplesOwed{0.0};
     std::uint32_t m_partsBegun{0};
     std::atomic<std::uint32_t> m_partsWithTool{0};

@@ -41,6 +41,8 @@ struct DriveParams {
     double thrust_mmPerS2{30.0};    ///< axial force of the tap, as Z acceleration
     double slaved{0.0};             ///< 1: Z follows the measured spindle, 0: both follow one command
     double zDelay_s{0.0};           ///< dead time of the Z speed command, 0…0.01
+    double referenceDelay_s{0.0};  ///< model of a slaved Z: the spindle's angle reaches it this much later, whole ticks
+    double referenceAccel{0.0};    ///< model of a slaved Z: 1: fa_z acts on the reference's second difference
 };
 
 /// One constant with its name in files and on the command line, and the range it must keep.

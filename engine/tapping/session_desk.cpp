@@ -215,6 +215,7 @@ Result<void> SessionTappingDesk::begin(const std::string& author, bool automatic
     setup.assumed.depth_rev = choice.depth_rev;
     setup.initial = m_inForce;
     setup.maxTaps = m_params.maxTaps;
+    setup.trim = m_engine.capabilities().zTrim.fitted;
     m_before = m_inForce;
     m_author = author;
     m_view.automatic = automatic;

@@ -314,23 +314,15 @@ void TappingLoop::startProgram(const MachineInputs& inputs, LoopOutputs& outputs
 
 void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
     if (inputs.link != LinkState::Up) return;  // the control goes on by itself; nothing can be told or learned
-    fillGap(inputs.time_ns);
-    m_signalLost = m_signalLost || m_lostInARow > kLostTicks;
+    const bool retracting = m_status.phase == TapPhase::Retracting;
+    const bool keeping = m_recording && !retracting;
     const Reading& z = inputs.position_mm[2];
     const bool good = inputs.spindleAngle_rev.good() && z.good();
-    TapRecord& tap = m_exchange.records.writeSlot();
-    if (good) {
-        if (m_recording && tap.count == 0) {
-            m_spindleZero_rev = inputs.spindleAngle_rev.value;
-            m_zZero_mm = z.value;
-        }
-        m_status.spindle_rev = inputs.spindleAngle_rev.value - m_spindleZero_rev;
-        m_status.z_mm = m_zZero_mm - z.value;
-        m_status.error_um = 1000.0 * (m_job.pitch_mm * m_status.spindle_rev - m_status.z_mm);
-    }
+    if (!inputs.servoRecord) fillGap(inputs.time_ns);
+    m_signalLost = m_signalLost || m_lostInARow > kLostTicks;
+    if (!inputs.servoRecord && good) follow(inputs.spindleAngle_rev.value, z.value);
     const bool running = inputs.programProcess == ProcessId::Tapping &&
                          (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
-    const bool retracting = m_status.phase == TapPhase::Retracting;
     if (!running && inputs.program == ProgramState::Finished) {
         endTap(retracting ? TapOutcome::Aborted : TapOutcome::Counted, events);
         return;
@@ -340,7 +332,34 @@ void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, Even
         if (!waiting) stopInHole(events);  // a recovery takes a cycle to begin
         return;
     }
-    if (retracting || !m_recording) return;
+    for (std::size_t i = 0; i < inputs.servoCount; ++i) {
+        follow(inputs.servo[i].spindle_rev, inputs.servo[i].z_mm);
+        if (keeping) keep(true);
+    }
+    if (!keeping) return;
+    if (!inputs.servoRecord) keep(good);
+    const TapRecord& tap = m_exchange.records.writeSlot();
+    const TrimTable& trim = m_exchange.trims.value();
+    if (m_next.trimRevision != 0 && trim.revision == m_next.trimRevision && m_next.revision == tap.gains &&
+        !m_interrupted) {
+        // What is sent now acts in the next tick: sample k has just been taken, command k is already with the drive.
+        outputs.zTrim_um = tap.count < trim.count ? static_cast<double>(trim.trim_um[tap.count]) : 0.0;
+    }
+    watch(outputs, events);
+}
+
+void TappingLoop::follow(double spindle_rev, double z_mm) noexcept {
+    if (m_recording && m_exchange.records.writeSlot().count == 0) {
+        m_spindleZero_rev = spindle_rev;
+        m_zZero_mm = z_mm;
+    }
+    m_status.spindle_rev = spindle_rev - m_spindleZero_rev;
+    m_status.z_mm = m_zZero_mm - z_mm;
+    m_status.error_um = 1000.0 * (m_job.pitch_mm * m_status.spindle_rev - m_status.z_mm);
+}
+
+void TappingLoop::keep(bool good) noexcept {
+    TapRecord& tap = m_exchange.records.writeSlot();
     if (tap.count < kMaxTapTicks) {
         const std::uint32_t k = tap.count++;
         tap.spindle_rev[k] = static_cast<float>(m_status.spindle_rev);
@@ -349,29 +368,22 @@ void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, Even
     }
     m_lostInARow = good ? 0 : m_lostInARow + 1;
     TapFigures& figures = m_status.last;
-    if (good) {
-        const double error_um = m_status.error_um;
-        ++figures.samples;
-        m_deepest_rev = std::max(m_deepest_rev, m_status.spindle_rev);
-        m_deepest_mm = std::max(m_deepest_mm, m_status.z_mm);
-        figures.saec_mm += std::abs(error_um) / 1000.0;
-        figures.peak_um = std::max(figures.peak_um, std::abs(error_um));
-        m_squares_um2 += error_um * error_um;
-        if (m_status.spindle_rev >= m_job.engage_rev) {
-            m_low_um = m_engaged ? std::min(m_low_um, error_um) : error_um;
-            m_high_um = m_engaged ? std::max(m_high_um, error_um) : error_um;
-            m_engaged = true;
-        }
-    } else {
+    if (!good) {
         ++figures.missing;
+        return;
     }
-    const TrimTable& trim = m_exchange.trims.value();
-    if (m_next.trimRevision != 0 && trim.revision == m_next.trimRevision && m_next.revision == tap.gains &&
-        !m_interrupted) {
-        // What is sent now acts in the next tick: sample k has just been taken, command k is already with the drive.
-        outputs.zTrim_um = tap.count < trim.count ? static_cast<double>(trim.trim_um[tap.count]) : 0.0;
+    const double error_um = m_status.error_um;
+    ++figures.samples;
+    m_deepest_rev = std::max(m_deepest_rev, m_status.spindle_rev);
+    m_deepest_mm = std::max(m_deepest_mm, m_status.z_mm);
+    figures.saec_mm += std::abs(error_um) / 1000.0;
+    figures.peak_um = std::max(figures.peak_um, std::abs(error_um));
+    m_squares_um2 += error_um * error_um;
+    if (m_status.spindle_rev >= m_job.engage_rev) {
+        m_low_um = m_engaged ? std::min(m_low_um, error_um) : error_um;
+        m_high_um = m_engaged ? std::max(m_high_um, error_um) : error_um;
+        m_engaged = true;
     }
-    watch(outputs, events);
 }
 
 // Cycles that did not happen (link down, overrun) leave places in the record: sample k is always at tick k.

@@ -39,6 +39,8 @@ class TappingLoop final : public ProcessLoop {
     [[nodiscard]] bool refused(const MachineInputs& inputs) const noexcept;
     void beginRestore() noexcept;
     void recover(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
+    void follow(double spindle_rev, double z_mm) noexcept;
+    void keep(bool good) noexcept;
     void fillGap(std::int64_t now_ns) noexcept;
     [[nodiscard]] bool gainsInForce(const MachineInputs& inputs) const noexcept;
     void request(LoopOutputs& outputs, const decltype(PortRequest::action)& action) noexcept;

@@ -258,6 +258,11 @@ class DefaultTuner final : public TrialTuner {
 
         TapSettings next = m_current;
         std::vector<double> left_mm = error_mm;
+        if (!m_setup.trim) {
+            match(model, tap.spindle_rev, error_mm, next, left_mm);
+            matchOnly(figures, next, sumAbs_mm(left_mm), step);
+            return;
+        }
         double share = 1.0;
         if (m_taps == 1) {
             match(model, tap.spindle_rev, error_mm, next, left_mm);
@@ -292,6 +297,21 @@ class DefaultTuner final : public TrialTuner {
             step.reason = Sentence(KERF_TEXT("Refine the learned trim: %1 mm expected instead of %2 mm."),
                                    {predicted_mm, 1}, {figures.saec_mm, 1});
         }
+    }
+
+    /// Without a trim: the match again from every tap, until it promises nothing more.
+    void matchOnly(const ContourFigures& figures, TapSettings& next, double predicted_mm, TunerStep& step) const {
+        step.expectedSaec_mm = predicted_mm;
+        if (m_taps > 1 && (predicted_mm > (1.0 - kWorth) * figures.saec_mm || m_sinceBest >= kMeanTaps)) {
+            step.finished = true;
+            step.next = m_accepted;
+            step.reason = Sentence(KERF_TEXT("What is left (%1 mm) is not a matter of gain or feed-forward."),
+                                   {figures.saec_mm, 1});
+            return;
+        }
+        step.next = std::move(next);
+        step.reason = Sentence(KERF_TEXT("Matched gain %1 1/s and feed-forward %2: %3 mm expected."),
+                               {step.next.zKp_perS, 2}, {step.next.zVelocityFf, 4}, {predicted_mm, 1});
     }
 
     /// Gain and feed-forward into `next`; the error they are expected to leave into `left_mm`.

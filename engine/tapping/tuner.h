@@ -28,6 +28,7 @@ struct TunerSetup {
     int maxTaps{8};     ///< the first tap with the initial gains counts
     double eta{0.03};   ///< step of `paper` and `signed`, 1/(s·mm)
     bool probe{false};  ///< `paper`: second tap at −3 % instead of S(−1) = 0
+    bool trim{true};    ///< `default`: the machine takes a trim of the Z command; else gain and feed-forward only
 };
 
 /// Answer to one tap.

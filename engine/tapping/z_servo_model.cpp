@@ -44,13 +44,23 @@ std::vector<double> predictZ(const DriveParams& assumed, const TapSettings& sett
     std::vector<double> z_mm(spindle_rev.size());
     const bool slaved = params.slaved > 0.5;
     double last_rev = 0.0;
+    const auto late = static_cast<std::size_t>(std::lround(params.referenceDelay_s / params.tick_s));
+    double lastReference_rev = 0.0;
+    double lastReference_revPerS = 0.0;
     for (std::size_t k = 0; k < z_mm.size(); ++k) {
         z_mm[k] = servo.position_mm();
         const double time_s = static_cast<double>(k) * params.tick_s;
         const double speed_revPerS = (spindle_rev[k] - last_rev) / params.tick_s;
         last_rev = spindle_rev[k];
         TapTrajectory::Point point = path.at(time_s);
-        if (slaved) point = {spindle_rev[k], speed_revPerS, 0.0};
+        if (slaved) {
+            const double reference_rev = k < late ? 0.0 : spindle_rev[k - late];
+            const double reference_revPerS = (reference_rev - lastReference_rev) / params.tick_s;
+            const double accel_revPerS2 = (reference_revPerS - lastReference_revPerS) / params.tick_s;
+            point = {reference_rev, reference_revPerS, params.referenceAccel * accel_revPerS2};
+            lastReference_rev = reference_rev;
+            lastReference_revPerS = reference_revPerS;
+        }
         const double trim_mm = k < settings.zTrim_mm.size() ? settings.zTrim_mm[k] : 0.0;
         servo.command({params.pitch_mm * point.position_rev + trim_mm, params.pitch_mm * point.velocity_revPerS,
                        params.pitch_mm * point.accel_revPerS2});

@@ -3341,6 +3341,62 @@
             <source>The tap was turned out in sync; it does not count.</source>
             <translation>The tap was turned out in sync; it does not count.</translation>
         </message>
+        <message>
+            <source>A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and a deviation from 0.001 to 0.1.</source>
+            <translation>A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and a deviation from 0.001 to 0.1.</translation>
+        </message>
+        <message>
+            <source>Diamond turning trims the tool every 0.2 ms; this control moves once per ms.</source>
+            <translation>Diamond turning trims the tool every 0.2 ms; this control moves once per ms.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC has not been reached yet: what it can do is not known.</source>
+            <translation>LinuxCNC has not been reached yet: what it can do is not known.</translation>
+        </message>
+        <message>
+            <source>Matched gain %1 1/s and feed-forward %2: %3 mm expected.</source>
+            <translation>Matched gain %1 1/s and feed-forward %2: %3 mm expected.</translation>
+        </message>
+        <message>
+            <source>The gains do not read back from the control.</source>
+            <translation>The gains do not read back from the control.</translation>
+        </message>
+        <message>
+            <source>The gains of Z cannot be set on this LinuxCNC: add kerf-tapping.hal.</source>
+            <translation>The gains of Z cannot be set on this LinuxCNC: add kerf-tapping.hal.</translation>
+        </message>
+        <message>
+            <source>The schedule has a value outside its range: feeds, overhangs, speed and alpha above zero.</source>
+            <translation>The schedule has a value outside its range: feeds, overhangs, speed and alpha above zero.</translation>
+        </message>
+        <message>
+            <source>The schedule needs more than %1 segments: allow a larger deviation.</source>
+            <translation>The schedule needs more than %1 segments: allow a larger deviation.</translation>
+        </message>
+        <message>
+            <source>The spindle's gain cannot be set on this control, only Z's.</source>
+            <translation>The spindle's gain cannot be set on this control, only Z's.</translation>
+        </message>
+        <message>
+            <source>The tapping program needs pitch and speed above zero and more than %1 revolutions.</source>
+            <translation>The tapping program needs pitch and speed above zero and more than %1 revolutions.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no cutting force: no sensor is connected.</source>
+            <translation>This LinuxCNC brings no cutting force: no sensor is connected.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no temperatures: without them nothing can be predicted.</source>
+            <translation>This LinuxCNC brings no temperatures: without them nothing can be predicted.</translation>
+        </message>
+        <message>
+            <source>This control cannot turn a standing tap out in sync: turn spindle and Z back by hand at the control, one pitch per revolution.</source>
+            <translation>This control cannot turn a standing tap out in sync: turn spindle and Z back by hand at the control, one pitch per revolution.</translation>
+        </message>
+        <message>
+            <source>What is left (%1 mm) is not a matter of gain or feed-forward.</source>
+            <translation>What is left (%1 mm) is not a matter of gain or feed-forward.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -2908,6 +2908,62 @@
             <source>table</source>
             <translation>테이블</translation>
         </message>
+        <message>
+            <source>A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and a deviation from 0.001 to 0.1.</source>
+            <translation>서브프로그램에는 영문자, 숫자, 밑줄로 된 이름, 1에서 9999까지의 번호, 0.001에서 0.1까지의 편차가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Diamond turning trims the tool every 0.2 ms; this control moves once per ms.</source>
+            <translation>다이아몬드 선삭은 0.2 ms마다 공구를 보정하지만 이 제어기는 1 ms에 한 번 움직입니다.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC has not been reached yet: what it can do is not known.</source>
+            <translation>아직 LinuxCNC에 연결되지 않아 할 수 있는 일을 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Matched gain %1 1/s and feed-forward %2: %3 mm expected.</source>
+            <translation>맞춘 게인 %1 1/s, 피드포워드 %2: 예상 %3 mm.</translation>
+        </message>
+        <message>
+            <source>The gains do not read back from the control.</source>
+            <translation>제어기에서 게인이 되읽히지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The gains of Z cannot be set on this LinuxCNC: add kerf-tapping.hal.</source>
+            <translation>이 LinuxCNC에서는 Z 게인을 설정할 수 없습니다. kerf-tapping.hal을 추가하십시오.</translation>
+        </message>
+        <message>
+            <source>The schedule has a value outside its range: feeds, overhangs, speed and alpha above zero.</source>
+            <translation>이송 계획에 범위를 벗어난 값이 있습니다. 이송, 돌출 길이, 회전수, 알파는 0보다 커야 합니다.</translation>
+        </message>
+        <message>
+            <source>The schedule needs more than %1 segments: allow a larger deviation.</source>
+            <translation>이송 계획에 %1개보다 많은 구간이 필요합니다. 더 큰 편차를 허용하십시오.</translation>
+        </message>
+        <message>
+            <source>The spindle's gain cannot be set on this control, only Z's.</source>
+            <translation>이 제어기에서는 주축 게인을 설정할 수 없고 Z 게인만 설정할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The tapping program needs pitch and speed above zero and more than %1 revolutions.</source>
+            <translation>탭 프로그램에는 0보다 큰 피치와 회전수, 그리고 %1회전보다 많은 회전이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no cutting force: no sensor is connected.</source>
+            <translation>이 LinuxCNC는 절삭력을 전달하지 않습니다. 연결된 센서가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC brings no temperatures: without them nothing can be predicted.</source>
+            <translation>이 LinuxCNC는 온도를 전달하지 않습니다. 온도 없이는 아무것도 예측할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>This control cannot turn a standing tap out in sync: turn spindle and Z back by hand at the control, one pitch per revolution.</source>
+            <translation>이 제어기는 서 있는 탭을 동기로 빼낼 수 없습니다. 제어기에서 주축과 Z를 회전당 한 피치씩 손으로 되돌리십시오.</translation>
+        </message>
+        <message>
+            <source>What is left (%1 mm) is not a matter of gain or feed-forward.</source>
+            <translation>남은 오차(%1 mm)는 게인이나 피드포워드의 문제가 아닙니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -1,39 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QFile>
-#include <QProcess>
-#include <QTcpSocket>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <memory>
+#include <string_view>
 #include <thread>
 
 #include "engine/boring/boring_loop.h"
+#include "engine/limits/output_limiter.h"
 #include "engine/loop/engine.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "tests/machine/port_conformance.h"
+#include "tests/support/linuxcnc_control.h"
 
 namespace {
-
-std::int64_t monotonic_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
-
-bool portAnswers() {
-    QTcpSocket socket;
-    socket.connectToHost(QStringLiteral("127.0.0.1"), 5007);
-    return socket.waitForConnected(200);
+constexpr const char* kBeAConsole = "--be-a-console";
 }
-
-}  // namespace
 
 /// The suite of the port against LinuxCNC's own simulator, started here; skipped, with the reason, where it cannot run.
 class TestLinuxCncMachine : public kerf::test::PortConformance {
     Q_OBJECT
-   protected:
+ protected:
     kerf::MachinePort& machine() override { return *m_machine; }
     std::int64_t nextCycle() override {
         m_deadline += std::chrono::milliseconds(1);
         std::this_thread::sleep_until(m_deadline);
-        return monotonic_ns();
+        return kerf::test::monotonic_ns();
     }
     kerf::StartProgram shortProgram() const override {
         kerf::StartProgram program;
@@ -46,61 +39,23 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     }
     int patience() const override { return 10'000; }
 
-   private:
-    bool startControl() {
-        m_control.setProgram(QStringLiteral(KERF_SOURCE_DIR "/scripts/linuxcnc-sim"));
-        m_control.setArguments({QString::fromLocal8Bit(qgetenv("KERF_BIN"))});
-        m_control.setStandardOutputFile(QStringLiteral("linuxcnc.log"));
-        m_control.setStandardErrorFile(QStringLiteral("linuxcnc.log"), QIODevice::Append);
-        m_control.start();
-        for (int i = 0; i < 300 && m_control.state() != QProcess::NotRunning; ++i) {
-            if (portAnswers() && makeMachine()) {
-                return true;
-            }
-            QTest::qWait(100);
-        }
-        return false;
-    }
-    bool makeMachine() {
-        kerf::linuxcnc::LinuxCncMachine::Params params;
-        params.rsh.prepareMachine = true;
-        m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(params);
-        return m_machine->connect().has_value();
-    }
-    void stopControl() {
-        QProcess::execute(QStringLiteral("pkill"), {QStringLiteral("-x"), QStringLiteral("linuxcncrsh")});
-        if (!m_control.waitForFinished(20'000)) {
-            m_control.kill();
-            m_control.waitForFinished();
-        }
-    }
+ private:
     bool linkIs(kerf::LinkState state) {
         return cycleUntil([this, state] { return m_inputs.link == state; }, neutral());
     }
 
-   private slots:
+ private slots:
     void initTestCase() {
-        if (!QFile::exists(QString::fromLocal8Bit(qgetenv("KERF_BIN")) + QStringLiteral("/kerf-hal")) ||
-            QProcess::execute(QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("command -v linuxcnc >/dev/null")}) != 0) {
-            QSKIP("LinuxCNC is not installed here (packages linuxcnc-uspace and linuxcnc-uspace-dev)");
+        if (const QString why = kerf::test::LinuxCncControl::whyNot(); !why.isEmpty()) {
+            QSKIP(qPrintable(why));
         }
-        if (portAnswers()) {
-            QSKIP("another LinuxCNC answers on port 5007: stop it first");
-        }
-        if (!startControl()) {
-            QFile log(QStringLiteral("linuxcnc.log"));
-            (void)log.open(QIODevice::ReadOnly);
-            QFAIL(("LinuxCNC did not start: " + log.readAll().right(800)).constData());
-        }
-        m_deadline = std::chrono::steady_clock::now();
-        QVERIFY(cycleUntil([this] { return m_inputs.machineOn && !m_inputs.emergencyStop && homed(); }, neutral()));
+        m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(kerf::linuxcnc::LinuxCncMachine::Params{});
+        QVERIFY(m_machine->connect().has_value());  // before LinuxCNC: the console starts without it
+        cycle(neutral());
+        QCOMPARE(m_inputs.link, kerf::LinkState::Down);
+        QVERIFY2(m_control.start(), m_control.log());
     }
-    void cleanupTestCase() {
-        m_machine.reset();
-        if (m_control.state() != QProcess::NotRunning) {
-            stopControl();
-        }
-    }
+    void cleanupTestCase() { m_machine.reset(); }
     void init() {
         m_inputs = kerf::MachineInputs{};
         m_deadline = std::chrono::steady_clock::now();
@@ -139,35 +94,213 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QTRY_VERIFY(engine.status().link == kerf::LinkState::Up);
         QVERIFY(send(kerf::StartPart{kerf::ProcessId::Boring}));
         QTRY_VERIFY_WITH_TIMEOUT(engine.status().boring.partsCut == 1, 30'000);
+        const std::uint64_t overruns = engine.status().stats.overruns;
         engine.stop();
         kerf::PartRecord part;
         QVERIFY(engine.partRecords().tryPop(part));
         QVERIFY(part.complete);
         QVERIFY(part.feed.count > 50);
-        // The first millimetre is the axis's acceleration. Without a real-time kernel a few points may be late: most must fit.
+        // The first millimetre is the axis's acceleration.
         std::vector<double> deviations;
         for (std::size_t i = 4; i + 1 < part.feed.count; ++i) {
             const double wanted = schedule.feed_mmPerRev(static_cast<double>(part.feed.overhang_mm[i]));
             deviations.push_back(std::abs(static_cast<double>(part.feed.feed_mmPerRev[i]) / wanted - 1.0));
         }
         std::ranges::sort(deviations);
-        qInfo("deviation of the feed really cut: median %.2f %%, largest %.2f %%", 100.0 * deviations[deviations.size() / 2],
-              100.0 * deviations.back());
-        QVERIFY(deviations[deviations.size() * 9 / 10] < 0.02);
+        qInfo("deviation of the feed really cut: median %.2f %%, largest %.2f %%, %llu late cycles",
+              100.0 * deviations[deviations.size() / 2], 100.0 * deviations.back(),
+              static_cast<unsigned long long>(overruns));
+        // A computer that keeps its deadlines: every point but one. One that does not: nine of ten.
+        const std::size_t count = deviations.size();
+        QVERIFY(deviations[overruns == 0 ? count - 2 : count * 9 / 10] < 0.02);
+    }
+    void operatorsPauseIsSeenAndGoesOn() {
+        kerf::test::AtTheControl control;
+        QVERIFY(startShortProgram());
+        control.say("set pause");
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Paused && m_inputs.feedHold; },
+                           neutral()));
+        control.say("set resume");
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Running; }, neutral()));
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Finished; }, neutral()));
+    }
+    void operatorsFeedOverrideIsSeenAndMultiplies() {
+        kerf::test::AtTheControl control;
+        control.say("set feed_override 50");
+        QVERIFY(cycleUntil([this] { return std::abs(m_inputs.operatorOverride - 0.5) < 0.01; }, neutral()));
+        QVERIFY(startShortProgram());
+        const auto request = shortProgram();
+        const double asked_mmPerS = request.programmedFeed_mmPerRev * request.spindleSpeed_rpm / 60.0;
+        const bool halved = cycleUntil(
+            [&] { return std::abs(m_inputs.actualFeed_mmPerS.value - 0.5 * asked_mmPerS) < 0.02 * asked_mmPerS; },
+            neutral());
+        control.say("set feed_override 100");
+        QVERIFY(halved);
+        QVERIFY(cycleUntil([this] { return m_inputs.operatorOverride > 0.99; }, neutral()));
+    }
+    void softLimitRefusesTheBoreBeforeItBegins() {
+        kerf::MachineOutputs outputs = neutral();
+        kerf::StartProgram tooDeep = shortProgram();
+        tooDeep.to_mm = tooDeep.from_mm + 900.0;
+        outputs.request.number = ++m_request;
+        outputs.request.action = tooDeep;
+        const std::uint32_t before = m_inputs.partSequence;
+        QVERIFY(cycleUntil([this] { return m_inputs.reply.number == m_request; }, outputs));
+        kerf::test::AtTheControl control;  // answers only once the control has read the program
+        QVERIFY(cycleUntil([&] { return control.ask("get program_status").contains("IDLE"); }, neutral()));
+        settle();
+        QCOMPARE(m_inputs.partSequence, before);
+        QVERIFY(m_inputs.program != kerf::ProgramState::Running);
+    }
+    void abortWhileTappingIsAnAbortedTap() {
+        kerf::MachineOutputs outputs = neutral();
+        kerf::StartProgram tap;
+        tap.process = kerf::ProcessId::Tapping;
+        tap.pitch_mm = 1.25;
+        tap.revolutions = 22.0;
+        tap.spindleSpeed_rpm = 600.0;
+        outputs.request.number = ++m_request;
+        outputs.request.action = tap;
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Running; }, outputs));
+        QCOMPARE(m_inputs.reply.state, kerf::RequestState::Done);
+        double deepest_rev = 0.0;
+        QVERIFY(cycleUntil(
+            [&] {
+                if (m_inputs.servoCount > 0) {
+                    deepest_rev = m_inputs.servo[0].spindle_rev;
+                }
+                return deepest_rev > 6.0;
+            },
+            neutral()));
+        kerf::test::AtTheControl control;
+        control.say("set abort");
+        QVERIFY(cycleUntil([this] { return m_inputs.program != kerf::ProgramState::Running; }, neutral()));
+        QCOMPARE(m_inputs.program, kerf::ProgramState::Aborted);
+        kerf::MachineOutputs recover = neutral();
+        recover.request.number = ++m_request;
+        recover.request.action = kerf::RetractInSync{};
+        QVERIFY(cycleUntil([this] { return m_inputs.reply.number == m_request; }, recover));
+        QCOMPARE(m_inputs.reply.state, kerf::RequestState::Refused);
+        QVERIFY(!m_inputs.reply.reason.empty());
+        control.say("set mode mdi");
+        control.say("set mdi G0 Z5");  // free again for the next tests
+        control.say("set mdi M5");
+    }
+    void emergencyStopAbortsAndMachineOnZeroesTheOffsetsWithoutAJumpOfOurs() {
+        kerf::OutputLimits limits;
+        limits.workOffsetRate_umPerS = 100.0;
+        kerf::OutputLimiter limiter(limits, m_machine->capabilities());
+        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        wishes[static_cast<std::size_t>(kerf::ProcessId::Thermal)].workOffset_um[2] = 12.0;
+        kerf::LimitReport report;
+        limiter.adopt(m_inputs, m_machine->capabilities());
+        double largestStep_um = 0.0;
+        double last_um = 0.0;
+        const auto limitedUntil = [&](const std::function<bool()>& condition) {
+            for (int i = 0; i < patience(); ++i) {
+                machine().read(nextCycle(), m_inputs);
+                kerf::MachineOutputs outputs = limiter.apply(wishes, m_inputs, 0.001, report);
+                outputs.heartbeat = ++m_heartbeat;
+                machine().write(outputs);
+                if (m_inputs.workOffset_um[2].good()) {
+                    largestStep_um = std::max(largestStep_um, m_inputs.workOffset_um[2].value - last_um);
+                    last_um = m_inputs.workOffset_um[2].value;
+                }
+                if (condition()) {
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(limitedUntil([&] { return std::abs(m_inputs.workOffset_um[2].value - 12.0) < 0.5; }));
+        QVERIFY(startShortProgram());
+        kerf::test::AtTheControl control;
+        control.say("set estop on");
+        QVERIFY(
+            limitedUntil([&] { return m_inputs.emergencyStop && m_inputs.program == kerf::ProgramState::Aborted; }));
+        QVERIFY(!m_inputs.machineOn);
+        control.say("set estop off");
+        control.say("set machine on");
+        largestStep_um = 0.0;
+        QVERIFY(limitedUntil([&] { return m_inputs.machineOn && m_inputs.workOffset_um[2].good(); }));
+        QVERIFY2(std::abs(m_inputs.workOffset_um[2].value) < 1.0,
+                 qPrintable(QString::number(m_inputs.workOffset_um[2].value)));  // the control has zeroed it
+        QVERIFY(limitedUntil([&] { return std::abs(m_inputs.workOffset_um[2].value - 12.0) < 0.5; }));
+        QVERIFY2(largestStep_um < 8.0,
+                 qPrintable(QString::number(largestStep_um)));  // and we lead it back, not throw it
+    }
+    void digitalWordAnswersTheControlsRequest() {
+        QCOMPARE(setPin("kerf.request-4", "1"), 0);  // start, axis Z
+        QCOMPARE(setPin("kerf.request-1", "1"), 0);
+        kerf::MachineOutputs outputs = neutral();
+        outputs.workOffset_um = {0.0, 0.0, 9.0};
+        QVERIFY(cycleUntil([this] { return std::abs(m_inputs.workOffset_um[2].value - 9.0) < 0.5; }, outputs));
+        // alive 15, axis Z 14, shift 9: bits 3 and 0
+        QVERIFY(cycleUntil([] { return wordOf(getPins("kerf.word-")) == 0xC009; }, outputs));
+        setPin("kerf.request-4", "0");
+        setPin("kerf.request-1", "0");
+        QVERIFY(cycleUntil([this] { return std::abs(m_inputs.workOffset_um[2].value) < 0.5; }, neutral()));
+    }
+    void silentConsoleHoldsTheFeedWhereThatIsAsked() {
+        QCOMPARE(setPin("kerf.hold-on-loss", "1"), 0);
+        QVERIFY(startShortProgram());
+        QVERIFY(cycleUntil([this] { return m_inputs.actualFeed_mmPerS.value > 0.0; }, neutral()));
+        const std::int64_t silentFrom_ns = kerf::test::monotonic_ns();
+        std::int64_t stopped_ns = 0;
+        while (kerf::test::monotonic_ns() - silentFrom_ns < 2'000'000'000 && stopped_ns == 0) {
+            machine().read(nextCycle(), m_inputs);
+            if (m_inputs.actualFeed_mmPerS.value < 1e-6) {
+                stopped_ns = kerf::test::monotonic_ns();
+            }
+        }
+        setPin("kerf.hold-on-loss", "0");
+        QVERIFY(stopped_ns != 0);
+        qInfo("console silent, hold asked: feed stands after %.0f ms",
+              static_cast<double>(stopped_ns - silentFrom_ns) * 1e-6);
+        QVERIFY(
+            cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Finished; }, neutral()));  // and goes on
+    }
+    void killedConsoleIsNoticedByTheControl() {
+        m_machine->disconnect();
+        QProcess console;  // this program again, as a console; killed as kill -9 does
+        console.start(QCoreApplication::applicationFilePath(), {QLatin1String(kBeAConsole)});
+        kerf::linuxcnc::SharedLink link;
+        kerf::linuxcnc::LinkMemory* memory = link.take();
+        QVERIFY(memory != nullptr);
+        kerf::linuxcnc::FromControl seen;
+        const auto lost = [&] { return memory->fromControl.latest(seen) && seen.consoleLost; };
+        QTRY_VERIFY_WITH_TIMEOUT(!lost(), 10'000);
+        console.kill();
+        const std::int64_t killed_ns = kerf::test::monotonic_ns();
+        while (!lost() && kerf::test::monotonic_ns() - killed_ns < 2'000'000'000) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        const double noticed_ms = static_cast<double>(kerf::test::monotonic_ns() - killed_ns) * 1e-6;
+        console.waitForFinished();
+        QVERIFY(lost());
+        QCOMPARE(seen.appliedFeedScale, 1.0);
+        qInfo("console killed: programmed feed and alarm after %.0f ms", noticed_ms);
+        QVERIFY(m_machine->connect().has_value());
+        m_deadline = std::chrono::steady_clock::now();
+        QVERIFY(linkIs(kerf::LinkState::Up));
+        QVERIFY(cycleUntil([this] { return homed(); }, neutral()));
     }
     void silentConsoleLeavesTheProgrammedFeed() {
         QVERIFY(startShortProgram());
         kerf::MachineOutputs slow = neutral();
         slow.feedScale = 0.2;
         QVERIFY(cycleUntil(
-            [this] { return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed(); }, slow));
-        const std::int64_t silentFrom_ns = monotonic_ns();
+            [this] {
+                return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed();
+            },
+            slow));
+        const std::int64_t silentFrom_ns = kerf::test::monotonic_ns();
         std::int64_t reacted_ns = 0;
-        while (monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
+        while (kerf::test::monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
             machine().read(nextCycle(), m_inputs);  // looks, but says nothing: hung
             QVERIFY(m_inputs.actualFeed_mmPerS.value <= programmed() * 1.001);
             if (m_inputs.appliedFeedScale.value == 1.0) {
-                reacted_ns = monotonic_ns();
+                reacted_ns = kerf::test::monotonic_ns();
             }
         }
         QVERIFY(reacted_ns != 0);
@@ -175,28 +308,58 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         qInfo("console silent: back at programmed feed after %.0f ms", reaction_ms);
     }
     void controlKilledIsNoticedAndComesBack() {
-        const std::int64_t killed_ns = monotonic_ns();
-        QProcess::execute(QStringLiteral("pkill"), {QStringLiteral("-9"), QStringLiteral("-x"), QStringLiteral("kerf-hal")});
+        const std::int64_t killed_ns = kerf::test::LinuxCncControl::killBridge();
+        QVERIFY(killed_ns != 0);
         std::int64_t noticed_ns = 0;
         m_deadline = std::chrono::steady_clock::now();
-        while (monotonic_ns() - killed_ns < 2'000'000'000 && noticed_ns == 0) {
+        while (kerf::test::monotonic_ns() - killed_ns < 2'000'000'000 && noticed_ns == 0) {
             cycle(neutral());
             if (m_inputs.link == kerf::LinkState::Down) {
-                noticed_ns = monotonic_ns();
+                noticed_ns = kerf::test::monotonic_ns();
             }
         }
         QVERIFY(noticed_ns != 0);
-        qInfo("link lost noticed %.0f ms after the kill was asked", static_cast<double>(noticed_ns - killed_ns) * 1e-6);
-        // The test cannot load the bridge into a running control as an ordinary user would; a new control is the same to the port.
-        m_machine->disconnect();
-        stopControl();
-        QVERIFY(startControl());
+        qInfo("bridge killed: link down after %.0f ms", static_cast<double>(noticed_ns - killed_ns) * 1e-6);
+        m_control.stop();
+        QVERIFY2(m_control.start(), m_control.log());
         m_deadline = std::chrono::steady_clock::now();
-        QVERIFY(linkIs(kerf::LinkState::Up));
+        QVERIFY(linkIs(kerf::LinkState::Up));  // by itself
         QVERIFY(cycleUntil([this] { return m_inputs.machineOn && homed(); }, neutral()));
     }
 
-   private:
+ private:
+    /// As an ordinary user, like everything that touches LinuxCNC's HAL.
+    static QProcess& halcmd(const QStringList& arguments) {
+        static QProcess process;
+        QStringList all{QStringLiteral("halcmd")};
+        if (::geteuid() == 0) {
+            all = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=nobody"),
+                              QStringLiteral("--regid=nogroup"), QStringLiteral("--clear-groups"),
+                              QStringLiteral("halcmd")};
+        }
+        all += arguments;
+        process.start(all.takeFirst(), all);
+        process.waitForFinished();
+        return process;
+    }
+    static int setPin(const char* pin, const char* value) {
+        return halcmd({QStringLiteral("setp"), QLatin1String(pin), QLatin1String(value)}).exitCode();
+    }
+    static QByteArray getPins(const char* pattern) {
+        return halcmd({QStringLiteral("-s"), QStringLiteral("show"), QStringLiteral("pin"), QLatin1String(pattern)})
+            .readAllStandardOutput();
+    }
+    /// From halcmd's lines "owner type direction value name".
+    static int wordOf(const QByteArray& lines) {
+        int word = 0;
+        for (const QByteArray& line : lines.split('\n')) {
+            const QList<QByteArray> cells = line.simplified().split(' ');
+            if (cells.size() >= 5 && cells[3] == "TRUE") {
+                word |= 1 << cells[4].mid(static_cast<int>(qstrlen("kerf.word-"))).toInt();
+            }
+        }
+        return word;
+    }
     [[nodiscard]] double programmed() const { return m_inputs.programmedFeed_mmPerS.value; }
     /// A program can be started: asked once per call of cycleUntil's condition, answered by the control itself.
     [[nodiscard]] bool homed() const { return m_machine->commandsReady(); }
@@ -206,9 +369,28 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         }
     }
 
-    QProcess m_control;
+    kerf::test::LinuxCncControl m_control;
     std::unique_ptr<kerf::linuxcnc::LinuxCncMachine> m_machine;
     std::chrono::steady_clock::time_point m_deadline{};
 };
-QTEST_GUILESS_MAIN(TestLinuxCncMachine)
+/// A console that only lives: reads, and writes what changes nothing, until it is killed.
+int beAConsole() {
+    kerf::linuxcnc::LinuxCncMachine machine(kerf::linuxcnc::LinuxCncMachine::Params{});
+    (void)machine.connect();
+    for (;;) {
+        kerf::MachineInputs inputs;
+        machine.read(kerf::test::monotonic_ns(), inputs);
+        machine.write(kerf::MachineOutputs{});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+int main(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == kBeAConsole) {
+        return beAConsole();
+    }
+    QCoreApplication application(argc, argv);
+    TestLinuxCncMachine test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "tst_linuxcnc_machine.moc"

@@ -2,103 +2,54 @@
 // kerf-hal: the HAL component between LinuxCNC and the console. Load it with `loadusr -W kerf-hal`.
 //
 // Its pins exist as long as LinuxCNC runs, whether or not a console is there. When the console's beat stops for longer
-// than kerf.timeout it lets go by itself: feed-scale goes to 1 (programmed feed) or stays below, or the feed is held
-// when kerf.hold-on-loss is set; offsets stay; kerf.console-lost tells the control.
+// than kerf.timeout it lets go by itself: feed-scale goes to 1 (programmed feed), or the feed is held when
+// kerf.hold-on-loss is set; offsets and gains stay; the digital word loses its living bit; kerf.console-lost tells the
+// control.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
+#include <optional>
 
-#include "engine/machine/linuxcnc/link_memory.h"
-
-#define ULAPI
-extern "C" {
-#include <rtapi.h>
-//
-#include <hal.h>
-}
+#include "engine/machine/linuxcnc/hal_pins.h"
 
 namespace {
 
+using kerf::linuxcnc::Fitted;
 using kerf::linuxcnc::FromControl;
 using kerf::linuxcnc::LinkMemory;
+using kerf::linuxcnc::Pins;
+using kerf::linuxcnc::ServoPeriod;
 using kerf::linuxcnc::ToControl;
 
-constexpr long kPeriod_ns = 1'000'000;
+constexpr std::int64_t kPeriod_ns = 1'000'000;
+constexpr std::int64_t kOwnStall_ns =
+    5'000'000;  // of a round of ours that came late, only this much is the console's silence
 constexpr double kDefaultTimeout_s = 0.06;  // console and control together must settle within 100 ms
-
-struct Pins {
-    // from the control
-    hal_float_t* servoClock;
-    hal_float_t* position[3];
-    hal_float_t* currentVelocity;
-    hal_float_t* requestedVelocity;
-    hal_float_t* spindleSpeed;
-    hal_float_t* spindleRevs;
-    hal_float_t* feedOverride;
-    hal_float_t* offsetActual[3];
-    hal_bit_t* machineOn;
-    hal_bit_t* emergencyStop;
-    hal_bit_t* programRunning;
-    hal_bit_t* programPaused;
-    hal_bit_t* cutting;
-    hal_bit_t* finished;
-    hal_bit_t* softLimit;
-    // to the control
-    hal_float_t* feedScale;
-    hal_bit_t* feedHold;
-    hal_s32_t* offsetCounts[3];  // 1 count = 1 µm: set axis.N.eoffset-scale to .001
-    hal_bit_t* heartbeat;        // toggles every round: for HAL's own watchdog
-    hal_bit_t* consoleLost;
-    // settings of the bridge
-    hal_float_t* timeout_s;
-    hal_bit_t* holdOnLoss;
-};
+constexpr double kDefaultBandwidth_perS = 400.0;
+constexpr int kSamplerKey = 0x48534130;  // of HAL's sampler.0
+constexpr unsigned kAliveBit = 15;
 
 volatile std::sig_atomic_t g_stop = 0;
 void onSignal(int /*signal*/) {
     g_stop = 1;
 }
 
-bool makePins(Pins& p, int component) {
-    const char* axis[3] = {"x", "y", "z"};
-    int bad = 0;
-    bad |= hal_pin_float_newf(HAL_IN, &p.servoClock, component, "kerf.servo-clock");
-    for (int i = 0; i < 3; ++i) {
-        bad |= hal_pin_float_newf(HAL_IN, &p.position[i], component, "kerf.position-%s", axis[i]);
-        bad |= hal_pin_float_newf(HAL_IN, &p.offsetActual[i], component, "kerf.offset-actual-%s", axis[i]);
-        bad |= hal_pin_s32_newf(HAL_OUT, &p.offsetCounts[i], component, "kerf.offset-counts-%s", axis[i]);
-    }
-    bad |= hal_pin_float_newf(HAL_IN, &p.currentVelocity, component, "kerf.current-vel");
-    bad |= hal_pin_float_newf(HAL_IN, &p.requestedVelocity, component, "kerf.requested-vel");
-    bad |= hal_pin_float_newf(HAL_IN, &p.spindleSpeed, component, "kerf.spindle-rps");
-    bad |= hal_pin_float_newf(HAL_IN, &p.spindleRevs, component, "kerf.spindle-revs");
-    bad |= hal_pin_float_newf(HAL_IN, &p.feedOverride, component, "kerf.feed-override");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.machineOn, component, "kerf.machine-on");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.emergencyStop, component, "kerf.estop");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.programRunning, component, "kerf.program-running");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.programPaused, component, "kerf.program-paused");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.cutting, component, "kerf.cutting");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.finished, component, "kerf.finished");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.softLimit, component, "kerf.on-soft-limit");
-    bad |= hal_pin_float_newf(HAL_OUT, &p.feedScale, component, "kerf.feed-scale");
-    bad |= hal_pin_bit_newf(HAL_OUT, &p.feedHold, component, "kerf.feed-hold");
-    bad |= hal_pin_bit_newf(HAL_OUT, &p.heartbeat, component, "kerf.heartbeat");
-    bad |= hal_pin_bit_newf(HAL_OUT, &p.consoleLost, component, "kerf.console-lost");
-    bad |= hal_pin_float_newf(HAL_IN, &p.timeout_s, component, "kerf.timeout");
-    bad |= hal_pin_bit_newf(HAL_IN, &p.holdOnLoss, component, "kerf.hold-on-loss");
-    return bad == 0;
+std::int64_t monotonic_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 
 LinkMemory* openLink() {
-    const int file = shm_open(kerf::linuxcnc::kLinkName, O_RDWR | O_CREAT, 0600);
+    (void)shm_unlink(kerf::linuxcnc::kLinkName);  // a console that holds the last bridge's memory finds this one
+    const int file = shm_open(kerf::linuxcnc::kLinkName, O_RDWR | O_CREAT | O_EXCL, 0600);
     if (file < 0 || ftruncate(file, sizeof(LinkMemory)) != 0) {
         return nullptr;
     }
@@ -107,46 +58,192 @@ LinkMemory* openLink() {
     return block == MAP_FAILED ? nullptr : new (block) LinkMemory();
 }
 
-FromControl look(const Pins& p, std::uint64_t beat) {
-    FromControl seen;
-    seen.beat = beat;
-    seen.servoClock_s = *p.servoClock;
-    for (int i = 0; i < 3; ++i) {
-        seen.position_mm[static_cast<std::size_t>(i)] = *p.position[i];
-        seen.externalOffset_mm[static_cast<std::size_t>(i)] = *p.offsetActual[i];
-    }
-    seen.currentVelocity_mmPerS = *p.currentVelocity;
-    seen.requestedVelocity_mmPerS = *p.requestedVelocity;
-    seen.spindleSpeed_rps = *p.spindleSpeed;
-    seen.spindleAngle_rev = *p.spindleRevs;
-    seen.feedOverride = *p.feedOverride;
-    seen.appliedFeedScale = *p.feedScale;
-    seen.machineOn = *p.machineOn != 0;
-    seen.emergencyStop = *p.emergencyStop != 0;
-    seen.programRunning = *p.programRunning != 0;
-    seen.programPaused = *p.programPaused != 0;
-    seen.cutting = *p.cutting != 0;
-    seen.finished = *p.finished != 0;
-    seen.onSoftLimit = *p.softLimit != 0;
-    seen.consoleLost = *p.consoleLost != 0;
-    return seen;
+/// motion.adaptive-feed is clipped to 1 before 2.10.
+bool adaptiveFeedMayRise() {
+    const char* version = std::getenv("LINUXCNCVERSION");
+    int major = 0;
+    int minor = 0;
+    return version != nullptr && std::sscanf(version, "%d.%d", &major, &minor) == 2 &&
+           (major > 2 || (major == 2 && minor >= 10));
 }
 
-void obey(const Pins& p, const ToControl& wish) {
-    *p.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 1.0;
-    *p.feedHold = wish.feedHold ? 1 : 0;
-    for (int i = 0; i < 3; ++i) {
-        const double offset_um = wish.externalOffset_um[static_cast<std::size_t>(i)];
-        if (std::isfinite(offset_um)) {
-            *p.offsetCounts[i] = static_cast<std::int32_t>(std::lround(offset_um));
+/// HAL's sampler, read without waiting.
+class Sampler {
+ public:
+    explicit Sampler(int component) {
+        char kinds[] = "fffsbb";
+        m_attached = hal_stream_attach(&m_stream, component, kSamplerKey, kinds) == 0;
+    }
+    [[nodiscard]] bool attached() const { return m_attached; }
+    /// Hands every period to the link; returns how many there were.
+    std::uint64_t drainInto(LinkMemory& link) {
+        hal_stream_data values[6];
+        unsigned number = 0;
+        std::uint64_t count = 0;
+        while (m_attached && hal_stream_readable(&m_stream) && hal_stream_read(&m_stream, values, &number) == 0) {
+            ServoPeriod period;
+            period.number = number;
+            period.spindle_rev = values[0].f;
+            period.z_mm = values[1].f;
+            period.zCommand_mm = values[2].f;
+            period.late_ns = values[3].s;
+            period.cutting = values[4].b;
+            period.finished = values[5].b;
+            link.servo.push(period);
+            ++count;
+        }
+        return count;
+    }
+
+ private:
+    hal_stream_t m_stream{};
+    bool m_attached{false};
+};
+
+class Bridge {
+ public:
+    Bridge(Pins& pins, LinkMemory& link, int component) : m_pins(pins), m_link(link), m_component(component) {
+        *pins.timeout_s = kDefaultTimeout_s;
+        *pins.driveBandwidth = kDefaultBandwidth_perS;
+        *pins.consoleLost = true;
+        *pins.maxFeedOverride = 1.0;
+        letGo();
+    }
+
+    void round(std::int64_t passed_ns) {
+        *m_pins.heartbeat = !*m_pins.heartbeat;
+        if (*m_pins.machineOn && !m_wasOn) {
+            zeroOffsets();
+        }
+        m_wasOn = *m_pins.machineOn;
+        m_silent_s += static_cast<double>(std::min(passed_ns, kOwnStall_ns)) * 1e-9;
+        if (m_link.toControl.refresh()) {
+            const ToControl wish = m_link.toControl.value();
+            if (wish.beat != m_consoleBeat && wish.beat == wish.beatAgain) {
+                m_consoleBeat = wish.beat;
+                m_silent_s = 0.0;
+                obey(wish);
+            }
+        }
+        const bool lost = m_silent_s > *m_pins.timeout_s;
+        if (lost && !*m_pins.consoleLost) {
+            letGo();
+        }
+        *m_pins.consoleLost = lost;
+        if (m_beat % 1000 == 0) {
+            findFitted();
+        }
+        if (m_sampler) {
+            m_servoPeriods += m_sampler->drainInto(m_link);
+        }
+        m_link.fromControl.push(look());
+    }
+
+ private:
+    /// Pins are linked while the HAL files are read, which goes on after this component is ready.
+    void findFitted() {
+        if (!m_sampler && ++m_samplerTries <= 10) {
+            Sampler sampler(m_component);
+            if (sampler.attached()) {
+                m_sampler = sampler;
+            }
+        }
+        m_fitted.externalOffsets = *m_pins.offsetRatio > 0.0 && m_pins.offsetCounts[2].linked();
+        m_fitted.originShift = m_pins.originShift[2].linked();
+        m_fitted.servoGains = m_pins.pGain.linked();
+        m_fitted.servoRecord = m_sampler.has_value();
+        m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
+        m_fitted.simulator = *m_pins.simulator;
+        m_fitted.maxFeedScale = m_mayRise ? std::max(1.0, static_cast<double>(*m_pins.maxFeedOverride)) : 1.0;
+    }
+
+    /// LinuxCNC zeroes its external offsets when the machine is switched on, and counts on from where the counts stand.
+    /// What the console still asks for belongs to the time before: it must first see the zero.
+    void zeroOffsets() {
+        for (std::size_t i = 0; i < 3; ++i) {
+            m_zeroCounts[i] = *m_pins.offsetCounts[i];
+        }
+        ++m_offsetEpoch;
+    }
+
+    FromControl look() {
+        FromControl seen;
+        seen.beat = ++m_beat;
+        seen.servoPeriods = m_servoPeriods;
+        for (std::size_t i = 0; i < 3; ++i) {
+            seen.position_mm[i] = *m_pins.position[i];
+            seen.externalOffset_mm[i] = *m_pins.offsetActual[i];
+            seen.originShift_um[i] = *m_pins.originShift[i];
+        }
+        seen.offsetEpoch = m_offsetEpoch;
+        seen.originKnown = *m_pins.originKnown;
+        seen.currentVelocity_mmPerS = *m_pins.currentVelocity;
+        seen.requestedVelocity_mmPerS = *m_pins.requestedVelocity;
+        seen.spindleSpeed_rps = *m_pins.spindleSpeed;
+        seen.spindleAngle_rev = *m_pins.spindleRevs;
+        seen.feedOverride = *m_pins.feedOverride;
+        seen.appliedFeedScale = *m_pins.feedScale;
+        seen.gains = {*m_pins.pGain, *m_pins.ff1, *m_pins.ff2};
+        seen.driveBandwidth_perS = *m_pins.driveBandwidth;
+        seen.fitted = m_fitted;
+        seen.machineOn = *m_pins.machineOn;
+        seen.emergencyStop = *m_pins.emergencyStop;
+        seen.programRunning = *m_pins.programRunning;
+        seen.programPaused = *m_pins.programPaused;
+        seen.cutting = *m_pins.cutting;
+        seen.finished = *m_pins.finished;
+        seen.onSoftLimit = *m_pins.softLimit;
+        seen.consoleLost = *m_pins.consoleLost;
+        for (std::size_t i = 0; i < m_pins.requestWord.size(); ++i) {
+            seen.requestWord |= static_cast<std::uint8_t>(*m_pins.requestWord[i] ? 1U << i : 0U);
+        }
+        return seen;
+    }
+
+    void obey(const ToControl& wish) {
+        *m_pins.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 1.0;
+        *m_pins.feedHold = wish.feedHold;
+        for (std::size_t i = 0; i < 3 && wish.offsetEpoch == m_offsetEpoch; ++i) {
+            if (std::isfinite(wish.externalOffset_um[i])) {
+                *m_pins.offsetCounts[i] =
+                    m_zeroCounts[i] + static_cast<std::int32_t>(std::lround(wish.externalOffset_um[i]));
+            }
+        }
+        const double sum = wish.gains.pGain_perS + wish.gains.ff1 + wish.gains.ff2_s;
+        if (wish.gainsRevision != 0 && wish.gainsRevision != m_gainsRevision && std::isfinite(sum) &&
+            !*m_pins.cutting) {
+            m_gainsRevision = wish.gainsRevision;
+            *m_pins.pGain = wish.gains.pGain_perS;
+            *m_pins.ff1 = wish.gains.ff1;
+            *m_pins.ff2 = wish.gains.ff2_s;
+        }
+        for (std::size_t i = 0; i < m_pins.word.size(); ++i) {
+            *m_pins.word[i] = ((wish.shiftWord >> i) & 1U) != 0;
         }
     }
-}
 
-void letGo(const Pins& p) {
-    *p.feedScale = 1.0;
-    *p.feedHold = *p.holdOnLoss;
-}
+    void letGo() {
+        *m_pins.feedScale = 1.0;
+        *m_pins.feedHold = *m_pins.holdOnLoss;
+        *m_pins.word[kAliveBit] = false;
+    }
+
+    Pins& m_pins;
+    LinkMemory& m_link;
+    int m_component;
+    std::optional<Sampler> m_sampler{};
+    int m_samplerTries{0};
+    Fitted m_fitted{};
+    bool m_mayRise{adaptiveFeedMayRise()};
+    std::uint64_t m_beat{0};
+    std::uint64_t m_servoPeriods{0};
+    std::uint64_t m_consoleBeat{0};
+    std::uint32_t m_gainsRevision{0};
+    std::uint32_t m_offsetEpoch{1};
+    std::array<std::int32_t, 3> m_zeroCounts{};
+    bool m_wasOn{false};
+    double m_silent_s{1e9};
+};
 
 }  // namespace
 
@@ -159,50 +256,29 @@ int main() {
                      component);
         return 1;
     }
-    auto* pins = static_cast<Pins*>(hal_malloc(sizeof(Pins)));
+    Pins pins;
     LinkMemory* link = openLink();
-    if (pins == nullptr || !makePins(*pins, component) || link == nullptr) {
+    if (!pins.make(component) || link == nullptr) {
         std::fprintf(stderr, "kerf-hal: no memory for pins or for the link to the console.\n");
         hal_exit(component);
         return 1;
     }
-    *pins->timeout_s = kDefaultTimeout_s;
-    *pins->holdOnLoss = 0;
-    *pins->consoleLost = 1;
-    letGo(*pins);
+    Bridge bridge(pins, *link, component);
     hal_ready(component);
     link->magic.store(LinkMemory::kMagic, std::memory_order_release);
 
-    std::uint64_t beat = 0;
-    std::uint64_t consoleBeat = 0;
-    double silent_s = 1e9;
-    timespec next{};
-    clock_gettime(CLOCK_MONOTONIC, &next);
+    std::int64_t next_ns = monotonic_ns();
+    std::int64_t last_ns = next_ns;
     while (g_stop == 0) {
-        next.tv_nsec += kPeriod_ns;
-        if (next.tv_nsec >= 1'000'000'000) {
-            next.tv_nsec -= 1'000'000'000;
-            ++next.tv_sec;
-        }
+        next_ns = std::max(next_ns + kPeriod_ns, last_ns);  // a missed round is not made up for
+        const timespec next{next_ns / 1'000'000'000, next_ns % 1'000'000'000};
         clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
-        *pins->heartbeat = *pins->heartbeat == 0 ? 1 : 0;
-        silent_s += static_cast<double>(kPeriod_ns) * 1e-9;
-        if (link->toControl.refresh()) {
-            const ToControl wish = link->toControl.value();
-            if (wish.beat != consoleBeat && wish.beat == wish.beatAgain) {
-                consoleBeat = wish.beat;
-                silent_s = 0.0;
-                obey(*pins, wish);
-            }
-        }
-        const bool lost = silent_s > *pins->timeout_s;
-        if (lost && *pins->consoleLost == 0) {
-            letGo(*pins);
-        }
-        *pins->consoleLost = lost ? 1 : 0;
-        link->fromControl.publish(look(*pins, ++beat));
+        const std::int64_t now_ns = monotonic_ns();
+        bridge.round(now_ns - last_ns);
+        last_ns = now_ns;
     }
     link->magic.store(0, std::memory_order_release);
+    (void)shm_unlink(kerf::linuxcnc::kLinkName);
     hal_exit(component);
     return 0;
 }

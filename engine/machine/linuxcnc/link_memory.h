@@ -8,13 +8,34 @@
 #include "engine/core/latest_value.h"
 
 /// What the console and the HAL bridge (kerf-hal, a component loaded by LinuxCNC) share: two values, one writer each,
-/// in POSIX shared memory. Neither side ever waits for the other; each tells from the other's beat whether it lives.
+/// and the servo periods, in POSIX shared memory. Neither side ever waits for the other; each tells from the
+/// other's beat whether it lives.
 namespace kerf::linuxcnc {
+
+/// What the bridge found fitted: pins that are linked or set in HAL, the version. Constant while the bridge runs but
+/// for pins that are linked later.
+struct Fitted {
+    bool externalOffsets{false};  ///< kerf.offset-counts-z is linked and kerf.offset-ratio is above 0
+    bool originShift{false};      ///< kerf.origin-shift-z is linked: the shift goes by G10 L2 (kerf_shift.ngc)
+    bool servoGains{false};       ///< kerf.z-pgain is linked
+    bool servoRecord{false};      ///< a sampler brings every servo period
+    bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
+    bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
+    double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
+    friend bool operator==(const Fitted&, const Fitted&) = default;
+};
+
+/// The pid component of Z: gains as its pins show them.
+struct ZGains {
+    double pGain_perS{0.0};
+    double ff1{0.0};
+    double ff2_s{0.0};
+};
 
 /// The control as the bridge saw it in one of its 1 kHz rounds. Lengths mm whatever the ini's units.
 struct FromControl {
-    std::uint64_t beat{0};     ///< rises with every round of the bridge
-    double servoClock_s{0.0};  ///< rises with every servo period: stands still when motion does
+    std::uint64_t beat{0};          ///< rises with every round of the bridge
+    std::uint64_t servoPeriods{0};  ///< rises with every servo period: stands still when motion does
     std::array<double, 3> position_mm{};
     double currentVelocity_mmPerS{0.0};
     double requestedVelocity_mmPerS{0.0};
@@ -23,6 +44,12 @@ struct FromControl {
     double feedOverride{1.0};                   ///< operator's knob
     double appliedFeedScale{1.0};               ///< what motion.adaptive-feed is given, after the watchdog
     std::array<double, 3> externalOffset_mm{};  ///< as axis.N.eoffset reports
+    std::uint32_t offsetEpoch{0};               ///< rises whenever the control has zeroed its offsets: machine on
+    std::array<double, 3> originShift_um{};     ///< as kerf_shift.ngc reports over M68
+    bool originKnown{false};                    ///< it has reported since the control was started
+    ZGains gains{};
+    double driveBandwidth_perS{0.0};  ///< of Z's velocity loop, from HAL: kerf.z-bandwidth
+    Fitted fitted{};
     bool machineOn{false};
     bool emergencyStop{false};
     bool programRunning{false};
@@ -30,7 +57,8 @@ struct FromControl {
     bool cutting{false};   ///< M64 P0 … M65 P0 of the part program
     bool finished{false};  ///< M64 P1: the program reached its end
     bool onSoftLimit{false};
-    bool consoleLost{false};  ///< the bridge's own watchdog: our last beat is too old
+    bool consoleLost{false};      ///< the bridge's own watchdog: our last beat is too old
+    std::uint8_t requestWord{0};  ///< CNC → PC of the digital word
 };
 
 /// The console's wishes, already limited.
@@ -39,17 +67,73 @@ struct ToControl {
     double feedScale{1.0};
     bool feedHold{false};
     std::array<double, 3> externalOffset_um{};
+    std::uint32_t offsetEpoch{0};    ///< of the read-back the offsets follow on; of another epoch they are ignored
+    std::uint32_t gainsRevision{0};  ///< a new one: set `gains`; 0: leave the machine's own
+    ZGains gains{};
+    std::uint16_t shiftWord{0};  ///< PC → CNC of the digital word
     std::uint64_t beatAgain{0};  ///< equals beat in a whole value: a console killed in mid-write leaves a torn one
 };
 
-struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524631;  // "KRF1": layout 1
-    std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
-    LatestValue<FromControl> fromControl{};
-    LatestValue<ToControl> toControl{};
+/// One servo period as HAL's sampler took it.
+struct ServoPeriod {
+    std::uint32_t number{0};  ///< counts every period, also those the sampler had no room for
+    double spindle_rev{0.0};
+    double z_mm{0.0};         ///< where the axis is
+    double zCommand_mm{0.0};  ///< where motion wants it
+    std::int32_t late_ns{0};  ///< time since the period before, less the nominal period
+    bool cutting{false};
+    bool finished{false};
 };
 
-/// Name of the shared memory; one bridge per machine.
+/// Values of one writer for any number of readers, newest overwriting oldest; nobody waits for anybody.
+template <class T, std::uint64_t Size>
+class Broadcast {
+ public:
+    void push(const T& value) noexcept {
+        const std::uint64_t at = m_written.load(std::memory_order_relaxed);
+        m_values[at % Size] = value;
+        m_written.store(at + 1, std::memory_order_release);
+    }
+    [[nodiscard]] std::uint64_t written() const noexcept { return m_written.load(std::memory_order_acquire); }
+    /// The newest value; false when there is none, or the writer ran round the ring meanwhile.
+    [[nodiscard]] bool latest(T& value) const noexcept {
+        const std::uint64_t end = written();
+        if (end == 0) {
+            return false;
+        }
+        value = m_values[(end - 1) % Size];
+        return written() - end < Size - 1;
+    }
+    /// The value at `next`, which is then raised; false when there is nothing new. Values overwritten unread are
+    /// skipped.
+    [[nodiscard]] bool read(std::uint64_t& next, T& value) const noexcept {
+        const std::uint64_t end = written();
+        if (next > end || end - next > Size / 2) {
+            next = end > Size / 2 ? end - Size / 2 : 0;
+        }
+        if (next == end) {
+            return false;
+        }
+        value = m_values[next % Size];
+        ++next;
+        return true;
+    }
+
+ private:
+    std::atomic<std::uint64_t> m_written{0};
+    std::array<T, Size> m_values{};
+};
+
+struct LinkMemory {
+    static constexpr std::uint32_t kMagic = 0x4B524632;  // "KRF2": layout 2
+    std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
+    Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
+    LatestValue<ToControl> toControl{};                  ///< of the one console that writes
+    Broadcast<ServoPeriod, 8192> servo{};                ///< 8 s at 1 kHz
+};
+
+/// Name of the shared memory; one bridge per machine. Every bridge makes a new one, so that a console that still holds
+/// the last one notices.
 inline constexpr const char* kLinkName = "/kerf-linuxcnc";
 
 }  // namespace kerf::linuxcnc

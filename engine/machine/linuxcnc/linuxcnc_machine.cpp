@@ -1,62 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <string_view>
+#include <cmath>
 #include <variant>
+
+#include "engine/machine/linuxcnc/fitted.h"
+#include "engine/machine/linuxcnc/programs.h"
 
 namespace kerf::linuxcnc {
 namespace {
 
 constexpr std::int64_t kSilence_ns = 100'000'000;
+constexpr std::int64_t kGainsPatience_ns = 500'000'000;
+constexpr std::int64_t kShiftEvery_ns = 1'000'000'000;
+constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
 constexpr double kMicrometrePerMillimetre = 1000.0;
+constexpr double kSameGain = 1e-9;
 
-LinkMemory* attach() {
-    const int file = shm_open(kLinkName, O_RDWR, 0);
-    if (file < 0) {
-        return nullptr;
-    }
-    struct stat size {};
-    void* block = MAP_FAILED;
-    if (fstat(file, &size) == 0 && size.st_size >= static_cast<off_t>(sizeof(LinkMemory))) {
-        block = mmap(nullptr, sizeof(LinkMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    }
-    close(file);
-    return block == MAP_FAILED ? nullptr : static_cast<LinkMemory*>(block);
+bool sameGains(const ZGains& a, const ZGains& b) {
+    return std::abs(a.pGain_perS - b.pGain_perS) < kSameGain && std::abs(a.ff1 - b.ff1) < kSameGain &&
+           std::abs(a.ff2_s - b.ff2_s) < kSameGain;
 }
 
 }  // namespace
 
 LinuxCncMachine::LinuxCncMachine(const Params& params) : m_params(params) {
-    constexpr std::string_view name = "LinuxCNC";
-    std::ranges::copy(name, m_capabilities.machineName.begin());
-    m_capabilities.maxFeedScale = params.maxFeedScale;
-    m_capabilities.feedScale.fitted = true;
-    m_capabilities.cycleStart.fitted = true;
-    m_capabilities.workOffset.fitted = params.externalOffsets;
-    if (!params.externalOffsets) {
-        m_capabilities.workOffset.why =
-            Sentence(KERF_TEXT("This LinuxCNC has no external offsets: set OFFSET_AV_RATIO in its ini."));
-    }
-    const Sentence noSignal(KERF_TEXT("This LinuxCNC brings no such signal over HAL."));
-    for (Capability* capability :
-         {&m_capabilities.forceSensor, &m_capabilities.temperatures, &m_capabilities.gapSensors,
-          &m_capabilities.servoGains, &m_capabilities.toolTrim, &m_capabilities.gauge}) {
-        capability->why = noSignal;
-    }
-    for (const ProcessId id : kAllProcesses) {
-        Capability& host = m_capabilities.process[static_cast<std::size_t>(id)];
-        host.fitted = id == ProcessId::Boring;
-        if (!host.fitted) {
-            host.why = Sentence(KERF_TEXT("This loop does not run on LinuxCNC yet."));
-        }
-    }
+    m_capabilities[0] = capabilitiesOf(std::nullopt);
 }
 
 LinuxCncMachine::~LinuxCncMachine() {
@@ -64,73 +35,183 @@ LinuxCncMachine::~LinuxCncMachine() {
 }
 
 Result<void> LinuxCncMachine::connect() {
-    m_memory = attach();
-    if (m_memory == nullptr || m_memory->magic.load(std::memory_order_acquire) != LinkMemory::kMagic) {
-        disconnect();
-        return fail(KERF_TEXT("LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal."));
-    }
+    m_link = std::make_unique<SharedLink>();
     m_rsh = std::make_unique<RshLink>(m_params.rsh);
+    m_memory = m_link->take();
+    FromControl seen;
+    if (m_memory != nullptr && m_memory->fromControl.latest(seen)) {
+        adoptFitted(seen.fitted);
+        m_nextPeriod = m_memory->servo.written();
+    }
     return {};
 }
 
 void LinuxCncMachine::disconnect() noexcept {
     m_rsh.reset();
-    if (m_memory != nullptr) {
-        munmap(m_memory, sizeof(LinkMemory));
-        m_memory = nullptr;
+    m_memory = nullptr;
+    m_link.reset();
+}
+
+void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
+    const std::size_t current = m_current.load(std::memory_order_relaxed);
+    if (m_fittedKnown && fitted == m_fitted) {
+        return;
     }
+    if (current + 1 < kMachinesSeen) {  // one who still reads the old ones may go on
+        m_capabilities[current + 1] = capabilitiesOf(fitted);
+        m_current.store(current + 1, std::memory_order_release);
+        m_fitted = fitted;
+    }
+    m_fittedKnown.store(true, std::memory_order_release);
 }
 
 bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
+    LinkMemory* memory = m_link != nullptr ? m_link->take() : nullptr;
+    if (memory != m_memory) {  // another bridge: its counts begin anew
+        m_memory = memory;
+        m_nextPeriod = memory != nullptr ? memory->servo.written() : 0;
+        m_beat = 0;
+        m_periods = 0;
+    }
     if (m_memory == nullptr || m_memory->magic.load(std::memory_order_acquire) != LinkMemory::kMagic) {
         return false;
     }
-    if (m_memory->fromControl.refresh()) {
-        m_seen = m_memory->fromControl.value();
+    FromControl seen;
+    if (m_memory->fromControl.latest(seen)) {
+        m_seen = seen;
     }
     if (m_seen.beat != m_beat) {
         m_beat = m_seen.beat;
         m_lastBeat_ns = now_ns;
     }
-    if (m_seen.servoClock_s != m_clock_s) {
-        m_clock_s = m_seen.servoClock_s;
-        m_lastClock_ns = now_ns;
+    if (m_seen.servoPeriods != m_periods) {
+        m_periods = m_seen.servoPeriods;
+        m_lastPeriod_ns = now_ns;
     }
-    return now_ns - m_lastBeat_ns < kSilence_ns && now_ns - m_lastClock_ns < kSilence_ns && m_beat != 0;
+    return m_beat != 0 && m_periods != 0 && now_ns - m_lastBeat_ns < kSilence_ns &&
+           now_ns - m_lastPeriod_ns < kSilence_ns;
+}
+
+void LinuxCncMachine::begin(ProgramState state) noexcept {
+    ++m_partSequence;
+    m_program = state;
+    m_startPosition_mm = m_seen.position_mm[kZ];
+    m_force.begin(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_now_ns);
 }
 
 void LinuxCncMachine::followProgram() noexcept {
     const bool cutting = m_seen.cutting && m_seen.programRunning;
-    if (cutting && !m_wasCutting && m_program != ProgramState::Paused) {
-        ++m_partSequence;
-        m_startPosition_mm = m_seen.position_mm[kZ];
+    m_outputFell = m_outputFell || !m_seen.cutting;  // an aborted program leaves it on
+    if (cutting && m_outputFell && !running()) {
+        m_outputFell = false;
+        begin(ProgramState::Running);
+    }
+    if (!running()) {
+        return;
     }
     if (m_seen.cutting && m_seen.programPaused) {
         m_program = ProgramState::Paused;
     } else if (cutting) {
         m_program = ProgramState::Running;
-    } else if (m_program == ProgramState::Running || m_program == ProgramState::Paused) {
+    } else {
         m_program = m_seen.finished ? ProgramState::Finished : ProgramState::Aborted;
     }
-    m_wasCutting = cutting;
+}
+
+void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
+    inputs.servoRecord = true;
+    if (m_tapEnds) {  // the cycle after the last samples
+        m_tapEnds = false;
+        m_program = m_tapFinished ? ProgramState::Finished : ProgramState::Aborted;
+        return;
+    }
+    ServoPeriod period;
+    while (inputs.servoCount < kMaxServoSamples && m_memory->servo.read(m_nextPeriod, period)) {
+        m_outputFell = m_outputFell || !period.cutting;
+        if (period.cutting && m_outputFell && !running()) {
+            m_outputFell = false;
+            begin(ProgramState::Running);
+            answer(m_tapRequest, RequestState::Done);
+            m_tapRequest = 0;
+        }
+        if (period.cutting && running()) {
+            inputs.servoCount += m_tap.next(period, inputs.servo[inputs.servoCount]) ? 1 : 0;
+        } else if (running()) {
+            m_tapEnds = true;
+            m_tapFinished = period.finished;
+            return;
+        }
+    }
+    // Switched off or stopped: outputs stay as they were, motion does not go on.
+    if (running() && (!m_seen.machineOn || m_seen.emergencyStop || !m_seen.programRunning)) {
+        m_tapEnds = true;
+        m_tapFinished = false;
+    }
+}
+
+void LinuxCncMachine::answer(std::uint32_t number, RequestState state, const Sentence& reason) noexcept {
+    m_reply = {number, state, reason};
+}
+
+void LinuxCncMachine::takeReplies(std::int64_t now_ns) noexcept {
+    RequestReply reply;
+    while (m_rsh != nullptr && m_rsh->tryReply(reply)) {
+        if (reply.number == RshLink::kOwnRequest) {
+            m_shiftUnderWay = false;
+        } else {
+            m_reply = reply;
+            if (reply.number == m_tapRequest && reply.state == RequestState::Done) {
+                m_reply.state = RequestState::Accepted;  // spindle and Z get ready first; done when the tap begins
+            }
+        }
+    }
+    if (m_gainsRequest == 0) {
+        return;
+    }
+    if (sameGains(m_seen.gains, m_gains)) {
+        answer(m_gainsRequest, RequestState::Done);
+        m_gainsRequest = 0;
+    } else if (now_ns - m_gainsSince_ns > kGainsPatience_ns) {
+        answer(m_gainsRequest, RequestState::Refused,
+               Sentence(KERF_TEXT("The gains do not read back from the control.")));
+        m_gainsRequest = 0;
+    }
+}
+
+void LinuxCncMachine::fillGains(MachineInputs& inputs, Quality quality) const noexcept {
+    if (!m_fitted.servoGains) {
+        inputs.servoGainsQuality = Quality::Missing;
+        return;
+    }
+    // FF2 is seconds of command speed per acceleration; the tapping room counts shares of the acceleration.
+    inputs.servoGains.spindleKp_perS = m_params.spindleKp_perS;
+    inputs.servoGains.zKp_perS = m_seen.gains.pGain_perS;
+    inputs.servoGains.zFeedForward = {m_seen.gains.ff1, m_seen.gains.ff2_s * m_seen.driveBandwidth_perS};
+    inputs.servoGainsQuality = quality;
 }
 
 void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept {
+    m_now_ns = now_ns;
     const bool up = watchLink(now_ns);
     const Quality quality = up ? Quality::Good : Quality::Stale;
+    inputs.servoRecord = false;
+    inputs.servoCount = 0;
+    inputs.fastCount = 0;
     if (up) {
-        followProgram();
-    }
-    RequestReply reply;
-    while (m_rsh != nullptr && m_rsh->tryReply(reply)) {
-        m_reply = reply;
+        adoptFitted(m_seen.fitted);
+        if (m_process == ProcessId::Tapping) {
+            followTap(inputs);
+        } else {
+            followProgram();
+        }
+        takeReplies(now_ns);
     }
     inputs.time_ns = now_ns;
     inputs.link = up ? LinkState::Up : LinkState::Down;
     inputs.emergencyStop = m_seen.emergencyStop;
     inputs.machineOn = m_seen.machineOn;
-    inputs.feedHold =
-        m_seen.programPaused || (m_program == ProgramState::Running && m_seen.currentVelocity_mmPerS == 0.0);
+    inputs.feedHold = m_seen.programPaused || (m_program == ProgramState::Running && m_process != ProcessId::Tapping &&
+                                               m_seen.currentVelocity_mmPerS == 0.0);
     inputs.operatorOverride = m_seen.feedOverride;
     inputs.program = m_program;
     inputs.programProcess = m_process;
@@ -140,38 +221,118 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.spindleSpeed_rpm = {m_seen.spindleSpeed_rps * 60.0, now_ns, quality};
     inputs.spindleAngle_rev = {m_seen.spindleAngle_rev, now_ns, quality};
     inputs.appliedFeedScale = {m_seen.appliedFeedScale, now_ns, quality};
+    const bool byOrigin = !m_fitted.externalOffsets && m_fitted.originShift;
+    const bool offsetKnown =
+        up && m_seen.machineOn && (byOrigin ? m_seen.originKnown : m_seen.offsetEpoch == m_offsetEpoch);
+    m_offsetEpoch = m_seen.offsetEpoch;  // known from the next cycle on: so it is taken over and not overwritten
+    m_wishEpoch = offsetKnown ? m_seen.offsetEpoch : 0;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         inputs.position_mm[axis] = {m_seen.position_mm[axis], now_ns, quality};
-        inputs.workOffset_um[axis] = {m_seen.externalOffset_mm[axis] * kMicrometrePerMillimetre, now_ns, quality};
+        const double shift_um =
+            byOrigin ? m_seen.originShift_um[axis] : m_seen.externalOffset_mm[axis] * kMicrometrePerMillimetre;
+        inputs.workOffset_um[axis] = {shift_um, now_ns, offsetKnown ? Quality::Good : Quality::Stale};
     }
     const double overhang_mm = m_params.overhangAtZero_mm + (m_startPosition_mm - m_seen.position_mm[kZ]);
     inputs.overhang_mm = {overhang_mm, now_ns, quality};
-    inputs.fastCount = 0;
     inputs.temperatures = nullptr;
+    fillGains(inputs, quality);
+    if (up && m_fitted.simulator && m_process == ProcessId::Milling) {
+        m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_program == ProgramState::Running, now_ns,
+                     inputs);
+    }
     inputs.reply = m_reply;
+}
+
+void LinuxCncMachine::setGains(const PortRequest& request, const ServoGains& gains) noexcept {
+    if (!m_fitted.servoGains) {
+        answer(request.number, RequestState::Refused, capabilities().servoGains.why);
+    } else if (running()) {
+        answer(request.number, RequestState::Refused, Sentence(KERF_TEXT("Gains change only between taps.")));
+    } else if (std::abs(gains.spindleKp_perS - m_params.spindleKp_perS) > kSameGain) {
+        answer(request.number, RequestState::Refused,
+               Sentence(KERF_TEXT("The spindle's gain cannot be set on this control, only Z's.")));
+    } else {
+        const double bandwidth_perS = std::max(m_seen.driveBandwidth_perS, 1.0);
+        m_gains = {gains.zKp_perS, gains.zFeedForward[0], gains.zFeedForward[1] / bandwidth_perS};
+        ++m_gainsRevision;
+        m_gainsRequest = request.number;
+        m_gainsSince_ns = m_now_ns;
+        answer(request.number, RequestState::Accepted);
+    }
+}
+
+void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
+    if (const auto* gains = std::get_if<SetServoGains>(&request.action)) {
+        setGains(request, gains->gains);
+        return;
+    }
+    if (std::holds_alternative<RetractInSync>(request.action)) {
+        // G33.1 turns round at its depth and comes out in sync by itself, whatever happens to its gains and its
+        // console.
+        const bool tapping = m_process == ProcessId::Tapping && running();
+        answer(request.number, tapping ? RequestState::Done : RequestState::Refused,
+               tapping
+                   ? Sentence{}
+                   : Sentence(KERF_TEXT("This control cannot turn a standing tap out in sync: turn spindle and Z back "
+                                        "by hand at the control, one pitch per revolution.")));
+        return;
+    }
+    if (const auto* start = std::get_if<StartProgram>(&request.action); start != nullptr && !running()) {
+        m_process = start->process;
+        m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
+        m_tapEnds = false;
+        m_tapRequest = start->process == ProcessId::Tapping ? request.number : 0;
+        if (m_memory != nullptr) {
+            m_nextPeriod = m_memory->servo.written();
+        }
+    }
+    if (m_rsh == nullptr || !m_rsh->tryAsk(request)) {
+        answer(request.number, RequestState::Refused,
+               Sentence(KERF_TEXT("The control is still busy with earlier commands.")));
+    }
+}
+
+void LinuxCncMachine::shiftOrigin(const MachineOutputs& outputs) noexcept {
+    if (m_fitted.externalOffsets || !m_fitted.originShift || m_shiftUnderWay || running() || m_rsh == nullptr ||
+        !m_rsh->connected() || !m_seen.machineOn || m_seen.programRunning) {
+        return;
+    }
+    if (!m_seen.originKnown) {
+        m_shiftUnderWay = m_rsh->tryReportOrigin();
+        return;
+    }
+    std::array<double, 3> wanted_um{};
+    bool differs = false;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        wanted_um[axis] = std::round(outputs.workOffset_um[axis]);
+        differs = differs || wanted_um[axis] != m_seen.originShift_um[axis];
+    }
+    if (differs && m_now_ns - m_lastShift_ns > kShiftEvery_ns) {
+        m_lastShift_ns = m_now_ns;
+        m_shiftUnderWay = m_rsh->tryShiftOrigin(wanted_um);
+    }
 }
 
 void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     if (m_memory == nullptr) {
         return;
     }
+    if (outputs.request.number != 0 && outputs.request.number != m_lastRequest) {
+        m_lastRequest = outputs.request.number;
+        carryOut(outputs.request);
+    }
+    shiftOrigin(outputs);
     ToControl wish;
     wish.beat = ++m_outBeat;
     wish.beatAgain = wish.beat;
     wish.feedScale = outputs.feedScale;
     wish.feedHold = outputs.feedHold;
     wish.externalOffset_um = outputs.workOffset_um;
+    wish.offsetEpoch = m_wishEpoch;
+    wish.gainsRevision = m_gainsRevision;
+    wish.gains = m_gains;
+    wish.shiftWord = m_word.answer(m_seen.requestWord, outputs.workOffset_um);
     m_memory->toControl.publish(wish);
-    if (outputs.request.number != 0 && outputs.request.number != m_lastRequest && m_rsh != nullptr) {
-        m_lastRequest = outputs.request.number;
-        if (const auto* start = std::get_if<StartProgram>(&outputs.request.action)) {
-            m_process = start->process;
-        }
-        if (!m_rsh->tryAsk(outputs.request)) {
-            m_reply = {outputs.request.number, RequestState::Refused,
-                       Sentence(KERF_TEXT("The control is still busy with earlier commands."))};
-        }
-    }
 }
 
 }  // namespace kerf::linuxcnc

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/machine/linuxcnc/link_memory.h"
 #include "engine/machine/linuxcnc/rsh_link.h"
+#include "engine/machine/linuxcnc/shared_link.h"
+#include "engine/machine/linuxcnc/shift_word_answer.h"
+#include "engine/machine/linuxcnc/simulated_force.h"
+#include "engine/machine/linuxcnc/tap_follower.h"
 #include "engine/machine/machine_port.h"
 
 namespace kerf::linuxcnc {
@@ -13,51 +20,94 @@ namespace kerf::linuxcnc {
 /// A machine run by LinuxCNC. Signals come from the HAL bridge through shared memory, read in the cycle without locks;
 /// commands go over linuxcncrsh on a thread of their own.
 ///
-/// The link is up while the bridge's beat and the control's servo clock both move; either one still for 100 ms means it
-/// is down, and the loops are held. When they move again the link is up by itself, and the limiter takes over what the
-/// control reports, so that nothing jumps.
+/// The link is up while the bridge's beat and the control's servo thread both move; either one still for 100 ms means
+/// it is down, and the loops are held. LinuxCNC need not be there when the console starts, and may be restarted: when
+/// the two move again the link is up by itself, and the limiter takes over what the control reports, so that nothing
+/// jumps.
 ///
-/// The part program tells where it is: M64 P0 while it cuts, M64 P1 when it has reached its end (docs/linuxcnc.md).
+/// The part program tells where it is: M62 P0 while it cuts, M62 P1 when it has reached its end (docs/linuxcnc.md).
+/// Tapping is recorded in every servo period; a cycle that came late loses none of them.
 class LinuxCncMachine final : public MachinePort {
  public:
     struct Params {
         RshLink::Params rsh{};
-        double maxFeedScale{1.0};    ///< 2.9 clips motion.adaptive-feed to 1; later versions allow MAX_FEED_OVERRIDE
-        bool externalOffsets{true};  ///< OFFSET_AV_RATIO set in the ini
         double overhangAtZero_mm{40.0};  ///< boring: spindle overhang L where Z is at the program's start
+        double spindleKp_perS{40.0};  ///< the control has none that can be set: what the gains of a pair are told with
     };
     explicit LinuxCncMachine(const Params& params);
     ~LinuxCncMachine() override;
 
+    /// Succeeds without LinuxCNC: the link is down until it appears.
     [[nodiscard]] Result<void> connect() override;
     void disconnect() noexcept override;
-    [[nodiscard]] const Capabilities& capabilities() const noexcept override { return m_capabilities; }
+    [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+        return m_capabilities[m_current.load(std::memory_order_acquire)];
+    }
     void read(std::int64_t now_ns, MachineInputs& inputs) noexcept override;
     void write(const MachineOutputs& outputs) noexcept override;
-    /// linuxcncrsh answers (and, where asked, the machine has been prepared). Any thread.
+    /// linuxcncrsh answers. Any thread.
     [[nodiscard]] bool commandsReady() const noexcept { return m_rsh != nullptr && m_rsh->connected(); }
+    /// A bridge is there. Any thread.
+    [[nodiscard]] bool reached() const noexcept { return m_fittedKnown.load(std::memory_order_acquire); }
 
  private:
+    static constexpr std::size_t kMachinesSeen = 8;
+
     [[nodiscard]] bool watchLink(std::int64_t now_ns) noexcept;
+    void adoptFitted(const Fitted& fitted) noexcept;
     void followProgram() noexcept;
+    void begin(ProgramState state) noexcept;
+    void followTap(MachineInputs& inputs) noexcept;
+    void takeReplies(std::int64_t now_ns) noexcept;
+    void fillGains(MachineInputs& inputs, Quality quality) const noexcept;
+    void answer(std::uint32_t number, RequestState state, const Sentence& reason = {}) noexcept;
+    void carryOut(const PortRequest& request) noexcept;
+    void setGains(const PortRequest& request, const ServoGains& gains) noexcept;
+    void shiftOrigin(const MachineOutputs& outputs) noexcept;
+    [[nodiscard]] bool running() const noexcept {
+        return m_program == ProgramState::Running || m_program == ProgramState::Paused;
+    }
 
     Params m_params;
-    Capabilities m_capabilities{};
-    LinkMemory* m_memory{nullptr};
+    std::array<Capabilities, kMachinesSeen> m_capabilities{};  ///< a new one per machine that came back different
+    std::atomic<std::size_t> m_current{0};
+    std::atomic<bool> m_fittedKnown{false};
+    Fitted m_fitted{};
+    std::unique_ptr<SharedLink> m_link;
     std::unique_ptr<RshLink> m_rsh;
+    LinkMemory* m_memory{nullptr};  ///< of this cycle
     FromControl m_seen{};
+    std::int64_t m_now_ns{0};
     std::int64_t m_lastBeat_ns{0};
-    std::int64_t m_lastClock_ns{0};
+    std::int64_t m_lastPeriod_ns{0};
     std::uint64_t m_beat{0};
+    std::uint64_t m_periods{0};
     std::uint64_t m_outBeat{0};
-    double m_clock_s{0.0};
     RequestReply m_reply{};
     std::uint32_t m_lastRequest{0};
+    std::uint32_t m_gainsRequest{0};  ///< waits until the gains read back; 0: none
+    std::int64_t m_gainsSince_ns{0};
+    std::uint32_t m_gainsRevision{0};
+    ZGains m_gains{};
     ProgramState m_program{ProgramState::Idle};
     ProcessId m_process{ProcessId::Boring};
     std::uint32_t m_partSequence{0};
-    bool m_wasCutting{false};
+    bool m_outputFell{false};  ///< the program's output was off since the last begin
     double m_startPosition_mm{0.0};
+    // tapping
+    TapFollower m_tap{};
+    std::uint64_t m_nextPeriod{0};
+    std::uint32_t m_tapRequest{0};  ///< accepted, its tap has not begun
+    bool m_tapEnds{false};
+    bool m_tapFinished{false};
+    // milling, on a simulator
+    SimulatedForce m_force{};
+    // thermal
+    std::uint32_t m_offsetEpoch{0};
+    std::uint32_t m_wishEpoch{0};  ///< 0: what we want is not meant for this control's offsets yet
+    bool m_shiftUnderWay{false};
+    std::int64_t m_lastShift_ns{0};
+    ShiftWordAnswer m_word{};
 };
 
 }  // namespace kerf::linuxcnc

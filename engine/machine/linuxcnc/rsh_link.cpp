@@ -9,9 +9,9 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <variant>
+
+#include "engine/machine/linuxcnc/programs.h"
 
 namespace kerf::linuxcnc {
 namespace {
@@ -19,29 +19,6 @@ namespace {
 constexpr int kAnswer_ms = 2000;
 constexpr auto kRetry = std::chrono::milliseconds(200);
 constexpr auto kPoll = std::chrono::milliseconds(2);
-
-std::string callBore(double depth_mm, double feed_mmPerMin, double speed_rpm) {
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(), "set mdi o<kerf_bore> call [%.6f] [%.6f] [%.3f]", depth_mm, feed_mmPerMin,
-                  speed_rpm);
-    return text.data();
-}
-
-/// Starts the shipped subroutine (resources/linuxcnc/kerf_bore.ngc); all numbers are plain decimals.
-Result<std::string> programLine(const StartProgram& start) {
-    const bool sound =
-        start.programmedFeed_mmPerRev > 0.0 && start.spindleSpeed_rpm > 0.0 && start.to_mm > start.from_mm &&
-        std::isfinite(start.programmedFeed_mmPerRev * start.spindleSpeed_rpm * (start.to_mm - start.from_mm));
-    if (start.process != ProcessId::Boring) {
-        return fail(KERF_TEXT("This control has no program for that process."));
-    }
-    if (!sound) {
-        return fail(
-            KERF_TEXT("The boring program needs feed, speed and overhangs above zero, the end deeper than the start."));
-    }
-    const double feed_mmPerMin = start.programmedFeed_mmPerRev * start.spindleSpeed_rpm;
-    return callBore(start.to_mm - start.from_mm, feed_mmPerMin, start.spindleSpeed_rpm);
-}
 
 }  // namespace
 
@@ -63,9 +40,8 @@ bool RshLink::connectOnce() {
         disconnect();
         return false;
     }
-    const bool greeted = acknowledged("hello EMC kerf 1") && acknowledged("set enable EMCTOO") &&
-                         acknowledged("set echo off") && acknowledged("set verbose on") &&
-                         (!m_params.prepareMachine || prepareMachine());
+    const bool greeted =
+        acknowledged("hello EMC kerf 1") && acknowledged("set echo off") && acknowledged("set verbose on");
     if (!greeted) {
         disconnect();
     }
@@ -106,21 +82,21 @@ bool RshLink::acknowledged(const std::string& line) {
     return say(line, answer) && answer.find("NAK") == std::string::npos;
 }
 
-bool RshLink::prepareMachine() {
-    for (const char* line :
-         {"set estop off", "set machine on", "set mode manual", "set home 0", "set home 1", "set home 2"}) {
-        if (!acknowledged(line)) {
-            return false;
-        }
+// Only one connection may command at a time: the one that was enabled last.
+bool RshLink::command(const std::string& line) {
+    return acknowledged("set enable EMCTOO") && acknowledged(line);
+}
+
+bool RshLink::mdi(const std::string& line) {
+    return command("set mode mdi") && command(line);
+}
+
+RequestReply RshLink::carryOut(const Errand& errand) {
+    if (errand.kind == Errand::Request) {
+        return carryOut(errand.request);
     }
-    std::string answer;
-    for (int i = 0; i < 100 && !m_stop; ++i) {  // homing takes its time; 10 s is more than any simulated machine needs
-        if (say("get joint_homed", answer) && answer.find("YES YES YES") != std::string::npos) {
-            return acknowledged("set mode mdi");
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    return false;
+    const std::string line = errand.kind == Errand::ShiftOrigin ? originShiftLine(errand.shift_um) : originReportLine();
+    return {kOwnRequest, m_connected && mdi(line) ? RequestState::Done : RequestState::Refused, {}};
 }
 
 RequestReply RshLink::carryOut(const PortRequest& request) {
@@ -139,9 +115,9 @@ RequestReply RshLink::carryOut(const PortRequest& request) {
         if (!line) {
             return refuse(line.error());
         }
-        done = acknowledged("set mode mdi") && acknowledged(*line);
+        done = mdi(*line);
     } else if (std::holds_alternative<AbortProgram>(request.action)) {
-        done = acknowledged("set abort");
+        done = command("set abort");
     } else {
         return refuse(Sentence(KERF_TEXT("This control cannot do that.")));
     }
@@ -157,9 +133,9 @@ void RshLink::run() {
                 std::this_thread::sleep_for(kRetry);
             }
         }
-        PortRequest request;
-        if (m_requests.tryPop(request)) {
-            (void)m_replies.tryPush(carryOut(request));
+        Errand errand;
+        if (m_errands.tryPop(errand)) {
+            (void)m_replies.tryPush(carryOut(errand));
         } else if (m_connected) {
             char probe = 0;
             if (::recv(m_socket, &probe, 1, MSG_PEEK | MSG_DONTWAIT) == 0) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "engine/core/spsc_ring.h"
 #include "engine/machine/machine_port.h"
@@ -23,30 +21,46 @@ class RshLink {
     struct Params {
         std::string host{"127.0.0.1"};
         std::uint16_t port{5007};
-        bool prepareMachine{false};  ///< release emergency stop, switch on and home: for simulated controls only
     };
     explicit RshLink(Params params);
     RshLink(const RshLink&) = delete;
     RshLink& operator=(const RshLink&) = delete;
     ~RshLink();
 
+    /// Number of the replies to what the port asks by itself.
+    static constexpr std::uint32_t kOwnRequest = 0xFFFF'FFFF;
+
     /// Cycle: false when the ring is full.
-    [[nodiscard]] bool tryAsk(const PortRequest& request) noexcept { return m_requests.tryPush(request); }
+    [[nodiscard]] bool tryAsk(const PortRequest& request) noexcept { return m_errands.tryPush({request}); }
+    /// Cycle: total shift of the work origin by G10 L2, whole µm.
+    [[nodiscard]] bool tryShiftOrigin(const std::array<double, 3>& shift_um) noexcept {
+        return m_errands.tryPush({{}, Errand::ShiftOrigin, shift_um});
+    }
+    /// Cycle: let the control tell what it has shifted.
+    [[nodiscard]] bool tryReportOrigin() noexcept { return m_errands.tryPush({{}, Errand::ReportOrigin, {}}); }
     /// Cycle: false when there is nothing new.
     [[nodiscard]] bool tryReply(RequestReply& reply) noexcept { return m_replies.tryPop(reply); }
     [[nodiscard]] bool connected() const noexcept { return m_connected.load(std::memory_order_acquire); }
 
  private:
+    struct Errand {
+        enum Kind : std::uint8_t { Request, ShiftOrigin, ReportOrigin };
+        PortRequest request{};
+        Kind kind{Request};
+        std::array<double, 3> shift_um{};
+    };
     void run();
     [[nodiscard]] bool connectOnce();
     void disconnect() noexcept;
     [[nodiscard]] bool say(const std::string& line, std::string& answer);
     [[nodiscard]] bool acknowledged(const std::string& line);
+    [[nodiscard]] RequestReply carryOut(const Errand& errand);
     [[nodiscard]] RequestReply carryOut(const PortRequest& request);
-    [[nodiscard]] bool prepareMachine();
+    [[nodiscard]] bool command(const std::string& line);
+    [[nodiscard]] bool mdi(const std::string& line);
 
     Params m_params;
-    SpscRing<PortRequest> m_requests{16};
+    SpscRing<Errand> m_errands{16};
     SpscRing<RequestReply> m_replies{16};
     std::atomic<bool> m_connected{false};
     std::atomic<bool> m_stop{false};

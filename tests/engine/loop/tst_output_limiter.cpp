@@ -135,9 +135,23 @@ class TestOutputLimiter : public QObject {
         kerf::OutputLimiter limiter({}, fullMachine());
         kerf::MachineInputs inputs;
         inputs.workOffset_um[1] = {-17.0, 0, kerf::Quality::Good};
-        limiter.adopt(inputs);
+        limiter.adopt(inputs, fullMachine());
         kerf::LimitReport report;
         QCOMPARE(limiter.apply({}, inputs, 0.001, report).workOffset_um[1], -17.0);
+    }
+    void offsetsTheControlHasZeroedAreTakenOverAgain() {
+        kerf::OutputLimiter limiter({}, fullMachine());
+        kerf::MachineInputs inputs;
+        inputs.workOffset_um[1] = {-17.0, 0, kerf::Quality::Good};
+        limiter.adopt(inputs, fullMachine());
+        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        wishes[3].workOffset_um[1] = -17.0;
+        kerf::LimitReport report;
+        inputs.workOffset_um[1].quality = kerf::Quality::Stale;  // switched off …
+        QCOMPARE(limiter.apply(wishes, inputs, 0.001, report).workOffset_um[1], -17.0);
+        inputs.workOffset_um[1] = {0.0, 0, kerf::Quality::Good};  // … and on again
+        const double rate_umPerS = limiter.limits().workOffsetRate_umPerS;
+        QVERIFY(std::abs(limiter.apply(wishes, inputs, 0.001, report).workOffset_um[1]) <= rate_umPerS * 0.0011);
     }
     void limitsSayWhenTheyAreAtWork() {
         kerf::OutputLimiter limiter({}, fullMachine());

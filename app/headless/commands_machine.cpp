@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/headless/commands.h"
+#include "app/headless/output.h"
+#include "app/headless/table.h"
+#include "app/machines/machine_module_loader.h"
+#include "engine/loop/engine.h"
+#include "engine/machine/linuxcnc/shared_link.h"
+
+namespace kerf::headless {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct MachineOptions {
+    std::string machine{"linuxcnc"};
+    double seconds{10.0};
+    double period_s{0.5};
+};
+
+constexpr auto kLook = std::chrono::milliseconds(1);
+constexpr double kAppear_s = 1.0;  ///< how long a link may take to come up
+
+std::int64_t now_ns() {
+    return Clock::now().time_since_epoch().count();
+}
+
+std::unique_ptr<MachinePort> open(const MachineOptions& options) {
+    auto machine = loadMachine(options.machine);
+    if (!machine) {
+        throw BadInput(machine.error().english());
+    }
+    if (const auto connected = (*machine)->connect(); !connected) {
+        throw BadInput(connected.error().english());
+    }
+    return std::move(*machine);
+}
+
+/// Reads only: a console that runs beside keeps the machine.
+void readFor(MachinePort& machine, double seconds, MachineInputs& inputs) {
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    do {
+        machine.read(now_ns(), inputs);
+        std::this_thread::sleep_for(kLook);
+    } while (Clock::now() < end);
+}
+
+Json readingJson(const Reading& reading) {
+    return reading.good() ? Json(reading.value) : Json(nullptr);
+}
+
+const char* programName(ProgramState state) {
+    switch (state) {
+        case ProgramState::Running:
+            return "running";
+        case ProgramState::Paused:
+            return "paused";
+        case ProgramState::Finished:
+            return "finished";
+        case ProgramState::Aborted:
+            return "aborted";
+        case ProgramState::Idle:
+            break;
+    }
+    return "idle";
+}
+
+Json signalsJson(const MachineInputs& in) {
+    Json json;
+    json["link"] = in.link == LinkState::Up ? "up" : "down";
+    json["machine_on"] = in.machineOn;
+    json["emergency_stop"] = in.emergencyStop;
+    json["feed_hold"] = in.feedHold;
+    json["operator_override"] = in.operatorOverride;
+    json["program"] = programName(in.program);
+    json["actual_feed_mm_per_s"] = readingJson(in.actualFeed_mmPerS);
+    json["applied_feed_scale"] = readingJson(in.appliedFeedScale);
+    json["spindle_speed_rpm"] = readingJson(in.spindleSpeed_rpm);
+    json["spindle_angle_rev"] = readingJson(in.spindleAngle_rev);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        json["position_mm"].push_back(readingJson(in.position_mm[axis]));
+        json["work_offset_um"].push_back(readingJson(in.workOffset_um[axis]));
+    }
+    return json;
+}
+
+Json capabilityJson(const Capability& capability) {
+    Json json;
+    json["fitted"] = capability.fitted;
+    if (!capability.fitted) {
+        json["why"] = capability.why.english();
+    }
+    return json;
+}
+
+Json capabilitiesJson(const Capabilities& c) {
+    Json json;
+    json["machine"] = c.machineName.data();
+    json["max_feed_scale"] = c.maxFeedScale;
+    json["feed_scale"] = capabilityJson(c.feedScale);
+    json["work_offset"] = capabilityJson(c.workOffset);
+    json["force_sensor"] = capabilityJson(c.forceSensor);
+    json["servo_gains"] = capabilityJson(c.servoGains);
+    json["z_trim"] = capabilityJson(c.zTrim);
+    json["temperatures"] = capabilityJson(c.temperatures);
+    json["cycle_start"] = capabilityJson(c.cycleStart);
+    for (const ProcessId id : kAllProcesses) {
+        json["loops"][processKey(id)] = capabilityJson(c.process[static_cast<std::size_t>(id)]);
+    }
+    return json;
+}
+
+void status(const MachineOptions& options) {
+    const auto machine = open(options);
+    MachineInputs inputs;
+    readFor(*machine, kAppear_s, inputs);
+    Json json;
+    json["capabilities"] = capabilitiesJson(machine->capabilities());
+    json["signals"] = signalsJson(inputs);
+    printJson(json);
+    if (inputs.link != LinkState::Up) {
+        throw BadInput("the machine is not reached: it does not run, or its HAL file does not load kerf-hal.");
+    }
+}
+
+void watch(const MachineOptions& options) {
+    const auto machine = open(options);
+    MachineInputs inputs;
+    const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
+    while (Clock::now() < end) {
+        readFor(*machine, options.period_s, inputs);
+        std::printf("%s\n", signalsJson(inputs).dump().c_str());
+        std::fflush(stdout);
+    }
+}
+
+struct Spread {
+    std::size_t count{0};
+    std::size_t missed{0};
+    double p50_us{0.0};
+    double p999_us{0.0};
+    double max_us{0.0};
+};
+
+/// Lateness against the period's deadline; more than a period is a missed cycle.
+Spread spreadOf(std::vector<double> late_us) {
+    Spread spread;
+    if (late_us.empty()) {
+        return spread;
+    }
+    std::ranges::sort(late_us);
+    const auto at = [&](double share) {
+        return late_us[std::min(late_us.size() - 1,
+                                static_cast<std::size_t>(share * static_cast<double>(late_us.size())))];
+    };
+    spread.count = late_us.size();
+    spread.missed = static_cast<std::size_t>(std::ranges::count_if(late_us, [](double late) { return late > 1000.0; }));
+    spread.p50_us = at(0.5);
+    spread.p999_us = at(0.999);
+    spread.max_us = late_us.back();
+    return spread;
+}
+
+void jitter(const MachineOptions& options) {
+    const auto machine = open(options);
+    linuxcnc::SharedLink link;
+    linuxcnc::LinkMemory* memory = link.take();
+    if (memory == nullptr) {
+        throw BadInput("the machine is not reached: it does not run, or its HAL file does not load kerf-hal.");
+    }
+    std::uint64_t nextPeriod = memory->servo.written();
+    Engine engine(*machine, {});
+    engine.start();
+    std::vector<double> servo_us;
+    const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
+    linuxcnc::ServoPeriod period;
+    std::uint32_t first = 0;
+    while (Clock::now() < end) {
+        while (memory->servo.read(nextPeriod, period)) {
+            if (servo_us.empty()) {
+                first = period.number;
+            }
+            servo_us.push_back(std::abs(static_cast<double>(period.late_ns)) / 1000.0);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const Status status = engine.status();
+    engine.stop();
+    const Spread servo = spreadOf(servo_us);
+    CsvOutput csv("thread,cycles,missed,p50_us,p999_us,max_us,unread");
+    csv.row("kerf engine (start after the deadline)", status.stats.cycles, status.stats.overruns,
+            static_cast<double>(status.stats.lateness.percentile_ns(0.5)) / 1000.0,
+            static_cast<double>(status.stats.lateness.percentile_ns(0.999)) / 1000.0,
+            static_cast<double>(status.stats.lateness.max_ns()) / 1000.0, 0);
+    csv.row("LinuxCNC servo thread (period against 1 ms)", servo.count, servo.missed, servo.p50_us, servo.p999_us,
+            servo.max_us, period.number - first + 1 - servo.count);
+    csv.row("kerf engine (work in one cycle)", status.stats.cycles, 0,
+            static_cast<double>(status.stats.cost.percentile_ns(0.5)) / 1000.0,
+            static_cast<double>(status.stats.cost.percentile_ns(0.999)) / 1000.0,
+            static_cast<double>(status.stats.cost.max_ns()) / 1000.0, 0);
+    csv.flush();
+}
+
+}  // namespace
+
+void addMachineCommands(CLI::App& kerf) {
+    auto* machine =
+        kerf.add_subcommand("machine", "A real machine: what it can do, what it reports, how evenly it runs");
+    machine->require_subcommand(1);
+    auto options = std::make_shared<MachineOptions>();
+    const auto add = [&](const char* name, const char* what, void (*run)(const MachineOptions&)) {
+        auto* command = machine->add_subcommand(name, what);
+        command->add_option("--machine", options->machine, "Which machine")
+            ->check(CLI::IsMember({"linuxcnc"}))
+            ->capture_default_str();
+        command->callback([options, run] { run(*options); });
+        return command;
+    };
+    add("status", "Capabilities, with the reason for what is missing, and signals as JSON. Reads only.", status);
+    auto* watching = add("watch", "The signals as one line of JSON per period. Reads only.", watch);
+    watching->add_option("--seconds", options->seconds, "How long")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->capture_default_str();
+    watching->add_option("--period", options->period_s, "Seconds from line to line")
+        ->check(CLI::Range(0.01, 60.0))
+        ->capture_default_str();
+    auto* timing =
+        add("jitter",
+            "Runs an empty engine on the machine and compares the punctuality of its cycle with the control's "
+            "servo thread, as CSV. No console may be connected.",
+            jitter);
+    timing->add_option("--seconds", options->seconds, "How long")
+        ->check(CLI::Range(1.0, 3600.0))
+        ->capture_default_str();
+}
+
+}  // namespace kerf::headless

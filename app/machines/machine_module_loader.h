@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/core/result.h"
+#include "engine/machine/machine_module.h"
+
+namespace kerf {
+
+/// The machine of the module `kerf-<name>.so` in the folder of the running program, not yet connected.
+[[nodiscard]] Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name);
+
+}  // namespace kerf

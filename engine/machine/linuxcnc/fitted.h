@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "engine/machine/linuxcnc/link_memory.h"
+#include "engine/machine/machine_port.h"
+
+namespace kerf::linuxcnc {
+
+/// What the machine can do, from what the bridge found; empty: LinuxCNC has not been reached yet.
+[[nodiscard]] Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept;
+
+}  // namespace kerf::linuxcnc

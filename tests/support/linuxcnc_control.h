@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/resource.h>
+
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTcpSocket>
+#include <QTemporaryDir>
+#include <QTest>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+
+namespace kerf::test {
+
+/// LinuxCNC's own simulator as scripts/linuxcnc-sim runs it: out of emergency stop, on, homed. Ended with the object.
+class LinuxCncControl {
+ public:
+    LinuxCncControl() = default;
+    LinuxCncControl(const LinuxCncControl&) = delete;
+    LinuxCncControl& operator=(const LinuxCncControl&) = delete;
+    ~LinuxCncControl() { stop(); }
+
+    /// Why it cannot run here; empty when it can.
+    [[nodiscard]] static QString whyNot() {
+        if (!QFile::exists(bin() + QStringLiteral("/kerf-hal")) ||
+            QStandardPaths::findExecutable(QStringLiteral("linuxcnc")).isEmpty()) {
+            return QStringLiteral("LinuxCNC is not installed here (packages linuxcnc-uspace and linuxcnc-uspace-dev)");
+        }
+        QTcpSocket socket;
+        socket.connectToHost(QStringLiteral("127.0.0.1"), 5007);
+        if (socket.waitForConnected(200)) {
+            return QStringLiteral("another LinuxCNC answers on port 5007: stop it first");
+        }
+        return {};
+    }
+    /// Returns when the machine is ready; false, with log() saying why, when it does not get there.
+    [[nodiscard]] bool start(const QStringList& options = {}) {
+        (void)setpriority(PRIO_PROCESS, 0, -10);  // where that is allowed: a console does not wait for other work
+        const QString ready = m_folder.filePath(QStringLiteral("ready"));
+        QFile::remove(ready);
+        m_process.setProgram(QStringLiteral(KERF_SOURCE_DIR "/scripts/linuxcnc-sim"));
+        m_process.setArguments(QStringList{QStringLiteral("--ready"), ready} + options + QStringList{bin()});
+        m_process.setStandardOutputFile(logFile());
+        m_process.setStandardErrorFile(logFile(), QIODevice::Append);
+        m_process.start();
+        return QTest::qWaitFor([this, ready] { return QFile::exists(ready) || !running(); }, 60'000) && running();
+    }
+    void stop() {
+        if (!running()) {
+            return;
+        }
+        m_process.terminate();  // the script ends its own control
+        if (!m_process.waitForFinished(20'000)) {
+            m_process.kill();
+            m_process.waitForFinished();
+        }
+    }
+    [[nodiscard]] bool running() const { return m_process.state() != QProcess::NotRunning; }
+    [[nodiscard]] QByteArray log() const {
+        QFile file(logFile());
+        (void)file.open(QIODevice::ReadOnly);
+        return "LinuxCNC: " + file.readAll().right(1500);
+    }
+    /// The bridge killed as kill -9 does; when it was, 0 if there is none.
+    [[nodiscard]] static std::int64_t killBridge() {
+        QProcess find;  // there is one per computer, as there is one HAL
+        find.start(QStringLiteral("pgrep"), {QStringLiteral("-x"), QStringLiteral("kerf-hal")});
+        find.waitForFinished();
+        const int process = find.readAllStandardOutput().trimmed().toInt();
+        if (process <= 1 || ::kill(process, SIGKILL) != 0) {
+            return 0;
+        }
+        return std::chrono::steady_clock::now().time_since_epoch().count();
+    }
+
+ private:
+    [[nodiscard]] static QString bin() { return QString::fromLocal8Bit(qgetenv("KERF_BIN")); }
+    [[nodiscard]] QString logFile() const { return m_folder.filePath(QStringLiteral("linuxcnc.log")); }
+
+    QTemporaryDir m_folder;
+    QProcess m_process;
+};
+
+/// One line to linuxcncrsh, beside the console: what an operator does at the control.
+class AtTheControl {
+ public:
+    AtTheControl() {
+        m_socket.connectToHost(QStringLiteral("127.0.0.1"), 5007);
+        m_socket.waitForConnected(2000);
+        for (const char* line : {"hello EMC operator 1", "set echo off", "set verbose on"}) {
+            ask(line);
+        }
+    }
+    /// A command; the answer as the control gives it.
+    QByteArray say(const char* line) {
+        ask("set enable EMCTOO");
+        return ask(line);
+    }
+    QByteArray ask(const char* line) {
+        m_socket.write(QByteArray(line) + "\r\n");
+        m_socket.flush();
+        return m_socket.waitForReadyRead(2000) ? m_socket.readAll() : QByteArray();
+    }
+
+ private:
+    QTcpSocket m_socket;
+};
+
+[[nodiscard]] inline std::int64_t monotonic_ns() {
+    return std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
+}  // namespace kerf::test
