@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <string>
+
+#include "app/desk/milling_json.h"
+#include "engine/milling/milling_setup.h"
+
+using namespace kerf;
+
+/// What the milling room keeps as text, and blank profiles from elsewhere.
+class TestMillingJson : public QObject {
+    Q_OBJECT
+
+ private slots:
+    void aProfileIsReadAsTheHeadlessProgramReadsIt() {
+        const auto blank = millingBlankFromCsv("\xEF\xBB\xBFx_mm,height_mm\r\n# measured\n-2,1\n\n20,2.5\n60,0\n");
+        QVERIFY(blank.has_value());
+        QCOMPARE(blank->count, std::uint16_t{2});
+        QCOMPARE(blank->begin_mm[0], -2.0);
+        QCOMPARE(blank->height_mm[1], 2.5);
+        QCOMPARE(blank->end_mm, 60.0);
+    }
+    void aBadProfileSaysLineAndColumn_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QStringList>("pieces");
+        const QByteArray head("x_mm,height_mm\n");
+        QTest::newRow("no header") << QByteArray("0,1\n10,0\n") << QStringList{"Line 1", "x_mm,height_mm"};
+        QTest::newRow("word") << head + "0,1\n10,two\n20,0\n" << QStringList{"Line 3", "height_mm", "two"};
+        QTest::newRow("comma") << head + "0,1,5\n20,0\n" << QStringList{"Line 2", "3 columns"};
+        QTest::newRow("not finite") << head + "0,nan\n20,0\n" << QStringList{"Line 2", "height_mm"};
+        QTest::newRow("backwards") << head + "0,1\n10,1\n5,0\n" << QStringList{"Line 4", "x_mm", "5.000", "10.000"};
+        QTest::newRow("too high") << head + "0,1\n10,51\n20,0\n" << QStringList{"Line 3", "height_mm", "50"};
+        QTest::newRow("one row") << head + "0,1\n" << QStringList{"1 rows", "2"};
+        QTest::newRow("empty") << QByteArray() << QStringList{"0 rows"};
+    }
+    void aBadProfileSaysLineAndColumn() {
+        QFETCH(QByteArray, text);
+        QFETCH(QStringList, pieces);
+        const auto blank =
+            millingBlankFromCsv(std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+        QVERIFY(!blank.has_value());
+        const QString why = QString::fromStdString(blank.error().english());
+        for (const QString& piece : pieces) {
+            QVERIFY2(why.contains(piece), qPrintable(why));
+        }
+    }
+    void moreStepsThanTheLoopHoldsAreRefused() {
+        std::string text = "x_mm,height_mm\n";
+        for (std::size_t i = 0; i <= MillingBlank::kMaxSteps + 1; ++i) {
+            text += std::to_string(i) + ",1\n";
+        }
+        QVERIFY(!millingBlankFromCsv(text).has_value());
+    }
+    void whatIsKeptComesBackToTheLastDigit() {
+        MillingSetup setup;
+        setup.reference_N = 374.94364833400001;
+        setup.law = MillingLaw::Preview;
+        const auto again = millingSetupFromJson(millingSetupJson(setup));
+        QVERIFY(again.has_value());
+        QCOMPARE(again->law, MillingLaw::Preview);
+        for (const MillingField& field : milling::setupFields()) {
+            QVERIFY2(field.get(*again) == field.get(setup), field.spec.key);
+        }
+        MillingToolRecord record;
+        record.learnt = true;
+        record.lastPart = 7;
+        record.advised = true;
+        record.law = MillingLaw::Constant;
+        record.tool = {4, 7.738057556405839, 7.81, 0.1 + 0.2, 1.0 / 3.0, {-0.1, -2.5, 0.0, -1.0, -7.0, -30.0}};
+        const auto tool = millingToolFromJson(millingToolJson(record));
+        QVERIFY(tool.has_value());
+        QVERIFY(tool->tool == record.tool && tool->lastPart == 7 && tool->advised && tool->law == record.law);
+        MillingBlank blank;
+        blank.count = 1;
+        blank.height_mm[0] = 1.0 / 3.0;
+        blank.end_mm = 60.1;
+        const auto named = millingBlankFromJson(millingBlankJson({blank, "wall.csv"}));
+        QVERIFY(named.has_value());
+        QVERIFY(named->blank.height_mm[0] == 1.0 / 3.0 && named->source == "wall.csv");
+    }
+    void rubbishIsNoValue() {
+        for (const char* text : {"", "{", "[]", "null", "{\"milling.reference_n\": \"many\"}"}) {
+            QVERIFY2(!millingSetupFromJson(text).has_value(), text);
+            QVERIFY2(!millingBlankFromJson(text).has_value(), text);
+            QVERIFY2(!millingToolFromJson(text).has_value(), text);
+        }
+        QVERIFY(!millingSetupFromJson("{\"milling.reference_n\": 5}").has_value());  // below its range
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMillingJson)
+#include "tst_milling_json.moc"
