@@ -3848,10 +3848,6 @@
             <translation>line: predicted, band: 95 % interval, dots: measured</translation>
         </message>
         <message>
-            <source>minutes since the reference</source>
-            <translation>minutes since the reference</translation>
-        </message>
-        <message>
             <source>drift</source>
             <translation>drift</translation>
         </message>
@@ -3942,6 +3938,10 @@
         <message>
             <source>Start the spindle</source>
             <translation>Start the spindle</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
         </message>
     </context>
     <context>

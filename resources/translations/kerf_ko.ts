@@ -3846,10 +3846,6 @@
             <translation>선: 예측, 띠: 95 % 구간, 점: 측정</translation>
         </message>
         <message>
-            <source>minutes since the reference</source>
-            <translation>기준 이후 시간</translation>
-        </message>
-        <message>
             <source>drift</source>
             <translation>열변위</translation>
         </message>
@@ -3939,6 +3935,10 @@
         <message>
             <source>Start the spindle</source>
             <translation>주축 시작</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>시각</translation>
         </message>
     </context>
     <context>
