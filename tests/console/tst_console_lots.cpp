@@ -178,12 +178,14 @@ class TestConsoleLots : public QObject {
         QTRY_VERIFY(bench.find<ui::ActionButton>("partSerial") != nullptr && !disabled(bench, "partSerial"));
         look(bench, "parts");
         QVERIFY(bench.press("partSerial"));
+        QTRY_VERIFY(bench.find<QLineEdit>("serialNumber") != nullptr);
         bench.find<QLineEdit>("serialNumber")->setText(QStringLiteral("SN-0001"));
         QVERIFY(bench.press("serialSave"));
         QTRY_VERIFY(bench.text("partFacts").contains(QStringLiteral("SN-0001")));
 
         QVERIFY(bench.press("partReport"));
         const QString file = bench.folder() + QStringLiteral("/reports/one");
+        QTRY_VERIFY(bench.find<QLineEdit>("reportFile") != nullptr);
         bench.find<QLineEdit>("reportFile")->setText(file);
         QVERIFY(bench.press("reportPdf"));
         QTRY_VERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("one.pdf")));
@@ -191,6 +193,7 @@ class TestConsoleLots : public QObject {
         QVERIFY(pdf.open(QIODevice::ReadOnly));
         QVERIFY(pdf.read(5) == "%PDF-");
         QVERIFY(bench.press("partReport"));
+        QTRY_VERIFY(bench.find<QLineEdit>("reportFile") != nullptr);
         bench.find<QLineEdit>("reportFile")->setText(file);
         QVERIFY(bench.press("reportCsv"));
         QTRY_VERIFY(QFile::exists(file + QStringLiteral(".csv")));
