@@ -216,7 +216,7 @@ class TestConsoleLots : public QObject {
         bench.console().window()->showPage("diagnostics");
         look(bench, "diagnostics");
         QVERIFY(bench.press("backup"));
-        QVERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
+        QTRY_VERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
     }
     void aBoreThatWaitsCanBeGaugedAfterARestart() {
         test::ConsoleBench bench;
