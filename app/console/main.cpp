@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 #include <cstdio>
 
@@ -43,7 +44,13 @@ int main(int argc, char** argv) {
             window.resize(*options->size);
         }
         if (options->screenshotDir.empty()) {
-            options->fullScreen ? window.showFullScreen() : window.show();
+            if (options->fullScreen) {
+                // A bare X server (scripts/run --vnc) has no window manager to do it.
+                window.setGeometry(window.screen()->geometry());
+                window.showFullScreen();
+            } else {
+                window.show();
+            }
             return;
         }
         window.show();

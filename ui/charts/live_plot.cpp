@@ -8,35 +8,11 @@
 
 namespace kerf::ui {
 namespace {
-constexpr int kColumn = 2;             ///< pixels that share one lowest and highest value
-constexpr double kMostColumns = 1000;  ///< a wider chart has wider columns: no eye tells more of them apart
-constexpr double kSmooth_px = 0.3;     ///< a smooth line may leave its points by so much
-
-int columnWidth(double plotWidth) {
-    return std::max(kColumn, static_cast<int>(std::ceil(plotWidth / kMostColumns)));
+constexpr int kColumn = 2;  ///< pixels that share one lowest and highest value
 }
-
-/// Drops points that a straight line passes anyway: a stroke costs by the point. The open end stays.
-void addSmooth(QPolygonF& line, const QPointF& point) {
-    if (line.size() >= 3) {
-        const QPointF from = line[line.size() - 3];
-        const QPointF middle = line[line.size() - 2];
-        const QPointF last = line.last();
-        const auto off = [&](const QPointF& p) {
-            const double along = last.x() - from.x();
-            return along <= 0.0 ? 1.0 : std::abs(from.y() + (last.y() - from.y()) * (p.x() - from.x()) / along - p.y());
-        };
-        if (off(middle) < kSmooth_px) {
-            line.remove(line.size() - 2);
-        }
-    }
-    line << point;
-}
-}  // namespace
 
 LivePlot::LivePlot(Look& look, double window_s, QWidget* parent) : Chart(look, parent), m_window_s(window_s) {
     setWindow(window_s);
-    connect(&look, &Look::changed, this, [this] { m_ground.picture = QPixmap(); });
 }
 
 void LivePlot::setWindow(double window_s) {
@@ -76,7 +52,6 @@ void LivePlot::setPoints(CurveId curve, const std::vector<QPointF>& points) {
 }
 
 void LivePlot::showEvent(QShowEvent* event) {
-    m_ground.picture = QPixmap();
     Chart::showEvent(event);
     rebuild();
 }
@@ -94,8 +69,7 @@ void LivePlot::forget(Curve& curve) const {
 
 void LivePlot::rebuild() {
     const DisplayUnit unit = look().units().of(yUnit());
-    const int columns =
-        std::max(50, static_cast<int>(chart()->plotArea().width()) / columnWidth(chart()->plotArea().width()));
+    const int columns = std::max(50, static_cast<int>(chart()->plotArea().width()) / kColumn);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (Curve& curve : curves()) {
@@ -112,41 +86,6 @@ void LivePlot::rebuild() {
         fitY(low, high, true);
     }
     viewport()->update();
-}
-
-// The scene of Qt Charts costs more than the curves; between two ticks only these have moved.
-void LivePlot::paintEvent(QPaintEvent* event) {
-    const qreal ratio = viewport()->devicePixelRatioF();
-    const QSize wanted = viewport()->size() * ratio;
-    const QString axes = axesText();
-    if (m_ground.picture.size() != wanted || m_ground.plot != chart()->plotArea() || m_ground.axes != axes) {
-        m_ground = {QPixmap(wanted), chart()->plotArea(), axes};
-        m_ground.picture.setDevicePixelRatio(ratio);
-        m_ground.picture.fill(look().color(Token::Panel));
-        QPainter painter(&m_ground.picture);
-        m_paintingGround = true;
-        QGraphicsView::render(&painter, QRectF(viewport()->rect()), viewport()->rect());
-        m_paintingGround = false;
-    }
-    QPainter painter(viewport());
-    painter.setClipRegion(event->region());
-    painter.drawPixmap(0, 0, m_ground.picture);
-    Chart::drawForeground(&painter, QRectF(viewport()->rect()));
-}
-
-void LivePlot::drawForeground(QPainter* painter, const QRectF& rect) {
-    if (!m_paintingGround) {
-        Chart::drawForeground(painter, rect);
-    }
-}
-
-QString LivePlot::axesText() const {
-    return QStringLiteral("%1 %2 %3 %4 ")
-               .arg(xAxis()->min())
-               .arg(xAxis()->max())
-               .arg(yAxis()->min(), 0, 'g', 17)
-               .arg(yAxis()->max(), 0, 'g', 17) +
-           xAxis()->titleText() + u'|' + yAxis()->titleText();
 }
 
 void LivePlot::paintLines(QPainter& painter, const QRectF& plot) const {
@@ -169,7 +108,6 @@ void LivePlot::paintLine(QPainter& painter, const QRectF& plot, const Curve& cur
     const QPen pen = look().pen(curve.style.token, curve.style.stroke, dashed ? Qt::DashLine : Qt::SolidLine);
     const QColor color = look().color(curve.style.token);
     painter.setPen(pen);
-    const int columnWidth_px = columnWidth(plot.width());
     QPolygonF smooth;
     const auto flush = [&painter, &smooth] {
         if (smooth.size() > 1) {
@@ -180,13 +118,13 @@ void LivePlot::paintLine(QPainter& painter, const QRectF& plot, const Curve& cur
     const QList<QPointF>& points = curve.shown;
     for (qsizetype i = 0; i < points.size();) {
         const QPointF first = place(points[i]);
-        const double column = std::floor((first.x() - plot.left()) / columnWidth_px);
+        const double column = std::floor((first.x() - plot.left()) / kColumn);
         double low = first.y();
         double high = first.y();
         QPointF last = first;
         for (; i < points.size(); ++i) {
             const QPointF at = place(points[i]);
-            if (std::floor((at.x() - plot.left()) / columnWidth_px) != column) {
+            if (std::floor((at.x() - plot.left()) / kColumn) != column) {
                 break;
             }
             low = std::min(low, at.y());
@@ -194,15 +132,15 @@ void LivePlot::paintLine(QPainter& painter, const QRectF& plot, const Curve& cur
             last = at;
         }
         if (high - low <= tall) {
-            addSmooth(smooth, last);
+            smooth << last;
         } else {
             if (!smooth.isEmpty()) {  // the column reaches to where the line before it ended: no gap, no stroke
                 low = std::min(low, smooth.last().y());
                 high = std::max(high, smooth.last().y());
             }
             flush();
-            const double left = plot.left() + column * columnWidth_px;
-            painter.fillRect(QRectF(left, low - width / 2, columnWidth_px, high - low + width).toAlignedRect(), color);
+            const double left = plot.left() + column * kColumn;
+            painter.fillRect(QRectF(left, low - width / 2, kColumn, high - low + width).toAlignedRect(), color);
             smooth << last;
         }
     }

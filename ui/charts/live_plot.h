@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QPixmap>
-
 #include "ui/charts/chart.h"
 
 namespace kerf::ui {
@@ -27,24 +25,12 @@ class LivePlot : public Chart {
  protected:
     void rebuild() override;
     void paintLines(QPainter& painter, const QRectF& plot) const override;
-    void drawForeground(QPainter* painter, const QRectF& rect) override;
-    void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
  private:
-    [[nodiscard]] QString axesText() const;
     void forget(Curve& curve) const;
     void paintLine(QPainter& painter, const QRectF& plot, const Curve& curve) const;
 
-    /// Everything that does not move: ground, axes, grid, titles. Painted anew only when one of them is another.
-    struct Ground {
-        QPixmap picture{};
-        QRectF plot{};
-        QString axes{};  ///< ranges and titles
-    };
-
-    Ground m_ground{};
-    bool m_paintingGround{false};
     double m_window_s;
     double m_now_s{0.0};
 };

@@ -245,6 +245,7 @@ void LotForm::refresh() {
     m_fields->setVerticalSpacing(look().space(Space::Small));
     m_columns->setSpacing(2 * gap);
     layout()->setSpacing(look().space(Space::Medium));
+    m_table->setMinimumHeight(look().metrics().touch());
     m_table->verticalHeader()->setDefaultSectionSize(look().metrics().touch());
     m_table->verticalHeader()->setMinimumSectionSize(look().metrics().touch());
     fillTable();
