@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "app/formats/tapping_tuning_json.h"
+#include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated_tapping.h"
 #include "engine/tapping/tapping_loop.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr const char* kTuning = "tuning";
 constexpr std::uint32_t kMostTunings = 500;
+constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
 
 /// Oldest first; one that cannot be read is left out and named in the log.
 std::vector<tapping::StoredTuning> storedTunings(RoomRecordReader& reader) {
@@ -53,6 +55,10 @@ std::unique_ptr<ProcessLoop> TappingRoom::makeLoop() {
 void TappingRoom::open(const Context& context) {
     m_writer = &context.writer;
     SessionTappingDesk::Params params;
+    if (context.options.machine == "linuxcnc") {
+        params.assumed = linuxcnc::assumedDrive(linuxcnc::kAssumedBandwidth_perS);
+        params.abortOverAllowed = kSlavedAbortOverAllowed;
+    }
     params.known = storedTunings(context.reader);
     params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
     m_desk = std::make_unique<SessionTappingDesk>(context.engine, *m_exchange, std::move(params));

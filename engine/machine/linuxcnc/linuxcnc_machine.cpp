@@ -96,12 +96,20 @@ void LinuxCncMachine::begin(ProgramState state) noexcept {
     ++m_partSequence;
     m_program = state;
     m_startPosition_mm = m_seen.position_mm[kZ];
+    if (m_startRequest != 0) {
+        answer(m_startRequest, RequestState::Done);
+        m_startRequest = 0;
+    }
     m_force.begin(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_now_ns);
 }
 
 void LinuxCncMachine::followProgram() noexcept {
     const bool cutting = m_seen.cutting && m_seen.programRunning;
-    m_outputFell = m_outputFell || !m_seen.cutting;  // an aborted program leaves it on
+    ServoPeriod period;
+    while (m_memory->servo.read(m_nextPeriod, period)) {
+        m_outputFell = m_outputFell || !period.cutting;  // an aborted program leaves it on, the next one puts it off
+    }
+    m_outputFell = m_outputFell || !m_seen.cutting;
     if (cutting && m_outputFell && !running()) {
         m_outputFell = false;
         begin(ProgramState::Running);
@@ -131,8 +139,6 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
         if (period.cutting && m_outputFell && !running()) {
             m_outputFell = false;
             begin(ProgramState::Running);
-            answer(m_tapRequest, RequestState::Done);
-            m_tapRequest = 0;
         }
         if (period.cutting && running()) {
             inputs.servoCount += m_tap.next(period, inputs.servo[inputs.servoCount]) ? 1 : 0;
@@ -160,7 +166,8 @@ void LinuxCncMachine::takeReplies(std::int64_t now_ns) noexcept {
             m_shiftUnderWay = false;
         } else {
             m_reply = reply;
-            if (reply.number == m_tapRequest && reply.state == RequestState::Done) {
+            if (reply.number == m_startRequest && m_process == ProcessId::Tapping &&
+                reply.state == RequestState::Done) {
                 m_reply.state = RequestState::Accepted;  // spindle and Z get ready first; done when the tap begins
             }
         }
@@ -281,15 +288,14 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         m_process = start->process;
         m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
         m_tapEnds = false;
-        m_tapRequest = start->process == ProcessId::Tapping ? request.number : 0;
+        m_startRequest = request.number;
         if (m_memory != nullptr) {
             m_nextPeriod = m_memory->servo.written();
         }
     }
-    if (m_rsh == nullptr || !m_rsh->tryAsk(request)) {
-        answer(request.number, RequestState::Refused,
-               Sentence(KERF_TEXT("The control is still busy with earlier commands.")));
-    }
+    const bool asked = m_rsh != nullptr && m_rsh->tryAsk(request);
+    answer(request.number, asked ? RequestState::Accepted : RequestState::Refused,
+           asked ? Sentence{} : Sentence(KERF_TEXT("The control is still busy with earlier commands.")));
 }
 
 void LinuxCncMachine::shiftOrigin(const MachineOutputs& outputs) noexcept {

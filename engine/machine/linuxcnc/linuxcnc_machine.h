@@ -97,7 +97,7 @@ class LinuxCncMachine final : public MachinePort {
     // tapping
     TapFollower m_tap{};
     std::uint64_t m_nextPeriod{0};
-    std::uint32_t m_tapRequest{0};  ///< accepted, its tap has not begun
+    std::uint32_t m_startRequest{0};  ///< handed on, its program has not begun
     bool m_tapEnds{false};
     bool m_tapFinished{false};
     // milling, on a simulator
