@@ -6185,6 +6185,10 @@
             <source>Start the spindle</source>
             <translation>Start the spindle</translation>
         </message>
+        <message>
+            <source>time</source>
+            <translation>time</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::TrialBars</name>

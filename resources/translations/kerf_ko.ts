@@ -6417,5 +6417,9 @@
             <source>Start the spindle</source>
             <translation>주축 시작</translation>
         </message>
+        <message>
+            <source>time</source>
+            <translation>시각</translation>
+        </message>
     </context>
 </TS>

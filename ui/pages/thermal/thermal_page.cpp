@@ -16,6 +16,14 @@ namespace {
 
 constexpr double kTrend_min = 10.0;
 constexpr double kShortestCourse_min = 20.0;
+constexpr std::size_t kDrawnPoints = 400;
+
+bool hasNews(const ThermalStatus& now, const ThermalStatus& before) {
+    return now.updates != before.updates || now.stage != before.stage || now.model != before.model ||
+           now.gap.number != before.gap.number || now.gap.phase != before.gap.phase ||
+           now.gapsReadable != before.gapsReadable || now.gapZeroKnown != before.gapZeroKnown ||
+           now.recording != before.recording || now.count != before.count || now.couple != before.couple;
+}
 
 }  // namespace
 
@@ -112,7 +120,7 @@ void ThermalPage::refresh() {
         m_buttonRow->setSpacing(look().metrics().touchGap());
         m_chartCard->setTitle(tr("Drift over time, %1").arg(look().units().of("um").symbol));
         m_key->setText(tr("line: predicted, band: 95 % interval, dots: measured"));
-        m_chart->setXAxis(tr("minutes since the reference"), "min");
+        m_chart->setXAxis(tr("time"), "min");
         m_chart->setYAxis(tr("drift"), "um");
         m_chart->setEmptyText(
             tr("The predicted drift appears here one minute after the reference, as soon as a model is live."));
@@ -139,15 +147,18 @@ void ThermalPage::showEvent(QShowEvent* event) {
 
 void ThermalPage::onStatus(const Status& status) {
     if (!isVisible()) return;
+    const bool news = m_desk->view().revision != m_shownRevision || hasNews(status.thermal, m_status.thermal);
     m_status = status;
     m_offsets->setStatus(status.thermal, status.loops[static_cast<std::size_t>(ProcessId::Thermal)]);
     m_drawing->setStatus(status.thermal);
     m_buttons.front()->setText(status.thermal.warmUpRunning ? tr("Stop warm-up") : tr("Warm up"));
     m_buttons.front()->reconsider();
+    m_sheets->take(status);
+    if (!news) return;  // sixty times a second nothing has changed
     showView();
     showHealth();
     showTouched();
-    m_sheets->refresh(status);
+    m_sheets->refresh();
 }
 
 void ThermalPage::showView() {
@@ -156,15 +167,18 @@ void ThermalPage::showView() {
     if (view.revision == m_shownRevision) return;
     m_shownRevision = view.revision;
     double last_min = kShortestCourse_min;
+    const std::size_t stride = view.course.size() / kDrawnPoints + 1;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         std::vector<QPointF> predicted;
         std::vector<QPointF> measured;
         std::vector<Chart::BandPoint> band;
-        for (const ThermalCoursePoint& point : view.course) {
+        for (std::size_t k = 0; k < view.course.size(); ++k) {
+            const ThermalCoursePoint& point = view.course[k];
+            const bool drawn = k % stride == 0 || k + 1 == view.course.size();
             const auto drift_um = static_cast<double>(point.drift_um[axis]);
             const auto half_um = static_cast<double>(point.half_um[axis]);
             last_min = std::max(last_min, point.minutes);
-            if (point.predicted) {
+            if (point.predicted && drawn) {
                 predicted.emplace_back(point.minutes, drift_um);
                 band.push_back({point.minutes, drift_um - half_um, drift_um + half_um});
             }

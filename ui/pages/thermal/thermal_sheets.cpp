@@ -49,8 +49,7 @@ void ThermalSheets::follow(std::function<void()> update) {
     m_update();
 }
 
-void ThermalSheets::refresh(const Status& status) {
-    m_status = status;
+void ThermalSheets::refresh() {
     if (m_sheet != nullptr && m_update) {
         m_update();
     }
@@ -142,6 +141,7 @@ void ThermalSheets::openTrain() {
     Look& look = m_context.look;
     QTableWidget* days = makeThermalTable(look, "thermalDays", {tr("use"), tr("day"), tr("from")}, sheet);
     days->setMinimumHeight(3 * look.metrics().touch());
+    days->verticalHeader()->setMinimumSectionSize(look.metrics().touch());
     QTableWidget* compared =
         makeThermalTable(look, "thermalCompared",
                          {tr("model"), tr("thermocouples"), tr("rms X / Y / Z, %1").arg(look.units().of("um").symbol),
@@ -319,6 +319,8 @@ void ThermalSheets::openHistory() {
     QTableWidget* gaps =
         makeThermalTable(m_context.look, "thermalGapHistory",
                          {tr("time"), tr("measured X / Y / Z, %1").arg(unit), tr("predicted X / Y / Z")}, sheet);
+    shifts->setMinimumHeight(4 * m_context.look.metrics().touch());
+    gaps->setMinimumHeight(3 * m_context.look.metrics().touch());
     sheet->body()->addWidget(shifts, 2);
     sheet->body()->addWidget(gaps, 1);
     follow([this, shifts, gaps] {

@@ -36,8 +36,9 @@ class ThermalSheets {
     void openSensors();
     void openMap();
     void openLimits();
-    /// New status or desk view: the open sheet follows.
-    void refresh(const Status& status);
+    void take(const Status& status) { m_status = status; }
+    /// Something has changed: the open sheet follows.
+    void refresh();
 
  private:
     Sheet* open(const QString& title, const QString& text);
