@@ -2,8 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Cholesky>
-#include <chrono>
+#include <Eigen/QR>
+#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -52,9 +54,9 @@ void gmdhTraining(benchmark::State& state) {
 }
 BENCHMARK(gmdhTraining)->Unit(benchmark::kMillisecond);
 
-/// One layer the plain way: for each of 8,128 pairs and each axis three least-squares problems (sets A, B, both), the
-/// normal equations built row by row, and both criteria.
-double plainLayer(const Problem& p) {
+/// One layer the plain way: for each of 8,128 pairs and each axis three least-squares problems (sets A, B, both) and
+/// both criteria; by QR from the rows, or by the normal equations of each pair.
+double plainLayer(const Problem& p, bool qr) {
     const Eigen::VectorXd mean = p.x.colwise().mean();
     const Eigen::MatrixXd x = (p.x.rowwise() - mean.transpose());
     double best = 1e300;
@@ -64,6 +66,7 @@ double plainLayer(const Problem& p) {
         design.col(1) = x.col(i).segment(from, count);
         design.col(2) = x.col(j).segment(from, count);
         design.col(3) = design.col(1).cwiseProduct(design.col(2));
+        if (qr) return Eigen::Vector4d(design.householderQr().solve(p.y.col(axis).segment(from, count)));
         Eigen::Matrix4d gram = design.transpose() * design;
         gram.diagonal().array() += 1e-3;
         return Eigen::Vector4d(gram.ldlt().solve(design.transpose() * p.y.col(axis).segment(from, count)));
@@ -90,13 +93,14 @@ double plainLayer(const Problem& p) {
     return best;
 }
 
-void plainLoopOfLeastSquares(benchmark::State& state) {
+void plainLoop(benchmark::State& state, bool qr) {
     const Problem& p = problem();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(plainLayer(p));
+        benchmark::DoNotOptimize(plainLayer(p, qr));
     }
 }
-BENCHMARK(plainLoopOfLeastSquares)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plainLoop, qr, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plainLoop, normalEquations, false)->Unit(benchmark::kMillisecond);
 
 const ThermalModel& model() {
     static const ThermalModel trained = std::move(*trainRegression(trainingDays(1), {}));
@@ -162,26 +166,31 @@ void loopCycle(benchmark::State& state) {
 }
 BENCHMARK(loopCycle)->Unit(benchmark::kNanosecond);
 
+/// CPU time: other work on the machine does not count.
 double seconds(const auto& work) {
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// The smallest of several, alternating, so that other load on the machine hits both alike.
+/// The smallest of several, alternating.
 void printRatio() {
     double gmdh_s = 1e9;
-    double plain_s = 1e9;
-    for (int k = 0; k < 5; ++k) {
+    double qr_s = 1e9;
+    double normal_s = 1e9;
+    for (int k = 0; k < 3; ++k) {
         gmdh_s = std::min(
             gmdh_s, seconds([] {
                 benchmark::DoNotOptimize(trainGmdh(problem().x, problem().y, problem().rows, GmdhOptions::guarded()));
             }));
-        plain_s = std::min(plain_s, seconds([] { benchmark::DoNotOptimize(plainLayer(problem())); }));
+        qr_s = std::min(qr_s, seconds([] { benchmark::DoNotOptimize(plainLayer(problem(), true)); }));
+        normal_s = std::min(normal_s, seconds([] { benchmark::DoNotOptimize(plainLayer(problem(), false)); }));
     }
     std::printf("GMDH, 3 axes, 128 inputs, 360 rows, up to 3 layers: %.1f ms\n", 1000.0 * gmdh_s);
-    std::printf("one layer as a plain loop of least-squares problems: %.1f ms, ratio %.1f\n", 1000.0 * plain_s,
-                plain_s / gmdh_s);
+    std::printf(
+        "one layer as a plain loop of least-squares problems: by QR %.1f ms, ratio %.1f; by normal equations %.1f ms, "
+        "ratio %.1f\n",
+        1000.0 * qr_s, qr_s / gmdh_s, 1000.0 * normal_s, normal_s / gmdh_s);
 }
 
 }  // namespace

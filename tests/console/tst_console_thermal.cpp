@@ -38,6 +38,12 @@ class TestConsoleThermal : public QObject {
         QTRY_VERIFY(m_bench.find("signOn") != nullptr);
         QVERIFY(m_bench.press("signOn"));
     }
+    /// QTRY_VERIFY looks twice: only looking may stand in it.
+    void pressWhenReady(const char* name) {
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_bench.find<QAbstractButton>(name) != nullptr && m_bench.find<QAbstractButton>(name)->isEnabled(), 20'000);
+        QVERIFY(m_bench.press(name));
+    }
     void closeSheet() {
         QVERIFY(m_bench.press("thermalSheetClose"));
         QTRY_VERIFY(m_bench.find("thermalSheetClose") == nullptr);
@@ -62,7 +68,6 @@ class TestConsoleThermal : public QObject {
 
  private:
     void theFirstModelTrainsItself() {
-        qInfo("theFirstModelTrainsItself");
         QTRY_COMPARE_WITH_TIMEOUT(thermal().stage, ThermalStage::Following, 60'000);
         QCOMPARE(thermal().model, 1U);
         QVERIFY(m_bench.press("thermalModel"));
@@ -70,7 +75,6 @@ class TestConsoleThermal : public QObject {
         closeSheet();
     }
     void theMachineWarmsUpAndTheOffsetsFollow() {
-        qInfo("theMachineWarmsUpAndTheOffsetsFollow");
         QVERIFY(m_bench.press("thermalWarmUp"));
         QPushButton* start = nullptr;
         for (auto* button : m_bench.console().window()->findChildren<QPushButton*>()) {
@@ -90,9 +94,8 @@ class TestConsoleThermal : public QObject {
         closeSheet();
     }
     void aMeasurementChecksTheModel() {
-        qInfo("aMeasurementChecksTheModel");
         QVERIFY(m_bench.press("thermalMeasure"));
-        QTRY_VERIFY(m_bench.press("thermalMeasureNow"));
+        pressWhenReady("thermalMeasureNow");
         QTRY_COMPARE_WITH_TIMEOUT(thermal().gap.phase, GapPhase::Done, 20'000);
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
             const double difference_um = thermal().gap.measured_um[axis] - thermal().gap.predicted_um[axis];
@@ -102,7 +105,6 @@ class TestConsoleThermal : public QObject {
         closeSheet();
     }
     void aRealDataSetIsTrainedComparedAndRolledBack() {
-        qInfo("aRealDataSetIsTrainedComparedAndRolledBack");
         const QDir folder(m_bench.folder() + QStringLiteral("/thermal"));
         for (const char* file : {"H0_train.csv", "H1_train.csv", "H2_train.csv"}) {
             const QString from = QString::fromStdString(test::fixture(std::string("thermal/") + file));
@@ -113,27 +115,25 @@ class TestConsoleThermal : public QObject {
         QTRY_VERIFY(table("thermalDays") != nullptr && table("thermalDays")->rowCount() >= 7);
         for (int row = 0; row < 3; ++row)
             emit table("thermalDays")->cellClicked(row, 0);
-        QTRY_VERIFY(m_bench.press("thermalTrainAuto"));
+        pressWhenReady("thermalTrainAuto");
         QTRY_VERIFY_WITH_TIMEOUT(table("thermalCompared") != nullptr && table("thermalCompared")->rowCount() == 3,
                                  120'000);
         QCOMPARE(thermal().model, 1U);
-        QTRY_VERIFY(m_bench.press("thermalGoLive"));
+        pressWhenReady("thermalGoLive");
         QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 2U, 30'000);
         closeSheet();
         QVERIFY(m_bench.press("thermalModel"));
-        QTRY_VERIFY(m_bench.press("thermalRollBack"));
+        pressWhenReady("thermalRollBack");
         QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 3U, 30'000);
         closeSheet();
     }
     void theLanguageSwitches() {
-        qInfo("theLanguageSwitches");
         const QString english = m_bench.text("thermalReady");
         QVERIFY(m_bench.press("language"));
         QTRY_VERIFY(m_bench.text("thermalReady") != english);
         QVERIFY(m_bench.press("language"));
     }
     void aRestartReadsTheShiftBack() {
-        qInfo("aRestartReadsTheShiftBack");
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(rememberedShift_um() - thermal().shifted_um[1].value) < 0.01, 60'000);
         double before_um[kAxisCount];
         for (std::size_t axis = 0; axis < kAxisCount; ++axis)
