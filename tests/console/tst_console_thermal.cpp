@@ -39,9 +39,12 @@ class TestConsoleThermal : public QObject {
         QVERIFY(m_bench.press("signOn"));
     }
     /// QTRY_VERIFY looks twice: only looking may stand in it.
+    [[nodiscard]] bool ready(const char* name) {
+        const auto* button = m_bench.find<QAbstractButton>(name);
+        return button != nullptr && button->isEnabled();
+    }
     void pressWhenReady(const char* name) {
-        QTRY_VERIFY_WITH_TIMEOUT(
-            m_bench.find<QAbstractButton>(name) != nullptr && m_bench.find<QAbstractButton>(name)->isEnabled(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(ready(name), 20'000);
         QVERIFY(m_bench.press(name));
     }
     void closeSheet() {
