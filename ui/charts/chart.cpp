@@ -185,7 +185,10 @@ void Chart::restyle() {
 void Chart::retitle() {
     const auto title = [this](const QString& name, const char* unit) {
         const QString symbol = m_look.units().of(unit).symbol;
-        return symbol.isEmpty() ? name : tr("%1, %2", "axis title, unit").arg(name, symbol);
+        if (symbol.isEmpty() || name.isEmpty()) {
+            return symbol.isEmpty() ? name : symbol;
+        }
+        return tr("%1, %2", "axis title, unit").arg(name, symbol);
     };
     m_x->setTitleText(title(m_xTitle, m_xUnit));
     m_y->setTitleText(title(m_yTitle, m_yUnit));
