@@ -38,7 +38,8 @@ struct Capabilities {
     Capability temperatures{};
     std::uint16_t temperatureCount{0};
     Capability workOffset{};  ///< work-origin shift that reads back
-    Capability gapSensors{};
+    Capability gapSensors{};  ///< of the origin, on a test bar
+    Capability toolMotion{};  ///< a sensor of the turning tool's own motion
     Capability servoGains{};  ///< gains of Z servo and spindle can be set
     Capability zTrim{};       ///< addition to the Z position command while tapping
     Capability toolTrim{};    ///< fast trim of the tool's depth
@@ -110,6 +111,7 @@ struct MachineInputs {
     std::array<Reading, kAxisCount> workOffset_um{};  ///< shift the control reports as applied
     std::array<Reading, kAxisCount> gap_um{};
     Reading toolTrim_um{};
+    Reading toolMotion_um{};  ///< turning: x_i as a sensor at the tool sees it, positive out of the work
     ServoGains servoGains{};
     Quality servoGainsQuality{Quality::Missing};
     std::uint16_t fastCount{0};

@@ -29,7 +29,7 @@ void SimulatedTurning::fit(Capabilities& capabilities) const {
     capabilities.forceSensor = {true, Sentence{}};
     capabilities.toolTrim = {true, Sentence{}};
     if (m_params.motionSensorNoise_um > 0.0) {
-        capabilities.gapSensors = {true, Sentence{}};
+        capabilities.toolMotion = {true, Sentence{}};
     }
 }
 
@@ -113,7 +113,8 @@ bool SimulatedTurning::advance(const SimulationStep& step, MachineInputs& inputs
         fast = {step.now_ns, 0.0, reading.value, outOfRange && reading.good() ? Quality::Saturated : reading.quality};
     }
     if (m_params.motionSensorNoise_um > 0.0) {
-        inputs.gap_um[0] = {m_inner_um + m_params.motionSensorNoise_um * m_random.gauss(), step.now_ns, Quality::Good};
+        inputs.toolMotion_um = {m_inner_um + m_params.motionSensorNoise_um * m_random.gauss(), step.now_ns,
+                                Quality::Good};
     }
     inputs.toolTrim_um = {m_trim_um, step.now_ns, Quality::Good};
     inputs.spindleSpeed_rpm = simulatedReading(m_running ? m_program.spindleSpeed_rpm * step.spindleFactor : 0.0,

@@ -28,7 +28,7 @@ class SimulatedTurning final : public SimulatedProcess {
         double forceNoise_N{0.005};
         double residualForce_N{0.08};
         double drift_NPerS{0.0005};
-        double motionSensorNoise_um{0.0};  ///< > 0: a gap sensor shows the tool's motion (gap_um[0])
+        double motionSensorNoise_um{0.0};  ///< > 0: a sensor shows the tool's motion (toolMotion_um)
         double forceRange_N{20.0};
     };
     explicit SimulatedTurning(const Params& params) noexcept;

@@ -441,11 +441,11 @@ void TurningLoop::watchSurface(double error_um, double untreated_um, double forc
 
 void TurningLoop::identify(double force_N, const MachineInputs& inputs) noexcept {
     TurningIdentification& shown = m_status.identification;
-    shown.available = inputs.gap_um[0].good();
+    shown.available = inputs.toolMotion_um.good();
     if (!shown.available) {
         return;
     }
-    const double inner_um = inputs.gap_um[0].value;
+    const double inner_um = inputs.toolMotion_um.value;
     // The build-up of the depth is no chip the model knows: from the second revolution on.
     const double chip_um = m_setup.depth_um + m_motion.oldest() - inner_um;
     if (m_cutSamples == m_motion.samples()) {

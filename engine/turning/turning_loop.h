@@ -22,8 +22,8 @@ namespace kerf {
 /// (chipped tool). Later: a trim that leans to one side or a mean force that falls by a quarter (mean-force check: no
 /// law may take the cut away). Lost signal and chipped tool fault the loop until a person releases it. The exit of the
 /// cut ends the trim the same way without an alarm. The cycle has to be .2 ms; on a slower machine the loop advises
-/// only. With a sensor of the tool's motion (gap_um[0]) the cutting process is identified as it cuts, and the law is
-/// tuned anew when it has moved by more than 5 % and the identification is sure of it.
+/// only. With a sensor of the tool's motion (toolMotion_um) the cutting process is identified as it cuts, and the law
+/// is tuned anew when it has moved by more than 5 % and the identification is sure of it.
 class TurningLoop final : public ProcessLoop {
  public:
     /// @param exchange what the desk wants to see of the surface and the force; may be null. Outlives the loop.

@@ -30,13 +30,7 @@ class TestConsoleTurning : public QObject {
         fast.action = SetSimulationSpeed{0.0};
         QVERIFY(m_bench.console().engine().send(fast).has_value());
     }
-    void signOn() {
-        QVERIFY(m_bench.press("operator"));
-        QTRY_VERIFY(m_bench.find<QLineEdit>("operatorName") != nullptr);
-        QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
-        QTRY_VERIFY(m_bench.find("signOn") != nullptr);
-        QVERIFY(m_bench.press("signOn"));
-    }
+    void signOn() { QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Setter)); }
     [[nodiscard]] const TurningDeskView& desk() {
         return static_cast<console::TurningRoom*>(m_bench.console().room(ProcessId::Turning))->desk().view();
     }

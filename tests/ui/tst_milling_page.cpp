@@ -48,8 +48,8 @@ class TestMillingPage : public QObject {
         show();
         cutHalf();
         settle();
-        QVERIFY(!m_bench->find<LivePlot>("millingForceChart")->drawn(kAverage).isEmpty());
-        QVERIFY(!m_bench->find<LivePlot>("millingFeedChart")->drawn(kMade).isEmpty());
+        QTRY_VERIFY((m_bench->client.tick(), !m_bench->find<LivePlot>("millingForceChart")->drawn(kAverage).isEmpty()));
+        QTRY_VERIFY((m_bench->client.tick(), !m_bench->find<LivePlot>("millingFeedChart")->drawn(kMade).isEmpty()));
         QCOMPARE(m_bench->find<NumberDisplay>("millingForce")->text(), QStringLiteral("395"));
         QCOMPARE(m_bench->find<NumberDisplay>("millingFeed")->text(), QStringLiteral("1.42"));
     }
@@ -60,7 +60,7 @@ class TestMillingPage : public QObject {
         QVERIFY(chart->drawn(kRaw).isEmpty());
         QVERIFY(m_bench->press("millingRawForce"));
         cutHalf();
-        QVERIFY(!chart->drawn(kRaw).isEmpty());
+        QTRY_VERIFY((m_bench->client.tick(), !chart->drawn(kRaw).isEmpty()));
         QVERIFY(m_bench->press("millingRawForce"));
         QVERIFY(chart->drawn(kRaw).isEmpty());
     }
@@ -71,7 +71,7 @@ class TestMillingPage : public QObject {
         milling.force_N = {0.0, m_bench->engine.fake.machineTime_ns, Quality::Missing};
         cutHalf(false);
         QVERIFY(m_bench->find<LivePlot>("millingForceChart")->drawn(kAverage).isEmpty());
-        QVERIFY(!m_bench->find<LivePlot>("millingFeedChart")->drawn(kMade).isEmpty());
+        QTRY_VERIFY((m_bench->client.tick(), !m_bench->find<LivePlot>("millingFeedChart")->drawn(kMade).isEmpty()));
         settle();
         QVERIFY(!m_bench->find<NumberDisplay>("millingForce")->text().contains(u'0'));
     }

@@ -33,7 +33,7 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept {
     set(c.forceSensor, machine.simulator,
         why(Sentence(KERF_TEXT("This LinuxCNC brings no cutting force: no sensor is connected."))));
     const Sentence noSignal = why(Sentence(KERF_TEXT("This LinuxCNC brings no such signal over HAL.")));
-    for (Capability* capability : {&c.temperatures, &c.gapSensors, &c.zTrim, &c.toolTrim, &c.gauge}) {
+    for (Capability* capability : {&c.temperatures, &c.gapSensors, &c.toolMotion, &c.zTrim, &c.toolTrim, &c.gauge}) {
         set(*capability, false, noSignal);
     }
     const auto host = [&c](ProcessId id) -> Capability& { return c.process[static_cast<std::size_t>(id)]; };
