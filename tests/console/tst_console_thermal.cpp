@@ -78,7 +78,7 @@ class TestConsoleThermal : public QObject {
         closeSheet();
     }
     void theMachineWarmsUpAndTheOffsetsFollow() {
-        QVERIFY(m_bench.press("thermalWarmUp"));
+        pressWhenReady("thermalWarmUp");
         QPushButton* start = nullptr;
         for (auto* button : m_bench.console().window()->findChildren<QPushButton*>()) {
             if (button->isVisible() && button->text() == QStringLiteral("Start the spindle")) start = button;
