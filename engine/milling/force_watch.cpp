@@ -27,19 +27,32 @@ double ForceWatch::revolutionMean_N() const noexcept {
     return sum_N / flutes;
 }
 
+double ForceWatch::peak_N(int ago) const noexcept {
+    return ago < m_teeth ? m_peak_N[static_cast<std::size_t>(m_teeth - 1 - ago) % kTeethKept] : 0.0;
+}
+
+bool ForceWatch::collapsesNow() const noexcept {
+    const int flutes = std::clamp(m_params.flutes, 1, kMaxFlutes);
+    const auto collapsedFrom = [&](int ago) {
+        const double before_N = peak_N(ago);
+        const double limit_N = m_params.collapseShare * before_N;
+        return before_N > m_params.inWork_N && before_N >= m_params.steadyShare * peak_N(ago + flutes) &&
+               peak_N(1) < limit_N && peak_N(0) < limit_N;
+    };
+    return collapsedFrom(2) || collapsedFrom(3);
+}
+
 void ForceWatch::nextTooth(std::int64_t tooth) noexcept {
     if (tooth != m_tooth + 1) {  // a gap, or the angle began anew: there is nothing to compare with
         disarm();
     } else {
-        m_peak_N = {m_peakNow_N, m_peak_N[0], m_peak_N[1]};
+        m_peak_N[static_cast<std::size_t>(m_teeth) % kTeethKept] = m_peakNow_N;
         m_peakNow_N = 0.0;
         m_mean_N[static_cast<std::size_t>(m_teeth % kMaxFlutes)] = m_countNow > 0 ? m_sumNow_N / m_countNow : 0.0;
         ++m_teeth;
         m_sumNow_N = 0.0;
         m_countNow = 0;
-        const double limit_N = m_params.collapseShare * m_peak_N[2];
-        m_collapsed =
-            m_collapsed || (m_peak_N[2] > m_params.inWork_N && m_peak_N[1] < limit_N && m_peak_N[0] < limit_N);
+        m_collapsed = m_collapsed || collapsesNow();
     }
     m_tooth = tooth;
 }

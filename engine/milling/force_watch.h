@@ -11,10 +11,10 @@ namespace kerf::milling {
 /// Judges the raw force sample by sample, so that a reaction comes within one revolution and not after it.
 ///
 ///   blind      no trusted, changing sample for half a revolution (by angle or, if samples stay away, by time)
-///   collapsed  from one tooth to the next the highest sample falls below 30 %, and stays there for one more tooth,
-///   though
-///              the tooth before was well in the work: what a breaking tool does. Steps of the blank and the way out of
-///              it take more than a revolution
+///   collapsed  the highest sample of two teeth running is below 30 % of a tooth just before them that was well in the
+///              work and as high as a revolution earlier: what a breaking tool does. Between them may lie the tooth that
+///              broke on its way through the work. Steps of the blank and the way out of it take longer than a
+///              revolution, so there the tooth before has fallen already
 ///
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
 class ForceWatch {
@@ -23,6 +23,7 @@ class ForceWatch {
         int flutes{4};
         double patience_rev{0.5};
         double collapseShare{0.3};
+        double steadyShare{0.7};   ///< of the same edge's highest sample a revolution before; run-out does not matter
         double inWork_N{200.0};    ///< a tooth's highest sample from which a collapse can be told
         double stuckAbove_N{1.0};  ///< below, the same number again and again is air
     };
@@ -44,6 +45,9 @@ class ForceWatch {
 
  private:
     void nextTooth(std::int64_t tooth) noexcept;
+    /// Highest sample of the tooth `ago` teeth before the last whole one; 0: not known.
+    [[nodiscard]] double peak_N(int ago) const noexcept;
+    [[nodiscard]] bool collapsesNow() const noexcept;
 
     Params m_params{};
     bool m_any{false};
@@ -52,11 +56,12 @@ class ForceWatch {
     std::int64_t m_trusted_ns{0};
     double m_lastForce_N{0.0};
     std::int64_t m_tooth{0};
-    std::array<double, 3> m_peak_N{};  ///< of the last whole teeth, newest first; 0: not known
-    double m_peakNow_N{0.0};           ///< of the tooth in the work
+    double m_peakNow_N{0.0};  ///< of the tooth in the work
     static constexpr int kMaxFlutes = 16;
-    std::array<double, kMaxFlutes> m_mean_N{};  ///< of the last teeth, a ring
-    int m_teeth{0};                             ///< whole teeth since the last gap
+    static constexpr std::size_t kTeethKept = 32;       ///< more than a revolution and the teeth that collapse
+    std::array<double, kTeethKept> m_peak_N{};          ///< highest sample of the last whole teeth, a ring; 0: not known
+    std::array<double, kMaxFlutes> m_mean_N{};          ///< mean force of the last teeth, a ring
+    int m_teeth{0};                                     ///< whole teeth since the last gap
     double m_sumNow_N{0.0};
     int m_countNow{0};
     bool m_collapsed{false};

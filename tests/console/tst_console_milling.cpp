@@ -170,6 +170,22 @@ class TestConsoleMilling : public QObject {
         const ui::AlarmText text = ui::alarmText(m_bench->console().engine().alarmSpec(200), 200);
         QVERIFY(!text.cause.isEmpty() && !text.consequence.isEmpty() && !text.action.isEmpty());
     }
+    void aBrokenToolIsHeldUntilReleased() {
+        start(kCutSpeed);
+        QTRY_VERIFY_WITH_TIMEOUT(milling().position_mm > 30.0 || !milling().cutting, 20'000);
+        InjectedFaults faults;
+        faults.toolBroken = true;
+        m_bench->console().simulator()->machine().inject(faults);
+        QTRY_VERIFY_WITH_TIMEOUT(milling().stopped, 10'000);
+        m_bench->console().simulator()->machine().inject({});
+        QTRY_VERIFY_WITH_TIMEOUT(enabled("millingRelease"), 5'000);
+        QVERIFY(m_bench->press("millingRelease"));
+        QTRY_VERIFY_WITH_TIMEOUT(!milling().stopped, 5'000);
+        speed(kFast);
+        QTRY_VERIFY_WITH_TIMEOUT(!milling().cutting, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t{1}, 10'000);
+        QCOMPARE(figure(stored().front(), "stops"), 1.0);
+    }
     void setupBlankToolAndLogSurviveARestart() {
         signOn();
         QVERIFY(m_bench->press("millingSetup"));

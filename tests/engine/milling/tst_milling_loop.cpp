@@ -105,9 +105,34 @@ class TestMillingLoop : public QObject {
             QVERIFY(bench.status().actualFeed_mmPerS.value < 0.01);  // and stays held
         }
     }
+    void breakageIsSeenWhereverInTheRevolutionItHappens() {
+        for (int i = 0; i < 40; ++i) {  // the last revolutions before it differ in place and in angle
+            MillingBench bench;
+            QVERIFY(bench.start(LoopMode::Control) && bench.cutTo(26.0 + 0.8 * (i % 4)));
+            bench.runRevolutions(1.0 + i / 40.0);
+            InjectedFaults faults;
+            faults.toolBroken = true;
+            bench.machine->inject(faults);
+            bench.runRevolutions(1.0);
+            QVERIFY2(bench.status().milling.stopped, qPrintable(QString::number(i)));
+            QVERIFY(bench.alarmRaised(milling_alarm::kToolBroken));
+        }
+    }
+    void stepsAndExitAreNotBreakage_data() {
+        QTest::addColumn<std::vector<double>>("heights_mm");
+        QTest::newRow("highest steps") << std::vector<double>{3, 1, 3, 0.5, 3, 1};
+        Random random(31);
+        for (int i = 0; i < 12; ++i) {
+            std::vector<double> heights_mm(6);
+            for (double& height_mm : heights_mm) {
+                height_mm = 0.5 + 2.5 * random.uniform();
+            }
+            QTest::addRow("random %d", i) << heights_mm;
+        }
+    }
     void stepsAndExitAreNotBreakage() {
+        QFETCH(std::vector<double>, heights_mm);
         SimulatedMilling::Params params;
-        const double heights_mm[] = {3, 1, 3, 0.5, 3, 1};
         params.blanks.push_back(*milling::BlankProfile::ofSegments(heights_mm, 12.0));
         MillingBench bench(params);
         PartRecord part;
