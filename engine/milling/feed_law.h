@@ -67,7 +67,7 @@ struct ModelLawParams {
     double backOff{1.0};      ///< share of the deadbeat feed when the force is above the reference, [0, 1]
     double recover{0.55};     ///< when it is below, [0, backOff]
     double leadHarder{1.3};   ///< revolutions ahead on a rising slope
-    double leadEasier{0.86};  ///< on a falling one
+    double leadEasier{0.70};  ///< on a falling one
     double entryShare{0.5};   ///< of both shares during the first `entryRevolutions` in the work
     int entryRevolutions{15};
 };
