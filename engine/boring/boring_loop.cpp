@@ -168,7 +168,11 @@ void BoringLoop::trace(double overhang_mm, double feed_mmPerRev) noexcept {
     const BoringSchedule& schedule = m_part.schedule;
     const double spacing_mm =
         (schedule.overhangTo_mm - schedule.overhangFrom_mm) / static_cast<double>(kFeedTracePoints - 1);
-    if (feed.count < kFeedTracePoints && overhang_mm >= schedule.overhangFrom_mm + spacing_mm * feed.count - 1e-9) {
+    // Points missed by a late cycle are made up for on the way, not at one place.
+    const bool moved =
+        feed.count == 0 || overhang_mm >= static_cast<double>(feed.overhang_mm[feed.count - 1U]) + 0.5 * spacing_mm;
+    if (feed.count < kFeedTracePoints && moved &&
+        overhang_mm >= schedule.overhangFrom_mm + spacing_mm * feed.count - 1e-9) {
         feed.overhang_mm[feed.count] = static_cast<float>(overhang_mm);
         feed.feed_mmPerRev[feed.count] = static_cast<float>(feed_mmPerRev);
         ++feed.count;

@@ -15,6 +15,11 @@ std::optional<Sentence> whyUnusable(double deflection_mm) {
     return Sentence(KERF_TEXT("A deflection must be a number above 0 mm."));
 }
 
+// An axis runs up and down within millimetres; a schedule changes by less than this from one point to the next.
+constexpr double kRunUp_mm = 3.0;
+constexpr double kRunUpShare = 0.95;
+constexpr double kNeighbour_mm = 10.0;  // further away a lower feed is the schedule's
+
 void append(LotTracker::Step& step, const LotTracker::Entry& entry) {
     assert(step.visit.count < kMaxBoreDepths);
     step.ids[step.visit.count] = entry.id;
@@ -32,13 +37,23 @@ double cutFeed_mmPerRev(const CutPart& part, double overhang_mm) noexcept {
     if (trace.count == 0) {
         return part.schedule.feed_mmPerRev(overhang_mm);
     }
-    const std::size_t last = trace.count - 1U;
+    std::size_t first = 0;
+    std::size_t last = trace.count - 1U;
     const auto at = [&](std::size_t i) { return static_cast<double>(trace.overhang_mm[i]); };
     const auto feed = [&](std::size_t i) { return static_cast<double>(trace.feed_mmPerRev[i]); };
-    if (overhang_mm <= at(0)) {
-        return feed(0);
+    const auto slower = [&](std::size_t end, std::size_t inside) {
+        return feed(end) < kRunUpShare * feed(inside) && std::abs(at(end) - at(inside)) < kNeighbour_mm;
+    };
+    while (first < last && at(first) - at(0) < kRunUp_mm && slower(first, first + 1)) {
+        ++first;
     }
-    for (std::size_t i = 1; i <= last; ++i) {
+    while (last > first && at(trace.count - 1U) - at(last) < kRunUp_mm && slower(last, last - 1)) {
+        --last;
+    }
+    if (overhang_mm <= at(first)) {
+        return feed(first);
+    }
+    for (std::size_t i = first + 1; i <= last; ++i) {
         if (overhang_mm <= at(i)) {
             const double share = (overhang_mm - at(i - 1)) / (at(i) - at(i - 1));
             return feed(i - 1) + share * (feed(i) - feed(i - 1));

@@ -19,6 +19,8 @@ struct CutPart {
     FeedTrace feed{};  ///< empty: the schedule's feed was cut
 };
 /// Feed at an overhang: from the trace (straight line between its points, nearest point outside), else the schedule.
+/// Within 3 mm of an end, where the axis runs up from a standstill or down to it, the feed next to it counts: a gauge's
+/// contact has a length and stays off the edge.
 [[nodiscard]] double cutFeed_mmPerRev(const CutPart& part, double overhang_mm) noexcept;
 
 /// The ordered history of one lot and the estimate it leads to.

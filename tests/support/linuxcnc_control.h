@@ -65,18 +65,33 @@ class LinuxCncControl {
         return "LinuxCNC: " + file.readAll().right(1500);
     }
     /// The bridge killed as kill -9 does; when it was, 0 if there is none.
-    [[nodiscard]] static std::int64_t killBridge() {
-        QProcess find;  // there is one per computer, as there is one HAL
-        find.start(QStringLiteral("pgrep"), {QStringLiteral("-x"), QStringLiteral("kerf-hal")});
-        find.waitForFinished();
-        const int process = find.readAllStandardOutput().trimmed().toInt();
-        if (process <= 1 || ::kill(process, SIGKILL) != 0) {
-            return 0;
-        }
-        return std::chrono::steady_clock::now().time_since_epoch().count();
+    [[nodiscard]] static std::int64_t killBridge() { return killAll({QStringLiteral("kerf-hal")}); }
+    /// LinuxCNC's real-time part and its task killed as kill -9 does; stop() clears up after them.
+    [[nodiscard]] static std::int64_t killControl() {
+        return killAll({QStringLiteral("rtapi_app"), QStringLiteral("milltask"), QStringLiteral("linuxcncsvr")});
     }
 
  private:
+    /// There is one of each per computer, as there is one HAL. When the first was killed; 0 if one is not there.
+    [[nodiscard]] static std::int64_t killAll(const QStringList& names) {
+        QList<int> processes;
+        for (const QString& name : names) {
+            QProcess find;
+            find.start(QStringLiteral("pgrep"), {QStringLiteral("-x"), name});
+            find.waitForFinished();
+            processes.append(find.readAllStandardOutput().trimmed().toInt());
+            if (processes.back() <= 1) {
+                return 0;
+            }
+        }
+        const std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch().count();
+        for (const int process : processes) {
+            if (::kill(process, SIGKILL) != 0) {
+                return 0;
+            }
+        }
+        return now_ns;
+    }
     [[nodiscard]] static QString bin() { return QString::fromLocal8Bit(qgetenv("KERF_BIN")); }
     [[nodiscard]] QString logFile() const { return m_folder.filePath(QStringLiteral("linuxcnc.log")); }
 

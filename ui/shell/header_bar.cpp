@@ -22,6 +22,7 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     m_path->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_lots->setObjectName(QStringLiteral("lots"));
     m_lots->hide();
+    m_link->setObjectName(QStringLiteral("link"));
     m_speed->setObjectName(QStringLiteral("simulationSpeed"));
     m_operator->setObjectName(QStringLiteral("operator"));
     m_language->setObjectName(QStringLiteral("language"));

@@ -127,6 +127,16 @@ class TestLotTracker : public QObject {
         part.feed.count = 0;
         QCOMPARE(cutFeed_mmPerRev(part, 70.0), part.schedule.feed_mmPerRev(70.0));
     }
+    void runUpAtTheEndsIsNotTheFeedThatIsGauged() {
+        CutPart part = cutPart(1, 1.0);
+        part.feed.count = 6;
+        part.feed.overhang_mm = {40.0F, 41.25F, 42.5F, 100.0F, 118.75F, 120.0F};
+        part.feed.feed_mmPerRev = {0.02F, 0.2F, 0.3F, 0.2F, 0.18F, 0.01F};
+        KERF_CLOSE(cutFeed_mmPerRev(part, 40.0), 0.3, 1e-7);
+        KERF_CLOSE(cutFeed_mmPerRev(part, 120.0), 0.18, 1e-7);
+        part.feed.feed_mmPerRev = {0.02F, 0.02F, 0.02F, 0.02F, 0.3F, 0.3F};  // an override turned up, not a run-up
+        KERF_CLOSE(cutFeed_mmPerRev(part, 42.5), 0.02, 1e-7);
+    }
     void refusalsChangeNothing() {
         LotTracker lot(paramsFor(EstimatorKind::Kalman));
         QVERIFY(lot.addPart(cutPart(1, 1.0)).has_value());

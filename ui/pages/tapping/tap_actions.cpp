@@ -12,8 +12,8 @@ namespace {
 constexpr int kColumns = 6;  ///< of the grid: three buttons of two, or one of two and one of four
 }
 
-TapActions::TapActions(Look& look, const Capabilities& capabilities, QWidget* parent)
-    : Card(look, parent), m_look(look), m_capabilities(capabilities), m_grid(new QGridLayout) {
+TapActions::TapActions(Look& look, const EngineApi& engine, QWidget* parent)
+    : Card(look, parent), m_look(look), m_engine(engine), m_grid(new QGridLayout) {
     setObjectName(QStringLiteral("tappingActions"));
     m_job = add("tappingJob", 0, 0, 2, [this] { return tuning() ? tr("a tuning is under way") : whyNoMove(); });
     m_tune = add("tappingTune", 0, 2, 2, [this] { return whyNoTune(); });
@@ -127,8 +127,8 @@ QString TapActions::whyNoTune() const {
     if (!m_status.loops[static_cast<std::size_t>(ProcessId::Tapping)].fitted) {
         return tr("this machine has no tapping loop");
     }
-    if (!m_capabilities.servoGains.fitted) {
-        return sentenceText(m_capabilities.servoGains.why, m_look.units());
+    if (!m_engine.capabilities().servoGains.fitted) {
+        return sentenceText(m_engine.capabilities().servoGains.why, m_look.units());
     }
     if (tuning()) {
         return tr("a tuning is under way");
@@ -143,7 +143,7 @@ QString TapActions::whyNoTap() const {
     if (m_view.revision == 0 || m_status.tapping.job == 0) {
         return tr("no job is loaded");
     }
-    if (!m_capabilities.cycleStart.fitted) {
+    if (!m_engine.capabilities().cycleStart.fitted) {
         return tr("start it at the control");
     }
     if (tuning()) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "engine/api/engine_api.h"
 #include "engine/api/status.h"
 #include "engine/api/tapping_desk.h"
 #include "ui/widgets/action_button.h"
@@ -16,7 +17,7 @@ namespace kerf::ui {
 class TapActions : public Card {
     Q_OBJECT
  public:
-    TapActions(Look& look, const Capabilities& capabilities, QWidget* parent = nullptr);
+    TapActions(Look& look, const EngineApi& engine, QWidget* parent = nullptr);
 
     void setView(const TappingDeskView& view);
     void setStatus(const Status& status);
@@ -49,7 +50,7 @@ class TapActions : public Card {
     [[nodiscard]] bool inHole() const { return m_status.tapping.phase == TapPhase::InHole; }
 
     Look& m_look;
-    const Capabilities& m_capabilities;
+    const EngineApi& m_engine;  ///< asked each time: a real machine tells what it can do once it is reached
     QGridLayout* m_grid;
     ActionButton* m_job;
     ActionButton* m_tune;

@@ -61,7 +61,7 @@ void TappingPage::build() {
     m_speedCard->body()->addWidget(m_speeds, 1);
 
     m_gains = new GainsPanel(look(), this);
-    m_actions = new TapActions(look(), context().client.engine().capabilities(), this);
+    m_actions = new TapActions(look(), context().client.engine(), this);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
