@@ -30,10 +30,11 @@ void sleepUntil(std::int64_t deadline_ns) {
     }
 }
 
-bool askForRealTime() {
+/// Whether the thread goes before all other work from now on.
+bool schedule(bool realTime) {
     sched_param param{};
-    param.sched_priority = kFifoPriority;
-    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0;
+    param.sched_priority = realTime ? kFifoPriority : 0;
+    return pthread_setschedparam(pthread_self(), realTime ? SCHED_FIFO : SCHED_OTHER, &param) == 0 && realTime;
 }
 
 }  // namespace
@@ -72,7 +73,11 @@ std::int64_t EngineThread::runBatch(std::int64_t wake_ns) noexcept {
 }
 
 void EngineThread::run() noexcept {
-    m_stats.realTimeScheduling = askForRealTime();
+    // A simulation faster than time has no deadline that matters, and at this priority it would take a processor away
+    // from everything else.
+    const auto wantsRealTime = [this] { return !m_simulated || m_cycle.simulationSpeed() == 1.0; };
+    bool realTime = wantsRealTime();
+    m_stats.realTimeScheduling = realTime && schedule(true);
     std::int64_t deadline_ns = monotonic_ns();
     std::int64_t nextSample_ns = deadline_ns;
     std::int64_t nextStatus_ns = deadline_ns;
@@ -91,6 +96,10 @@ void EngineThread::run() noexcept {
         if (end_ns >= nextStatus_ns) {
             m_cycle.publish(m_stats);
             nextStatus_ns = std::max(nextStatus_ns + kStatusInterval_ns, end_ns);
+        }
+        if (wantsRealTime() != realTime) {
+            realTime = !realTime;
+            m_stats.realTimeScheduling = schedule(realTime);
         }
         deadline_ns += m_period_ns;
         const std::int64_t late_ns = monotonic_ns() - deadline_ns;

@@ -9,7 +9,8 @@
 
 namespace kerf {
 
-/// Runs the cycle against absolute deadlines of the monotonic clock, SCHED_FIFO where the system allows it.
+/// Runs the cycle against absolute deadlines of the monotonic clock, SCHED_FIFO where the system allows it; a
+/// simulation faster or slower than time runs as an ordinary thread.
 ///
 /// A real machine: one step per period, machine time = monotonic time. A simulated machine: per period as many steps
 /// as the simulation speed asks and the period has room for; machine time counts steps. A missed deadline is counted,

@@ -1186,10 +1186,6 @@
             <translation>Least error expected at a gain of %1 1/s: %2 mm instead of %3 mm.</translation>
         </message>
         <message>
-            <source>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</source>
-            <translation>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</translation>
-        </message>
-        <message>
             <source>Loops react later than designed. Feed and offsets stay inside their limits.</source>
             <translation>Loops react later than designed. Feed and offsets stay inside their limits.</translation>
         </message>
@@ -1624,10 +1620,6 @@
         <message>
             <source>This control has no program for that process.</source>
             <translation>This control has no program for that process.</translation>
-        </message>
-        <message>
-            <source>This loop does not run on LinuxCNC yet.</source>
-            <translation>This loop does not run on LinuxCNC yet.</translation>
         </message>
         <message>
             <source>This lot is closed already, or there is none of that number.</source>
@@ -3306,42 +3298,6 @@
             <translation>table</translation>
         </message>
         <message>
-            <source>A known tone must be from 9 to 400 Hz.</source>
-            <translation>A known tone must be from 9 to 400 Hz.</translation>
-        </message>
-        <message>
-            <source>The depth of cut must be from 0.1 to 50 um.</source>
-            <translation>The depth of cut must be from 0.1 to 50 um.</translation>
-        </message>
-        <message>
-            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
-            <translation>The feed must be from 0.01 to 1000 um per revolution.</translation>
-        </message>
-        <message>
-            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
-            <translation>The spindle speed must be from 150 to 30000 rev/min.</translation>
-        </message>
-        <message>
-            <source>The trim authority must be from 0 to 2 um.</source>
-            <translation>The trim authority must be from 0 to 2 um.</translation>
-        </message>
-        <message>
-            <source>More than 5 % of the samples of the last tap are missing.</source>
-            <translation>More than 5 % of the samples of the last tap are missing.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
-            <translation>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync.</source>
-            <translation>The tap was turned out in sync.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync; it does not count.</source>
-            <translation>The tap was turned out in sync; it does not count.</translation>
-        </message>
-        <message>
             <source>A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and a deviation from 0.001 to 0.1.</source>
             <translation>A subroutine needs a name of letters, digits and underscores, a number from 1 to 9999 and a deviation from 0.001 to 0.1.</translation>
         </message>
@@ -3821,6 +3777,10 @@
         <message>
             <source>Period of the cycle</source>
             <translation>Period of the cycle</translation>
+        </message>
+        <message>
+            <source>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</source>
+            <translation>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</translation>
         </message>
     </context>
     <context>
@@ -5104,10 +5064,6 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
         </message>
-        <message>
-            <source>Next part: the lot is complete</source>
-            <translation>Next part: the lot is complete</translation>
-        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -6088,10 +6044,6 @@
         <message>
             <source>line: predicted, band: 95 % interval, dots: measured</source>
             <translation>line: predicted, band: 95 % interval, dots: measured</translation>
-        </message>
-        <message>
-            <source>minutes since the reference</source>
-            <translation>minutes since the reference</translation>
         </message>
         <message>
             <source>drift</source>

@@ -500,6 +500,438 @@
         </message>
     </context>
     <context>
+        <name>ThermalSheets</name>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>The model that is live</source>
+            <translation>현재 사용 중인 모델</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>항목</translation>
+        </message>
+        <message>
+            <source>value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Back to the model before</source>
+            <translation>이전 모델로 되돌리기</translation>
+        </message>
+        <message>
+            <source>there is no model before this</source>
+            <translation>이전 모델이 없습니다</translation>
+        </message>
+        <message>
+            <source>Train a new one</source>
+            <translation>새로 학습</translation>
+        </message>
+        <message>
+            <source>model</source>
+            <translation>모델</translation>
+        </message>
+        <message>
+            <source>the first one is being trained</source>
+            <translation>첫 모델을 학습하고 있습니다</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>아직 없음</translation>
+        </message>
+        <message>
+            <source>%1, no. %2</source>
+            <translation>%1, %2번</translation>
+        </message>
+        <message>
+            <source>error on days left out, X / Y / Z</source>
+            <translation>제외한 날의 오차, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>error on its own check rows, X / Y / Z</source>
+            <translation>자체 검사 행의 오차, X / Y / Z</translation>
+        </message>
+        <message>
+            <source>rms %1, worst %2 %3</source>
+            <translation>rms %1, 최대 %2 %3</translation>
+        </message>
+        <message>
+            <source>live since</source>
+            <translation>사용 시작</translation>
+        </message>
+        <message>
+            <source>%1, %2 h ago, by %3</source>
+            <translation>%1, %2시간 전, %3</translation>
+        </message>
+        <message>
+            <source>thermocouples</source>
+            <translation>열전대</translation>
+        </message>
+        <message>
+            <source>trained on</source>
+            <translation>학습 데이터</translation>
+        </message>
+        <message>
+            <source>%1 (%2 rows)</source>
+            <translation>%1 (%2행)</translation>
+        </message>
+        <message>
+            <source>formula</source>
+            <translation>식</translation>
+        </message>
+        <message>
+            <source>file</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>recorded here</source>
+            <translation>여기서 기록</translation>
+        </message>
+        <message>
+            <source>built-in simulation</source>
+            <translation>내장 시뮬레이션</translation>
+        </message>
+        <message>
+            <source>Train a model</source>
+            <translation>모델 학습</translation>
+        </message>
+        <message>
+            <source>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</source>
+            <translation>학습할 날을 누르십시오. 작업이 서로 다른 여러 날로 학습하면 보지 못한 날에도 맞는 모델이 됩니다. 이력 파일은 %1에 넣으십시오.</translation>
+        </message>
+        <message>
+            <source>use</source>
+            <translation>사용</translation>
+        </message>
+        <message>
+            <source>day</source>
+            <translation>날</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>출처</translation>
+        </message>
+        <message>
+            <source>rms X / Y / Z, %1</source>
+            <translation>rms X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>worst X / Y / Z</source>
+            <translation>최대 X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Cancel training</source>
+            <translation>학습 취소</translation>
+        </message>
+        <message>
+            <source>Train and compare</source>
+            <translation>학습하고 비교</translation>
+        </message>
+        <message>
+            <source>Go live</source>
+            <translation>적용</translation>
+        </message>
+        <message>
+            <source>nothing is being trained</source>
+            <translation>학습 중이 아닙니다</translation>
+        </message>
+        <message>
+            <source>a model is being trained</source>
+            <translation>모델을 학습하고 있습니다</translation>
+        </message>
+        <message>
+            <source>choose days first</source>
+            <translation>먼저 날을 고르십시오</translation>
+        </message>
+        <message>
+            <source>train one first</source>
+            <translation>먼저 학습하십시오</translation>
+        </message>
+        <message>
+            <source>The comparison appears below after the training.</source>
+            <translation>학습이 끝나면 비교표가 아래에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Training: %1 %</source>
+            <translation>학습 중: %1 %</translation>
+        </message>
+        <message>
+            <source>Errors on days left out of the training. The live model goes on until you go live.</source>
+            <translation>학습에서 제외한 날의 오차입니다. 적용할 때까지 현재 모델이 계속 쓰입니다.</translation>
+        </message>
+        <message>
+            <source>Cancelled; nothing has changed.</source>
+            <translation>취소했습니다. 바뀐 것은 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1: best</source>
+            <translation>%1: 최선</translation>
+        </message>
+        <message>
+            <source>Measure the origin</source>
+            <translation>원점 측정</translation>
+        </message>
+        <message>
+            <source>axis</source>
+            <translation>축</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>측정</translation>
+        </message>
+        <message>
+            <source>predicted</source>
+            <translation>예측</translation>
+        </message>
+        <message>
+            <source>difference</source>
+            <translation>차이</translation>
+        </message>
+        <message>
+            <source>verdict</source>
+            <translation>판정</translation>
+        </message>
+        <message>
+            <source>New reference</source>
+            <translation>새 기준</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>측정값 적용</translation>
+        </message>
+        <message>
+            <source>Measure now</source>
+            <translation>지금 측정</translation>
+        </message>
+        <message>
+            <source>the gap sensors read nothing</source>
+            <translation>갭 센서가 읽히지 않습니다</translation>
+        </message>
+        <message>
+            <source>take a reference first</source>
+            <translation>먼저 기준을 잡으십시오</translation>
+        </message>
+        <message>
+            <source>being measured</source>
+            <translation>측정 중</translation>
+        </message>
+        <message>
+            <source>measure first</source>
+            <translation>먼저 측정하십시오</translation>
+        </message>
+        <message>
+            <source>Count from now on?</source>
+            <translation>지금부터 기준으로 할까요?</translation>
+        </message>
+        <message>
+            <source>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</source>
+            <translation>기계가 하루를 시작할 때처럼 식어 있고 원점을 새로 잡았어야 합니다. 보정량은 0으로 돌아갑니다.</translation>
+        </message>
+        <message>
+            <source>Leave it</source>
+            <translation>그대로 두기</translation>
+        </message>
+        <message>
+            <source>Count from now on</source>
+            <translation>지금부터 기준으로</translation>
+        </message>
+        <message>
+            <source>End the session</source>
+            <translation>기록 끝내기</translation>
+        </message>
+        <message>
+            <source>Record a session</source>
+            <translation>기록 시작</translation>
+        </message>
+        <message>
+            <source>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</source>
+            <translation>1. 프로그램을 끝내십시오. 2. 테스트 바를 주축에 끼우고 세 갭 센서 사이로 옮기십시오. 3. 측정: 5회 읽는 데 5초 걸립니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</source>
+            <translation>
+                <numerusform>기록 중: %n분 측정했습니다. 하루 작업처럼 주축을 돌리십시오. 몇 시간이면 좋은 학습 데이터가 됩니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Measuring …</source>
+            <translation>측정 중 …</translation>
+        </message>
+        <message>
+            <source>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</source>
+            <translation>측정했습니다. 기계가 데워졌는데도 차이가 구간을 벗어나면 측정값을 적용하고 이 상태로 다시 학습하십시오.</translation>
+        </message>
+        <message>
+            <source>inside the interval</source>
+            <translation>구간 안</translation>
+        </message>
+        <message>
+            <source>outside the interval</source>
+            <translation>구간 밖</translation>
+        </message>
+        <message>
+            <source>Shifts and measurements</source>
+            <translation>보정과 측정 이력</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>시각</translation>
+        </message>
+        <message>
+            <source>shift X / Y / Z, %1</source>
+            <translation>보정량 X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>drift X / Y / Z</source>
+            <translation>열변위 X / Y / Z</translation>
+        </message>
+        <message>
+            <source>measured X / Y / Z, %1</source>
+            <translation>측정 X / Y / Z, %1</translation>
+        </message>
+        <message>
+            <source>predicted X / Y / Z</source>
+            <translation>예측 X / Y / Z</translation>
+        </message>
+        <message>
+            <source>Each change of the shift appears here.</source>
+            <translation>보정량이 바뀔 때마다 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Each measurement of the origin appears here.</source>
+            <translation>원점을 측정할 때마다 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Thermocouples</source>
+            <translation>열전대</translation>
+        </message>
+        <message>
+            <source>Sick ones first, then the model's own.</source>
+            <translation>이상이 있는 것이 먼저, 다음은 모델이 쓰는 것입니다.</translation>
+        </message>
+        <message>
+            <source>thermocouple</source>
+            <translation>열전대</translation>
+        </message>
+        <message>
+            <source>temperature</source>
+            <translation>온도</translation>
+        </message>
+        <message>
+            <source>state</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>used</source>
+            <translation>사용</translation>
+        </message>
+        <message>
+            <source>Error over the work space</source>
+            <translation>작업 공간의 오차</translation>
+        </message>
+        <message>
+            <source>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</source>
+            <translation>측정한 기계 오차 요소에서 계산한, 테이블 모서리 X0 Y0 기준 오차입니다. 진할수록 큽니다. 시간에 따른 열변위와는 별개입니다.</translation>
+        </message>
+        <message>
+            <source>The error elements of this machine have not been measured.</source>
+            <translation>이 기계의 오차 요소는 측정되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Exact, at Z %1; the first-order formula differs by at most %2.</source>
+            <translation>Z %1에서의 정확한 값입니다. 1차 식과의 차이는 최대 %2입니다.</translation>
+        </message>
+        <message>
+            <source>Limits and warm-up</source>
+            <translation>한계와 예열</translation>
+        </message>
+        <message>
+            <source>Use</source>
+            <translation>사용</translation>
+        </message>
+    </context>
+    <context>
+        <name>ThermalTexts</name>
+        <message>
+            <source>healthy</source>
+            <translation>정상</translation>
+        </message>
+        <message>
+            <source>suspect</source>
+            <translation>의심</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>단선</translation>
+        </message>
+        <message>
+            <source>shorted</source>
+            <translation>단락</translation>
+        </message>
+        <message>
+            <source>stuck</source>
+            <translation>고착</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>잡음</translation>
+        </message>
+        <message>
+            <source>jumped away</source>
+            <translation>값이 튐</translation>
+        </message>
+        <message>
+            <source>disagrees</source>
+            <translation>이웃과 불일치</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>읽히지 않음</translation>
+        </message>
+        <message>
+            <source>regression on few sensors</source>
+            <translation>소수 센서 회귀</translation>
+        </message>
+        <message>
+            <source>network, guarded</source>
+            <translation>신경망, 보호형</translation>
+        </message>
+        <message>
+            <source>network, as printed</source>
+            <translation>신경망, 논문 그대로</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+        <message>
+            <source>Ready for %1</source>
+            <translation>%1 가공 준비 완료</translation>
+        </message>
+        <message>
+            <source>Ready for %1 in %2</source>
+            <translation>%2 뒤 %1 가공 준비 완료</translation>
+        </message>
+        <message>
+            <source>Interval wider than %1: measure the origin</source>
+            <translation>구간이 %1보다 넓습니다. 원점을 측정하십시오</translation>
+        </message>
+        <message>
+            <source>Warm-up: %1 left</source>
+            <translation>예열: %1 남음</translation>
+        </message>
+        <message>
+            <source>Readiness is known after 20 min of prediction</source>
+            <translation>예측 20분 뒤에 준비 시각을 알 수 있습니다</translation>
+        </message>
+        <message>
+            <source>Drift, %1</source>
+            <translation>열변위, %1</translation>
+        </message>
+    </context>
+    <context>
         <name>TurningTexts</name>
         <message>
             <source>Open</source>
@@ -751,10 +1183,6 @@
         <message>
             <source>Least error expected at a gain of %1 1/s: %2 mm instead of %3 mm.</source>
             <translation>게인 %1 1/s에서 오차가 가장 작을 것입니다: %3 mm 대신 %2 mm.</translation>
-        </message>
-        <message>
-            <source>LinuxCNC is not reached: it does not run, or its HAL file does not load kerf-hal.</source>
-            <translation>LinuxCNC에 닿지 않습니다. 실행 중이 아니거나 HAL 파일이 kerf-hal을 불러오지 않습니다.</translation>
         </message>
         <message>
             <source>Loops react later than designed. Feed and offsets stay inside their limits.</source>
@@ -1191,10 +1619,6 @@
         <message>
             <source>This control has no program for that process.</source>
             <translation>이 컨트롤러에는 그 공정의 프로그램이 없습니다.</translation>
-        </message>
-        <message>
-            <source>This loop does not run on LinuxCNC yet.</source>
-            <translation>이 루프는 아직 LinuxCNC에서 돌지 않습니다.</translation>
         </message>
         <message>
             <source>This lot is closed already, or there is none of that number.</source>
@@ -2509,42 +2933,6 @@
             <translation>공차 사용률</translation>
         </message>
         <message>
-            <source>A known tone must be from 9 to 400 Hz.</source>
-            <translation>알려진 진동 주파수는 9에서 400 Hz 사이여야 합니다.</translation>
-        </message>
-        <message>
-            <source>The depth of cut must be from 0.1 to 50 um.</source>
-            <translation>절삭 깊이는 0.1에서 50 um 사이여야 합니다.</translation>
-        </message>
-        <message>
-            <source>The feed must be from 0.01 to 1000 um per revolution.</source>
-            <translation>이송은 회전당 0.01에서 1000 um 사이여야 합니다.</translation>
-        </message>
-        <message>
-            <source>The spindle speed must be from 150 to 30000 rev/min.</source>
-            <translation>주축 회전수는 150에서 30000 rev/min 사이여야 합니다.</translation>
-        </message>
-        <message>
-            <source>The trim authority must be from 0 to 2 um.</source>
-            <translation>보정 허용량은 0에서 2 um 사이여야 합니다.</translation>
-        </message>
-        <message>
-            <source>More than 5 % of the samples of the last tap are missing.</source>
-            <translation>마지막 탭의 표본이 5 % 넘게 빠졌습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync and the gains were rolled back. The thread may be torn.</source>
-            <translation>탭을 동기로 돌려 빼고 게인을 되돌렸습니다. 나사가 뜯겼을 수 있습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync.</source>
-            <translation>탭을 동기로 돌려 뺐습니다.</translation>
-        </message>
-        <message>
-            <source>The tap was turned out in sync; it does not count.</source>
-            <translation>탭을 동기로 돌려 뺐으며 세지 않습니다.</translation>
-        </message>
-        <message>
             <source>A day cannot be used; nothing has changed.</source>
             <translation>쓸 수 없는 날이 있습니다. 바뀐 것은 없습니다.</translation>
         </message>
@@ -3388,6 +3776,10 @@
             <source>Period of the cycle</source>
             <translation>주기</translation>
         </message>
+        <message>
+            <source>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</source>
+            <translation>시뮬레이션이 실제 시간보다 빠르게 돕니다. 실시간 스케줄링이 필요 없어 요청하지 않습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::EntryPanel</name>
@@ -3519,6 +3911,17 @@
         <message>
             <source>The gauge sent %1 twice at once: the second one is left out.</source>
             <translation>게이지가 %1을(를) 한꺼번에 두 번 보내 두 번째는 버렸습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ErrorMap</name>
+        <message>
+            <source>error in %1, %2</source>
+            <translation>%1 오차, %2</translation>
+        </message>
+        <message>
+            <source>X 0 to %1, Y 0 to %2</source>
+            <translation>X 0~%1, Y 0~%2</translation>
         </message>
     </context>
     <context>
@@ -4004,6 +4407,13 @@
         <message>
             <source>The lot is closed.</source>
             <translation>로트를 닫았습니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MachineDrawing</name>
+        <message>
+            <source>The thermocouples appear here as soon as the machine reports them.</source>
+            <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
         </message>
     </context>
     <context>
@@ -4651,10 +5061,6 @@
             <source>Lot %1 is full: %2 parts</source>
             <translation>로트 %1 완료: 공작물 %2개</translation>
         </message>
-        <message>
-            <source>Next part: the lot is complete</source>
-            <translation>다음 공작물: 로트가 끝났습니다</translation>
-        </message>
     </context>
     <context>
         <name>kerf::ui::NumberDisplay</name>
@@ -4665,6 +5071,33 @@
         <message>
             <source>at limit</source>
             <translation>한계</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::OffsetPanel</name>
+        <message>
+            <source>Drift of the origin, predicted</source>
+            <translation>원점 열변위 예측</translation>
+        </message>
+        <message>
+            <source>at limit</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>shifted %1</source>
+            <translation>보정 %1</translation>
+        </message>
+        <message>
+            <source>shift not reported</source>
+            <translation>보정량 보고 없음</translation>
+        </message>
+        <message>
+            <source>shifted %1, would be %2</source>
+            <translation>보정 %1, 제안 %2</translation>
+        </message>
+        <message>
+            <source>This machine has no thermal loop: %1</source>
+            <translation>이 기계에는 열변위 루프가 없습니다: %1</translation>
         </message>
     </context>
     <context>
@@ -5587,6 +6020,124 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ThermalPage</name>
+        <message>
+            <source>start it at the control</source>
+            <translation>제어기에서 시작하십시오</translation>
+        </message>
+        <message>
+            <source>a program runs</source>
+            <translation>프로그램 실행 중</translation>
+        </message>
+        <message>
+            <source>This machine reports no temperatures. The page fills as soon as it does.</source>
+            <translation>이 기계는 온도를 알려 주지 않습니다. 온도가 오면 화면이 채워집니다.</translation>
+        </message>
+        <message>
+            <source>Drift over time, %1</source>
+            <translation>시간에 따른 열변위, %1</translation>
+        </message>
+        <message>
+            <source>line: predicted, band: 95 % interval, dots: measured</source>
+            <translation>선: 예측, 띠: 95 % 구간, 점: 측정</translation>
+        </message>
+        <message>
+            <source>drift</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>
+            <translation>모델이 적용되면 기준을 잡고 1분 뒤 예측 열변위가 여기에 나타납니다.</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>온도</translation>
+        </message>
+        <message>
+            <source>Warm up</source>
+            <translation>예열</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>측정</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>모델</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>이력</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>센서</translation>
+        </message>
+        <message>
+            <source>Error map</source>
+            <translation>오차 지도</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>Stop warm-up</source>
+            <translation>예열 중지</translation>
+        </message>
+        <message>
+            <source>Nothing can be stored at the moment: %1</source>
+            <translation>지금은 저장할 수 없습니다: %1</translation>
+        </message>
+        <message>
+            <source>No temperatures yet.</source>
+            <translation>아직 온도가 없습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n thermocouples give no reading.</source>
+            <translation>
+                <numerusform>열전대 %n개가 읽히지 않습니다.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Left out: %1</source>
+            <translation>제외: %1</translation>
+        </message>
+        <message>
+            <source>All %1 thermocouples are healthy; filled points belong to the model.</source>
+            <translation>열전대 %1개가 모두 정상입니다. 채운 점이 모델이 쓰는 것입니다.</translation>
+        </message>
+        <message>
+            <source>Touch a point to read it.</source>
+            <translation>점을 누르면 값이 나옵니다.</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3; %4 in 10 min</source>
+            <comment>sensor, temperature, state, change</comment>
+            <translation>%1: %2, %3, 10분 동안 %4</translation>
+        </message>
+        <message>
+            <source>Warm up the spindle?</source>
+            <translation>주축을 예열할까요?</translation>
+        </message>
+        <message>
+            <source>The spindle turns at %1 for %2. Take care that nothing is in its way.</source>
+            <translation>주축이 %1로 %2 동안 돕니다. 주위에 걸리는 것이 없는지 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>나중에</translation>
+        </message>
+        <message>
+            <source>Start the spindle</source>
+            <translation>주축 시작</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>시각</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
@@ -5821,605 +6372,6 @@
         <message>
             <source>Must be from %1 to %2.</source>
             <translation>%1에서 %2 사이여야 합니다.</translation>
-        </message>
-    </context>
-    <context>
-        <name>ThermalSheets</name>
-        <message>
-            <source>Close</source>
-            <translation>닫기</translation>
-        </message>
-        <message>
-            <source>The model that is live</source>
-            <translation>현재 사용 중인 모델</translation>
-        </message>
-        <message>
-            <source>what</source>
-            <translation>항목</translation>
-        </message>
-        <message>
-            <source>value</source>
-            <translation>값</translation>
-        </message>
-        <message>
-            <source>Back to the model before</source>
-            <translation>이전 모델로 되돌리기</translation>
-        </message>
-        <message>
-            <source>there is no model before this</source>
-            <translation>이전 모델이 없습니다</translation>
-        </message>
-        <message>
-            <source>Train a new one</source>
-            <translation>새로 학습</translation>
-        </message>
-        <message>
-            <source>model</source>
-            <translation>모델</translation>
-        </message>
-        <message>
-            <source>the first one is being trained</source>
-            <translation>첫 모델을 학습하고 있습니다</translation>
-        </message>
-        <message>
-            <source>none yet</source>
-            <translation>아직 없음</translation>
-        </message>
-        <message>
-            <source>%1, no. %2</source>
-            <translation>%1, %2번</translation>
-        </message>
-        <message>
-            <source>error on days left out, X / Y / Z</source>
-            <translation>제외한 날의 오차, X / Y / Z</translation>
-        </message>
-        <message>
-            <source>error on its own check rows, X / Y / Z</source>
-            <translation>자체 검사 행의 오차, X / Y / Z</translation>
-        </message>
-        <message>
-            <source>rms %1, worst %2 %3</source>
-            <translation>rms %1, 최대 %2 %3</translation>
-        </message>
-        <message>
-            <source>live since</source>
-            <translation>사용 시작</translation>
-        </message>
-        <message>
-            <source>%1, %2 h ago, by %3</source>
-            <translation>%1, %2시간 전, %3</translation>
-        </message>
-        <message>
-            <source>thermocouples</source>
-            <translation>열전대</translation>
-        </message>
-        <message>
-            <source>trained on</source>
-            <translation>학습 데이터</translation>
-        </message>
-        <message>
-            <source>%1 (%2 rows)</source>
-            <translation>%1 (%2행)</translation>
-        </message>
-        <message>
-            <source>formula</source>
-            <translation>식</translation>
-        </message>
-        <message>
-            <source>file</source>
-            <translation>파일</translation>
-        </message>
-        <message>
-            <source>recorded here</source>
-            <translation>여기서 기록</translation>
-        </message>
-        <message>
-            <source>built-in simulation</source>
-            <translation>내장 시뮬레이션</translation>
-        </message>
-        <message>
-            <source>Train a model</source>
-            <translation>모델 학습</translation>
-        </message>
-        <message>
-            <source>Touch the days to train on. Several days of different work make a model that also holds on days it has not seen. History files belong in %1.</source>
-            <translation>학습할 날을 누르십시오. 작업이 서로 다른 여러 날로 학습하면 보지 못한 날에도 맞는 모델이 됩니다. 이력 파일은 %1에 넣으십시오.</translation>
-        </message>
-        <message>
-            <source>use</source>
-            <translation>사용</translation>
-        </message>
-        <message>
-            <source>day</source>
-            <translation>날</translation>
-        </message>
-        <message>
-            <source>from</source>
-            <translation>출처</translation>
-        </message>
-        <message>
-            <source>rms X / Y / Z, %1</source>
-            <translation>rms X / Y / Z, %1</translation>
-        </message>
-        <message>
-            <source>worst X / Y / Z</source>
-            <translation>최대 X / Y / Z</translation>
-        </message>
-        <message>
-            <source>Cancel training</source>
-            <translation>학습 취소</translation>
-        </message>
-        <message>
-            <source>Train and compare</source>
-            <translation>학습하고 비교</translation>
-        </message>
-        <message>
-            <source>Go live</source>
-            <translation>적용</translation>
-        </message>
-        <message>
-            <source>nothing is being trained</source>
-            <translation>학습 중이 아닙니다</translation>
-        </message>
-        <message>
-            <source>a model is being trained</source>
-            <translation>모델을 학습하고 있습니다</translation>
-        </message>
-        <message>
-            <source>choose days first</source>
-            <translation>먼저 날을 고르십시오</translation>
-        </message>
-        <message>
-            <source>train one first</source>
-            <translation>먼저 학습하십시오</translation>
-        </message>
-        <message>
-            <source>The comparison appears below after the training.</source>
-            <translation>학습이 끝나면 비교표가 아래에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Training: %1 %</source>
-            <translation>학습 중: %1 %</translation>
-        </message>
-        <message>
-            <source>Errors on days left out of the training. The live model goes on until you go live.</source>
-            <translation>학습에서 제외한 날의 오차입니다. 적용할 때까지 현재 모델이 계속 쓰입니다.</translation>
-        </message>
-        <message>
-            <source>Cancelled; nothing has changed.</source>
-            <translation>취소했습니다. 바뀐 것은 없습니다.</translation>
-        </message>
-        <message>
-            <source>%1: best</source>
-            <translation>%1: 최선</translation>
-        </message>
-        <message>
-            <source>Measure the origin</source>
-            <translation>원점 측정</translation>
-        </message>
-        <message>
-            <source>axis</source>
-            <translation>축</translation>
-        </message>
-        <message>
-            <source>measured</source>
-            <translation>측정</translation>
-        </message>
-        <message>
-            <source>predicted</source>
-            <translation>예측</translation>
-        </message>
-        <message>
-            <source>difference</source>
-            <translation>차이</translation>
-        </message>
-        <message>
-            <source>verdict</source>
-            <translation>판정</translation>
-        </message>
-        <message>
-            <source>New reference</source>
-            <translation>새 기준</translation>
-        </message>
-        <message>
-            <source>Take over</source>
-            <translation>측정값 적용</translation>
-        </message>
-        <message>
-            <source>Measure now</source>
-            <translation>지금 측정</translation>
-        </message>
-        <message>
-            <source>the gap sensors read nothing</source>
-            <translation>갭 센서가 읽히지 않습니다</translation>
-        </message>
-        <message>
-            <source>take a reference first</source>
-            <translation>먼저 기준을 잡으십시오</translation>
-        </message>
-        <message>
-            <source>being measured</source>
-            <translation>측정 중</translation>
-        </message>
-        <message>
-            <source>measure first</source>
-            <translation>먼저 측정하십시오</translation>
-        </message>
-        <message>
-            <source>Count from now on?</source>
-            <translation>지금부터 기준으로 할까요?</translation>
-        </message>
-        <message>
-            <source>The machine must be as cold as it is at the start of a day, and the origin set anew. The shift goes back to zero.</source>
-            <translation>기계가 하루를 시작할 때처럼 식어 있고 원점을 새로 잡았어야 합니다. 보정량은 0으로 돌아갑니다.</translation>
-        </message>
-        <message>
-            <source>Leave it</source>
-            <translation>그대로 두기</translation>
-        </message>
-        <message>
-            <source>Count from now on</source>
-            <translation>지금부터 기준으로</translation>
-        </message>
-        <message>
-            <source>End the session</source>
-            <translation>기록 끝내기</translation>
-        </message>
-        <message>
-            <source>Record a session</source>
-            <translation>기록 시작</translation>
-        </message>
-        <message>
-            <source>1. End the program. 2. Put the test bar in the spindle and move it between the three gap sensors. 3. Measure: five readings take five seconds.</source>
-            <translation>1. 프로그램을 끝내십시오. 2. 테스트 바를 주축에 끼우고 세 갭 센서 사이로 옮기십시오. 3. 측정: 5회 읽는 데 5초 걸립니다.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Recording: %n minutes measured. Let the spindle run as in a day's work; several hours make a good day.</source>
-            <translation>
-                <numerusform>기록 중: %n분 측정했습니다. 하루 작업처럼 주축을 돌리십시오. 몇 시간이면 좋은 학습 데이터가 됩니다.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Measuring …</source>
-            <translation>측정 중 …</translation>
-        </message>
-        <message>
-            <source>Measured. If the difference is outside the interval on a machine that is warm, take it over and train again with this state.</source>
-            <translation>측정했습니다. 기계가 데워졌는데도 차이가 구간을 벗어나면 측정값을 적용하고 이 상태로 다시 학습하십시오.</translation>
-        </message>
-        <message>
-            <source>inside the interval</source>
-            <translation>구간 안</translation>
-        </message>
-        <message>
-            <source>outside the interval</source>
-            <translation>구간 밖</translation>
-        </message>
-        <message>
-            <source>Shifts and measurements</source>
-            <translation>보정과 측정 이력</translation>
-        </message>
-        <message>
-            <source>time</source>
-            <translation>시각</translation>
-        </message>
-        <message>
-            <source>shift X / Y / Z, %1</source>
-            <translation>보정량 X / Y / Z, %1</translation>
-        </message>
-        <message>
-            <source>drift X / Y / Z</source>
-            <translation>열변위 X / Y / Z</translation>
-        </message>
-        <message>
-            <source>measured X / Y / Z, %1</source>
-            <translation>측정 X / Y / Z, %1</translation>
-        </message>
-        <message>
-            <source>predicted X / Y / Z</source>
-            <translation>예측 X / Y / Z</translation>
-        </message>
-        <message>
-            <source>Each change of the shift appears here.</source>
-            <translation>보정량이 바뀔 때마다 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Each measurement of the origin appears here.</source>
-            <translation>원점을 측정할 때마다 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Thermocouples</source>
-            <translation>열전대</translation>
-        </message>
-        <message>
-            <source>Sick ones first, then the model's own.</source>
-            <translation>이상이 있는 것이 먼저, 다음은 모델이 쓰는 것입니다.</translation>
-        </message>
-        <message>
-            <source>thermocouple</source>
-            <translation>열전대</translation>
-        </message>
-        <message>
-            <source>temperature</source>
-            <translation>온도</translation>
-        </message>
-        <message>
-            <source>state</source>
-            <translation>상태</translation>
-        </message>
-        <message>
-            <source>used</source>
-            <translation>사용</translation>
-        </message>
-        <message>
-            <source>Error over the work space</source>
-            <translation>작업 공간의 오차</translation>
-        </message>
-        <message>
-            <source>From the machine's measured error elements, against the corner X0 Y0 of the table; the darker the larger. Independent of the drift with time.</source>
-            <translation>측정한 기계 오차 요소에서 계산한, 테이블 모서리 X0 Y0 기준 오차입니다. 진할수록 큽니다. 시간에 따른 열변위와는 별개입니다.</translation>
-        </message>
-        <message>
-            <source>The error elements of this machine have not been measured.</source>
-            <translation>이 기계의 오차 요소는 측정되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>Exact, at Z %1; the first-order formula differs by at most %2.</source>
-            <translation>Z %1에서의 정확한 값입니다. 1차 식과의 차이는 최대 %2입니다.</translation>
-        </message>
-        <message>
-            <source>Limits and warm-up</source>
-            <translation>한계와 예열</translation>
-        </message>
-        <message>
-            <source>Use</source>
-            <translation>사용</translation>
-        </message>
-    </context>
-    <context>
-        <name>ThermalTexts</name>
-        <message>
-            <source>healthy</source>
-            <translation>정상</translation>
-        </message>
-        <message>
-            <source>suspect</source>
-            <translation>의심</translation>
-        </message>
-        <message>
-            <source>open</source>
-            <translation>단선</translation>
-        </message>
-        <message>
-            <source>shorted</source>
-            <translation>단락</translation>
-        </message>
-        <message>
-            <source>stuck</source>
-            <translation>고착</translation>
-        </message>
-        <message>
-            <source>noisy</source>
-            <translation>잡음</translation>
-        </message>
-        <message>
-            <source>jumped away</source>
-            <translation>값이 튐</translation>
-        </message>
-        <message>
-            <source>disagrees</source>
-            <translation>이웃과 불일치</translation>
-        </message>
-        <message>
-            <source>no reading</source>
-            <translation>읽히지 않음</translation>
-        </message>
-        <message>
-            <source>regression on few sensors</source>
-            <translation>소수 센서 회귀</translation>
-        </message>
-        <message>
-            <source>network, guarded</source>
-            <translation>신경망, 보호형</translation>
-        </message>
-        <message>
-            <source>network, as printed</source>
-            <translation>신경망, 논문 그대로</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1분</translation>
-        </message>
-        <message>
-            <source>Ready for %1</source>
-            <translation>%1 가공 준비 완료</translation>
-        </message>
-        <message>
-            <source>Ready for %1 in %2</source>
-            <translation>%2 뒤 %1 가공 준비 완료</translation>
-        </message>
-        <message>
-            <source>Interval wider than %1: measure the origin</source>
-            <translation>구간이 %1보다 넓습니다. 원점을 측정하십시오</translation>
-        </message>
-        <message>
-            <source>Warm-up: %1 left</source>
-            <translation>예열: %1 남음</translation>
-        </message>
-        <message>
-            <source>Readiness is known after 20 min of prediction</source>
-            <translation>예측 20분 뒤에 준비 시각을 알 수 있습니다</translation>
-        </message>
-        <message>
-            <source>Drift, %1</source>
-            <translation>열변위, %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ErrorMap</name>
-        <message>
-            <source>error in %1, %2</source>
-            <translation>%1 오차, %2</translation>
-        </message>
-        <message>
-            <source>X 0 to %1, Y 0 to %2</source>
-            <translation>X 0~%1, Y 0~%2</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::MachineDrawing</name>
-        <message>
-            <source>The thermocouples appear here as soon as the machine reports them.</source>
-            <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::OffsetPanel</name>
-        <message>
-            <source>Drift of the origin, predicted</source>
-            <translation>원점 열변위 예측</translation>
-        </message>
-        <message>
-            <source>at limit</source>
-            <translation>한계</translation>
-        </message>
-        <message>
-            <source>shifted %1</source>
-            <translation>보정 %1</translation>
-        </message>
-        <message>
-            <source>shift not reported</source>
-            <translation>보정량 보고 없음</translation>
-        </message>
-        <message>
-            <source>shifted %1, would be %2</source>
-            <translation>보정 %1, 제안 %2</translation>
-        </message>
-        <message>
-            <source>This machine has no thermal loop: %1</source>
-            <translation>이 기계에는 열변위 루프가 없습니다: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>kerf::ui::ThermalPage</name>
-        <message>
-            <source>start it at the control</source>
-            <translation>제어기에서 시작하십시오</translation>
-        </message>
-        <message>
-            <source>a program runs</source>
-            <translation>프로그램 실행 중</translation>
-        </message>
-        <message>
-            <source>This machine reports no temperatures. The page fills as soon as it does.</source>
-            <translation>이 기계는 온도를 알려 주지 않습니다. 온도가 오면 화면이 채워집니다.</translation>
-        </message>
-        <message>
-            <source>Drift over time, %1</source>
-            <translation>시간에 따른 열변위, %1</translation>
-        </message>
-        <message>
-            <source>line: predicted, band: 95 % interval, dots: measured</source>
-            <translation>선: 예측, 띠: 95 % 구간, 점: 측정</translation>
-        </message>
-        <message>
-            <source>minutes since the reference</source>
-            <translation>기준 이후 시간</translation>
-        </message>
-        <message>
-            <source>drift</source>
-            <translation>열변위</translation>
-        </message>
-        <message>
-            <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>
-            <translation>모델이 적용되면 기준을 잡고 1분 뒤 예측 열변위가 여기에 나타납니다.</translation>
-        </message>
-        <message>
-            <source>Temperatures</source>
-            <translation>온도</translation>
-        </message>
-        <message>
-            <source>Warm up</source>
-            <translation>예열</translation>
-        </message>
-        <message>
-            <source>Measure</source>
-            <translation>측정</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>모델</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>이력</translation>
-        </message>
-        <message>
-            <source>Sensors</source>
-            <translation>센서</translation>
-        </message>
-        <message>
-            <source>Error map</source>
-            <translation>오차 지도</translation>
-        </message>
-        <message>
-            <source>Limits</source>
-            <translation>한계</translation>
-        </message>
-        <message>
-            <source>Stop warm-up</source>
-            <translation>예열 중지</translation>
-        </message>
-        <message>
-            <source>Nothing can be stored at the moment: %1</source>
-            <translation>지금은 저장할 수 없습니다: %1</translation>
-        </message>
-        <message>
-            <source>No temperatures yet.</source>
-            <translation>아직 온도가 없습니다.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n thermocouples give no reading.</source>
-            <translation>
-                <numerusform>열전대 %n개가 읽히지 않습니다.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Left out: %1</source>
-            <translation>제외: %1</translation>
-        </message>
-        <message>
-            <source>All %1 thermocouples are healthy; filled points belong to the model.</source>
-            <translation>열전대 %1개가 모두 정상입니다. 채운 점이 모델이 쓰는 것입니다.</translation>
-        </message>
-        <message>
-            <source>Touch a point to read it.</source>
-            <translation>점을 누르면 값이 나옵니다.</translation>
-        </message>
-        <message>
-            <source>%1: %2, %3; %4 in 10 min</source>
-            <comment>sensor, temperature, state, change</comment>
-            <translation>%1: %2, %3, 10분 동안 %4</translation>
-        </message>
-        <message>
-            <source>Warm up the spindle?</source>
-            <translation>주축을 예열할까요?</translation>
-        </message>
-        <message>
-            <source>The spindle turns at %1 for %2. Take care that nothing is in its way.</source>
-            <translation>주축이 %1로 %2 동안 돕니다. 주위에 걸리는 것이 없는지 확인하십시오.</translation>
-        </message>
-        <message>
-            <source>Not now</source>
-            <translation>나중에</translation>
-        </message>
-        <message>
-            <source>Start the spindle</source>
-            <translation>주축 시작</translation>
-        </message>
-        <message>
-            <source>time</source>
-            <translation>시각</translation>
         </message>
     </context>
 </TS>

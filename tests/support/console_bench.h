@@ -50,10 +50,14 @@ class ConsoleBench {
         }
         return nullptr;
     }
-    /// Touch a button; false when it is not there or cannot be pressed.
+    /// Touch a button as soon as it can be pressed, as an operator does; false when it is not there or stays disabled.
     [[nodiscard]] bool press(const char* name) {
-        auto* button = find<QAbstractButton>(name);
-        if (button == nullptr || !button->isEnabled()) {
+        QAbstractButton* button = nullptr;
+        const auto ready = [&] {
+            button = find<QAbstractButton>(name);
+            return button != nullptr && button->isEnabled();
+        };
+        if (!QTest::qWaitFor(ready, 10'000)) {
             return false;
         }
         QTest::mouseClick(button, Qt::LeftButton);

@@ -128,6 +128,8 @@ void DiagnosticsPage::update(const Status& status) {
     m_scheduling->setText(
         status.stats.realTimeScheduling
             ? tr("Real-time scheduling is granted: the cycle goes before all other work of this computer.")
+        : capabilities.simulated && status.simulationSpeed != 1.0
+            ? tr("The simulation runs faster than time: it needs no real-time scheduling and asks for none.")
             : tr("Real-time scheduling is not granted: other programs can delay the cycle. Allow it with "
                  "“rtprio” in /etc/security/limits.conf."));
     m_machine.value->setText(QString::fromUtf8(capabilities.machineName.data()));
