@@ -4440,6 +4440,10 @@
             <source>Cancel</source>
             <translation>Cancel</translation>
         </message>
+        <message>
+            <source>gone since %1, not seen yet</source>
+            <translation>gone since %1, not seen yet</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>

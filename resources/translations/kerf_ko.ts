@@ -4438,6 +4438,10 @@
             <source>Cancel</source>
             <translation>취소</translation>
         </message>
+        <message>
+            <source>gone since %1, not seen yet</source>
+            <translation>%1 해소, 아직 확인 안 함</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>

@@ -130,6 +130,17 @@ class TestShell : public QObject {
         bench.raise(test::kSensorAlarm, false);
         bench.raise(test::kToolAlarm, false);
     }
+    void anAlarmThatIsGoneGivesWayAndSaysSo() {
+        ShellBench bench;
+        bench.window->show();
+        bench.raise(test::kSensorAlarm);
+        bench.raise(test::kToolAlarm);
+        bench.raise(test::kToolAlarm, false);
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("Thermocouple disagrees")));  // it still stands
+        bench.raise(test::kSensorAlarm, false);
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("Tool broken")));
+        QVERIFY(bench.window->bottomLine().contains(QStringLiteral("gone since")));
+    }
     void acknowledgingAsksWhoIsThere() {
         ShellBench bench;
         bench.window->resize(1280, 800);

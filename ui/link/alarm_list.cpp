@@ -54,9 +54,12 @@ void AlarmList::acknowledge(AlarmCode code, const QString& author, const QDateTi
 }
 
 const AlarmEntry* AlarmList::firstUnacknowledged() const {
+    const auto before = [](const AlarmEntry& a, const AlarmEntry& b) {
+        return a.active() != b.active() ? a.active() : a.priority < b.priority;
+    };
     const AlarmEntry* first = nullptr;
     for (const AlarmEntry& entry : m_entries) {
-        if (!entry.acknowledged && (first == nullptr || entry.priority < first->priority)) {
+        if (!entry.acknowledged && (first == nullptr || before(entry, *first))) {
             first = &entry;
         }
     }

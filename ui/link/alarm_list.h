@@ -38,7 +38,8 @@ class AlarmList : public QObject {
     void acknowledge(AlarmCode code, const QString& author, const QDateTime& now);
 
     [[nodiscard]] const std::vector<AlarmEntry>& entries() const { return m_entries; }
-    /// What the bottom line shows: the first unacknowledged one of the highest priority; null when there is none.
+    /// What the bottom line shows: of the unacknowledged ones those still active go first, then the highest priority,
+    /// then the oldest; null when there is none.
     [[nodiscard]] const AlarmEntry* firstUnacknowledged() const;
     [[nodiscard]] int unacknowledged() const;
     [[nodiscard]] const AlarmSpec* spec(AlarmCode code) const { return m_engine.alarmSpec(code); }

@@ -269,7 +269,9 @@ void MainWindow::showAlarm() {
     if (!detail.isEmpty()) {
         words << detail;
     }
-    if (!text.action.isEmpty()) {
+    if (!first->active()) {
+        words << tr("gone since %1, not seen yet").arg(first->cleared->toString(QStringLiteral("HH:mm:ss")));
+    } else if (!text.action.isEmpty()) {
         words << text.action;
     }
     m_alarmBar->setAlarm(first->priority, words.join(QStringLiteral(" – ")), m_alarms.unacknowledged() - 1);
