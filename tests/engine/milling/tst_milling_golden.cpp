@@ -110,7 +110,8 @@ class TestMillingGolden : public QObject {
 
  private slots:
     void plantStepMatches() {
-        for (const json& row : test::loadGolden("golden_milling.json")["step"]) {
+        const json golden = test::loadGolden("golden_milling.json");
+        for (const json& row : golden["step"]) {
             PlantParams plant;
             plant.exponent = row["m"];
             plant.forceAngle_deg = row["theta_deg"];
@@ -126,7 +127,8 @@ class TestMillingGolden : public QObject {
         }
     }
     void linearFormMatches() {
-        for (const json& row : test::loadGolden("golden_milling.json")["linear"]) {
+        const json golden = test::loadGolden("golden_milling.json");
+        for (const json& row : golden["linear"]) {
             const LinearForm form = linearForm(PlantParams(), row["b"], row["l"], kPulseUnit_mmPerS * kRevolution_s);
             const json& expect = row["expect"];
             KERF_CLOSE(form.ra_NPerMm / kKgf, expect["r_a"], kTolerance);
@@ -139,7 +141,8 @@ class TestMillingGolden : public QObject {
         }
     }
     void engagedDepthMatches() {
-        for (const json& row : test::loadGolden("golden_milling.json")["profile_engaged_depth"]) {
+        const json golden = test::loadGolden("golden_milling.json");
+        for (const json& row : golden["profile_engaged_depth"]) {
             const auto heights_mm = row["heights"].get<std::vector<double>>();
             const BlankProfile blank = *BlankProfile::ofSegments(heights_mm, row["seg"]);
             KERF_CLOSE(blank.engagedDepth_mm(row["x"], row["r"]), row["expect"], kTolerance);
@@ -154,7 +157,8 @@ class TestMillingGolden : public QObject {
         }
     }
     void continuousContactDepthMatches() {
-        for (const json& row : test::loadGolden("golden_milling.json")["eq31_axial_depth"]) {
+        const json golden = test::loadGolden("golden_milling.json");
+        for (const json& row : golden["eq31_axial_depth"]) {
             KERF_CLOSE(continuousAxialDepth_mm(row["r"], row["b"], row["beta_deg"]), row["expect"], kTolerance);
         }
     }
