@@ -36,5 +36,5 @@ function(kerf_add_test name)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/scratch/${name})
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/scratch/${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;KERF_FIXTURES=${CMAKE_SOURCE_DIR}/tests/fixtures;KERF_BIN=${CMAKE_BINARY_DIR}/bin;LC_ALL=C.UTF-8;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;${ARG_ENV}")
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;KERF_FIXTURES=${CMAKE_SOURCE_DIR}/tests/fixtures;KERF_BIN=${CMAKE_BINARY_DIR}/bin;LC_ALL=C.UTF-8;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp;${ARG_ENV}")
 endfunction()

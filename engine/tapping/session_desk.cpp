@@ -164,7 +164,8 @@ void SessionTappingDesk::send(const decltype(Command::action)& action) {
     }
 }
 
-Result<void> SessionTappingDesk::load(const TapChoice& choice) {
+Result<void> SessionTappingDesk::load(const TapChoice& wanted) {
+    const TapChoice choice = wanted;  // it may be one of the view, which is made anew
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (const auto why = whyNot(choice)) return tl::unexpected(*why);
     if (!m_own) m_own = machinesOwn();

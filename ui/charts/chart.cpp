@@ -26,8 +26,8 @@ struct Extent {
 }  // namespace
 
 Chart::Chart(Look& look, QWidget* parent)
-    : QChartView(parent), m_look(look), m_chart(new QChart), m_x(new QValueAxis), m_y(new QValueAxis) {
-    setChart(m_chart);
+    // Given its chart at once: the one a view makes for itself would be left without an owner by setChart().
+    : QChartView(new QChart, parent), m_look(look), m_chart(chart()), m_x(new QValueAxis), m_y(new QValueAxis) {
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);

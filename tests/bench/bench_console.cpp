@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames per second of the live charts on the real console, its engine running at 1 kHz beside it: five seconds of one
+// bore in real time at each screen size. Offscreen, so without a graphics card.
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QEvent>
+#include <algorithm>
+#include <map>
+
+#include "tests/support/console_bench.h"
+#include "ui/charts/chart.h"
+
+namespace {
+
+using namespace kerf;
+
+constexpr int kMeasured_ms = 5000;
+
+/// Counts how often each chart is painted.
+class PaintCounter : public QObject {
+ public:
+    std::map<QObject*, int> frames{};
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            ++frames[watched];
+        }
+        return false;
+    }
+};
+
+template <class Action>
+void send(test::ConsoleBench& bench, const Action& action) {
+    Command command;
+    command.action = action;
+    (void)bench.console().engine().send(command);
+}
+
+void liveConsole(benchmark::State& state) {
+    const QSize size(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    for (auto _ : state) {
+        test::ConsoleBench bench;
+        console::Options options;
+        options.simulationSpeed = 1.0;
+        options.seed = 5;
+        bench.start(options);
+        if (!QTest::qWaitFor([&] { return bench.up(); }, 20'000)) {
+            state.SkipWithError("the console did not start");
+            return;
+        }
+        ui::MainWindow* window = bench.console().window();
+        window->resize(size);
+        window->showPage("boring");
+        // The shift before the operator came is made as fast as it can be.
+        (void)QTest::qWaitFor([&] { return bench.desk().parts.size() >= options.preparedParts; }, 60'000);
+        send(bench, SetSimulationSpeed{1.0});
+        (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == 1.0; }, 10'000);
+        if (!bench.status().boring.cutting) {
+            send(bench, StartPart{ProcessId::Boring});
+            (void)QTest::qWaitFor([&] { return bench.status().boring.cutting; }, 10'000);
+        }
+        QTest::qWait(500);
+        PaintCounter counter;
+        for (ui::Chart* chart : window->findChildren<ui::Chart*>()) {
+            if (chart->isVisibleTo(window)) {
+                chart->installEventFilter(&counter);
+            }
+        }
+        const CycleStats before = bench.status().stats;
+        QElapsedTimer clock;
+        clock.start();
+        QTest::qWait(kMeasured_ms);
+        const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+        const CycleStats after = bench.status().stats;
+        int most = 0;
+        for (const auto& [chart, frames] : counter.frames) {
+            most = std::max(most, frames);
+        }
+        state.counters["frames_per_second"] = most / seconds;
+        state.counters["cycles_per_second"] = static_cast<double>(after.cycles - before.cycles) / seconds;
+        state.counters["samples_dropped"] = static_cast<double>(after.droppedSamples - before.droppedSamples);
+        state.counters["cutting"] = bench.status().boring.cutting ? 1 : 0;
+    }
+}
+BENCHMARK(liveConsole)
+    ->Args({1280, 800})
+    ->Args({1920, 1080})
+    ->Args({3840, 2160})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
