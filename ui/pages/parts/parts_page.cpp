@@ -9,7 +9,9 @@
 #include <QPointer>
 #include <QScroller>
 #include <QStandardPaths>
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "db/api/lot_reader.h"
 #include "ui/dialogs/measurement_sheet.h"
@@ -69,7 +71,6 @@ void PartsPage::build() {
     m_table->verticalHeader()->hide();
     // What is looked for first stands left; the rest is there for those who scroll.
     QHeaderView* header = m_table->horizontalHeader();
-    header->setStretchLastSection(true);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const std::array order{PartsModel::Part,    PartsModel::Lot,      PartsModel::Ended,  PartsModel::Diameters,
                            PartsModel::Changes, PartsModel::PartType, PartsModel::Serial, PartsModel::Result};
@@ -146,7 +147,7 @@ void PartsPage::refresh() {
         m_model->retranslate();
         m_export->reconsider();
         showCount();
-        m_table->resizeColumnsToContents();
+        fitColumns();
     }
     Page::refresh();
 }
@@ -211,6 +212,18 @@ void PartsPage::fitColumns() {
         }
         width -= m_table->columnWidth(column);
         m_table->setColumnHidden(column, true);
+    }
+    // What is left over spreads evenly, so that the eye finds the end of a line.
+    std::vector<int> shown;
+    for (int column = 0; column < PartsModel::ColumnCount; ++column) {
+        if (!m_table->isColumnHidden(column)) {
+            shown.push_back(column);
+        }
+    }
+    const int spare = m_table->viewport()->width() - width;
+    for (const int column : shown) {
+        m_table->setColumnWidth(column,
+                                m_table->columnWidth(column) + std::max(0, spare / static_cast<int>(shown.size())));
     }
 }
 
