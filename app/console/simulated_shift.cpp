@@ -83,6 +83,9 @@ void SimulatedShift::loadNextBlank() {
     const BoringDeskView& view = m_desk.view();
     const std::uint32_t cut = view.parts.empty() ? 0 : view.parts.back().number;
     const bool machineFree = status.program != ProgramState::Running && status.program != ProgramState::Paused;
+    if (!machineFree && m_startWait > 0) {
+        m_startWait = kStartPatience_ticks;  // the wait is for the desk, not for the cut
+    }
     // The part just finished shows up at the desk a moment after the machine has finished it.
     const bool known = m_startWait == 0 || cut > m_startedAfter || --m_startWait == 0;
     if (!machineFree || !known || status.held || status.link != LinkState::Up || status.boring.nextSchedule == 0 ||
