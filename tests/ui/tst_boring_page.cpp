@@ -8,6 +8,7 @@
 #include "tests/support/fake_boring_desk.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/page_look.h"
 #include "ui/pages/boring/boring_page.h"
 
 using namespace kerf;
@@ -442,43 +443,18 @@ class TestBoringPage : public QObject {
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
 
-    void everyTextFitsInEveryLook_data() {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<double>("scale");
-        QTest::addColumn<bool>("korean");
-        QTest::addColumn<bool>("full");
-        QTest::addColumn<bool>("inch");
-        for (const bool korean : {false, true}) {
-            const char* language = korean ? "ko" : "en";
-            for (const bool full : {false, true}) {
-                const char* lot = full ? "full" : "empty";
-                QTest::addRow("1280x800_%s_%s", language, lot) << kSmall << 1.0 << korean << full << false;
-                QTest::addRow("1920x1080_%s_%s", language, lot) << kMiddle << 1.0 << korean << full << true;
-            }
-            QTest::addRow("1280x800_%s_inch", language) << kSmall << 1.0 << korean << true << true;
-            QTest::addRow("3840x2160_%s_x2", language) << 2 * kMiddle << 2.0 << korean << true << false;
-        }
-    }
+    void everyTextFitsInEveryLook_data() { test::addPageLooks(kSmall, kMiddle); }
     void everyTextFitsInEveryLook() {
-        QFETCH(QSize, size);
-        QFETCH(double, scale);
-        QFETCH(bool, korean);
-        QFETCH(bool, full);
-        QFETCH(bool, inch);
-        Preferences preferences;
-        preferences.scale = scale;
-        preferences.language = korean ? Language::Korean : Language::English;
-        preferences.brightness = korean != full ? Brightness::Dark : Brightness::Light;
-        preferences.length = inch ? LengthUnit::Inch : LengthUnit::Millimetre;
-        m_bench->look.apply(preferences);
-        if (full) {
+        QFETCH(test::PageLook, look);
+        m_bench->look.apply(look.preferences());
+        if (look.full) {
             m_desk->runParts(25);
             m_desk->cutPart();
             cutHalf();
         }
-        m_bench->show<BoringPage>(size);
+        m_bench->show<BoringPage>(look.size);
         const QString name = QStringLiteral("boring_%1").arg(QLatin1String(QTest::currentDataTag()));
-        if (!full) {
+        if (!look.full) {
             check(m_bench->page, name);
             return;
         }
@@ -488,7 +464,7 @@ class TestBoringPage : public QObject {
         m_desk->edit().nextLimited = true;
         m_desk->adviseMode = true;
         m_desk->announce();
-        type(inch ? "0.1969" : "5.0011");  // the question
+        type(look.inch ? "0.1969" : "5.0011");  // the question
         check(m_bench->page, name + QStringLiteral("_question"));
         type("-");  // a refusal
         check(m_bench->page, name + QStringLiteral("_refusal"));

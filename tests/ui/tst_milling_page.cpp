@@ -9,6 +9,7 @@
 #include "tests/support/fake_milling_desk.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/page_look.h"
 #include "ui/pages/milling/milling_page.h"
 #include "ui/widgets/value_field.h"
 
@@ -318,47 +319,22 @@ class TestMillingPage : public QObject {
         QCOMPARE(log->item(1, 5)->text(), QStringLiteral("634"));
     }
 
-    void everyTextFitsInEveryLook_data() {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<double>("scale");
-        QTest::addColumn<bool>("korean");
-        QTest::addColumn<bool>("full");
-        QTest::addColumn<bool>("inch");
-        for (const bool korean : {false, true}) {
-            const char* language = korean ? "ko" : "en";
-            for (const bool full : {false, true}) {
-                const char* state = full ? "cutting" : "empty";
-                QTest::addRow("1280x800_%s_%s", language, state) << kSmall << 1.0 << korean << full << false;
-                QTest::addRow("1920x1080_%s_%s", language, state) << kMiddle << 1.0 << korean << full << true;
-            }
-            QTest::addRow("1280x800_%s_inch", language) << kSmall << 1.0 << korean << true << true;
-            QTest::addRow("3840x2160_%s_x2", language) << 2 * kMiddle << 2.0 << korean << true << false;
-        }
-    }
+    void everyTextFitsInEveryLook_data() { test::addPageLooks(kSmall, kMiddle); }
     void everyTextFitsInEveryLook() {
-        QFETCH(QSize, size);
-        QFETCH(double, scale);
-        QFETCH(bool, korean);
-        QFETCH(bool, full);
-        QFETCH(bool, inch);
-        Preferences preferences;
-        preferences.scale = scale;
-        preferences.language = korean ? Language::Korean : Language::English;
-        preferences.brightness = korean != full ? Brightness::Dark : Brightness::Light;
-        preferences.length = inch ? LengthUnit::Inch : LengthUnit::Millimetre;
-        m_bench->look.apply(preferences);
-        if (full) {
+        QFETCH(test::PageLook, look);
+        m_bench->look.apply(look.preferences());
+        if (look.full) {
             m_desk->cutParts(14);
         }
-        m_bench->show<MillingPage>(size);
+        m_bench->show<MillingPage>(look.size);
         const QString name = QStringLiteral("milling_%1").arg(QLatin1String(QTest::currentDataTag()));
-        if (full) {
+        if (look.full) {
             QVERIFY(m_bench->press("millingRawForce"));
             cutHalf();
             settle();
         }
         check(m_bench->page, name);
-        if (full) {
+        if (look.full) {
             stopped();
             check(m_bench->page, name + QStringLiteral("_stopped"));
             m_bench->engine.fake.milling.cutting = false;
@@ -375,7 +351,7 @@ class TestMillingPage : public QObject {
         step("2", "1.5");
         check(m_bench->sheets->current(), name + QStringLiteral("_blank"));
         m_bench->sheets->current()->close();
-        if (full) {
+        if (look.full) {
             QVERIFY(m_bench->press("millingLog"));
             check(m_bench->sheets->current(), name + QStringLiteral("_log"));
         }

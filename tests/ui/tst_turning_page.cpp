@@ -9,6 +9,7 @@
 #include "tests/support/fake_turning_desk.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/page_look.h"
 #include "ui/pages/turning/spectrum_chart.h"
 #include "ui/pages/turning/turning_page.h"
 #include "ui/widgets/action_button.h"
@@ -246,39 +247,14 @@ class TestTurningPage : public QObject {
         QVERIFY(!turningFigure(m_bench->services, m_bench->engine.fake).value.has_value());
     }
 
-    void everyTextFitsInEveryLook_data() {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<double>("scale");
-        QTest::addColumn<bool>("korean");
-        QTest::addColumn<bool>("full");
-        QTest::addColumn<bool>("inch");
-        for (const bool korean : {false, true}) {
-            const char* language = korean ? "ko" : "en";
-            for (const bool full : {false, true}) {
-                const char* state = full ? "cutting" : "empty";
-                QTest::addRow("1280x800_%s_%s", language, state) << kSmall << 1.0 << korean << full << false;
-                QTest::addRow("1920x1080_%s_%s", language, state) << kMiddle << 1.0 << korean << full << true;
-            }
-            QTest::addRow("1280x800_%s_inch", language) << kSmall << 1.0 << korean << true << true;
-            QTest::addRow("3840x2160_%s_x2", language) << 2 * kMiddle << 2.0 << korean << true << false;
-        }
-    }
+    void everyTextFitsInEveryLook_data() { test::addPageLooks(kSmall, kMiddle); }
     void everyTextFitsInEveryLook() {
-        QFETCH(QSize, size);
-        QFETCH(double, scale);
-        QFETCH(bool, korean);
-        QFETCH(bool, full);
-        QFETCH(bool, inch);
-        Preferences preferences;
-        preferences.scale = scale;
-        preferences.language = korean ? Language::Korean : Language::English;
-        preferences.brightness = korean != full ? Brightness::Dark : Brightness::Light;
-        preferences.length = inch ? LengthUnit::Inch : LengthUnit::Millimetre;
-        m_bench->look.apply(preferences);
-        m_bench->show<TurningPage>(size);
-        m_wanted = size;
+        QFETCH(test::PageLook, look);
+        m_bench->look.apply(look.preferences());
+        m_bench->show<TurningPage>(look.size);
+        m_wanted = look.size;
         const QString name = QStringLiteral("turning_%1").arg(QLatin1String(QTest::currentDataTag()));
-        if (!full) {
+        if (!look.full) {
             check(m_bench->page, name);
             return;
         }
