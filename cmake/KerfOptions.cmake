@@ -25,3 +25,9 @@ if(KERF_SANITIZE)
   target_link_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE})
   target_compile_definitions(kerf_options INTERFACE KERF_SANITIZED=1)
 endif()
+
+# A faster linker where there is one: ninety test programs are linked.
+find_program(KERF_MOLD mold)
+if(KERF_MOLD AND NOT KERF_SANITIZE)
+  target_link_options(kerf_options INTERFACE -fuse-ld=mold)
+endif()

@@ -1,10 +1,40 @@
-# One precompiled header for the screens' libraries. Tests have none: Qt6::Test defines each one's folder on its command
-# line, and the compiler takes a precompiled header only with the same definitions.
+# Precompiled headers, one per kind of target. The compiler takes one only with the same definitions, so what differs per
+# target (a version, a test's folder) is given to the one file that needs it.
 set(CMAKE_PCH_WARN_INVALID OFF)
-file(WRITE ${CMAKE_BINARY_DIR}/pch/kerf_pch_ui.cpp "// only here so that the precompiled header has a target\n")
-add_library(kerf_pch_ui OBJECT ${CMAKE_BINARY_DIR}/pch/kerf_pch_ui.cpp)
-target_link_libraries(kerf_pch_ui PRIVATE kerf_options Qt6::Widgets Qt6::Charts)
-target_precompile_headers(kerf_pch_ui PRIVATE <QtWidgets> <QtCharts> <functional> <memory> <vector>)
+function(kerf_pch kind)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/pch/kerf_pch_${kind}.cpp
+       CONTENT "// only here so that the precompiled header has a target\n")
+  add_library(kerf_pch_${kind} OBJECT ${CMAKE_BINARY_DIR}/pch/kerf_pch_${kind}.cpp)
+  target_link_libraries(kerf_pch_${kind} PRIVATE kerf_options ${ARG_LINK})
+  target_precompile_headers(kerf_pch_${kind} PRIVATE ${ARG_HEADERS})
+endfunction()
+function(kerf_precompile target kind)
+  target_precompile_headers(${target} REUSE_FROM kerf_pch_${kind})
+endfunction()
+
+# Qt Test without its target's definitions: they name each test's folder, which no precompiled header survives.
+add_library(kerf_qt_test INTERFACE)
+get_target_property(kerf_qt_test_includes Qt6::Test INTERFACE_INCLUDE_DIRECTORIES)
+target_include_directories(kerf_qt_test SYSTEM INTERFACE ${kerf_qt_test_includes})
+target_compile_definitions(kerf_qt_test INTERFACE QT_TESTLIB_LIB)
+target_link_libraries(kerf_qt_test INTERFACE $<TARGET_FILE:Qt6::Test> Qt6::Core)
+
+set(kerf_common_headers <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <string> <variant> <vector>)
+kerf_pch(ui HEADERS ${kerf_common_headers} <QtWidgets> <QtCharts> LINK Qt6::Widgets Qt6::Charts)
+kerf_pch(headless HEADERS ${kerf_common_headers} <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/format.h> <spdlog/spdlog.h> <Eigen/Dense>
+         LINK CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt spdlog::spdlog Eigen3::Eigen)
+kerf_pch(data HEADERS ${kerf_common_headers} <QtCore> <QtSql> <nlohmann/json.hpp> <fmt/format.h>
+         LINK Qt6::Core Qt6::Sql nlohmann_json::nlohmann_json fmt::fmt)
+kerf_pch(engine HEADERS ${kerf_common_headers} <Eigen/Dense> LINK Eigen3::Eigen)
+kerf_pch(test HEADERS ${kerf_common_headers} <QtTest> <nlohmann/json.hpp> <fstream> LINK kerf_qt_test nlohmann_json::nlohmann_json)
+kerf_pch(gui_test HEADERS ${kerf_common_headers} <QtTest> <QtWidgets> <QtCharts> <nlohmann/json.hpp>
+         LINK kerf_qt_test Qt6::Widgets Qt6::Charts nlohmann_json::nlohmann_json)
+# What is compiled once and run a few times: tests and command-line files.
+set(KERF_QUICK_CODE -O1 CACHE STRING "Optimisation of tests and commands, given after the build type's own")
+target_compile_options(kerf_pch_headless PRIVATE ${KERF_QUICK_CODE})
+target_compile_options(kerf_pch_test PRIVATE ${KERF_QUICK_CODE})
+target_compile_options(kerf_pch_gui_test PRIVATE ${KERF_QUICK_CODE})
 
 # kerf_library(name SOURCES … LINK … [QT]): one static library per folder, sources listed.
 function(kerf_library name)
@@ -16,7 +46,11 @@ function(kerf_library name)
   endif()
   if(name MATCHES "^kerf_ui")
     target_link_libraries(${name} PUBLIC Qt6::Widgets Qt6::Charts)
-    target_precompile_headers(${name} REUSE_FROM kerf_pch_ui)
+    kerf_precompile(${name} ui)
+  elseif(name MATCHES "_service$|^kerf_db$")
+    kerf_precompile(${name} data)
+  elseif("${ARG_LINK}" MATCHES "Eigen3")
+    kerf_precompile(${name} engine)
   endif()
 endfunction()
 
@@ -32,9 +66,16 @@ function(kerf_add_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
-  target_link_libraries(${name} PRIVATE kerf_options kerf_test_support ${ARG_LINK} Qt6::Test)
-  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/scratch/${name})
-  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/scratch/${name})
+  target_sources(${name} PRIVATE $<TARGET_OBJECTS:kerf_test_scratch>)
+  target_link_libraries(${name} PRIVATE kerf_options kerf_test_support ${ARG_LINK})
+  target_compile_options(${name} PRIVATE ${KERF_QUICK_CODE})
+  # A test that links the screens has the larger precompiled header: its definitions are others.
+  if("${ARG_LINK}" MATCHES "kerf_ui|Qt6::Widgets")
+    kerf_precompile(${name} gui_test)
+  else()
+    kerf_precompile(${name} test)
+  endif()
+  add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;KERF_FIXTURES=${CMAKE_SOURCE_DIR}/tests/fixtures;KERF_BIN=${CMAKE_BINARY_DIR}/bin;LC_ALL=C.UTF-8;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp;${ARG_ENV}")
 endfunction()

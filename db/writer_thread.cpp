@@ -17,46 +17,6 @@ constexpr std::size_t kPartsPerTransaction = 32;
 constexpr std::uint32_t kNoPageLimit = 0xFFFFFFFE;
 }  // namespace
 
-/// Callbacks by number. Shared with the subscription handles, so that a handle may outlive the writer.
-struct WriterThread::Listeners {
-    std::uint64_t last{0};
-    std::map<std::uint64_t, std::function<void()>> problem;
-    std::map<std::uint64_t, std::function<void(const StoredPart&)>> part;
-
-    class Handle final : public StoreSubscription {
-     public:
-        Handle(std::weak_ptr<Listeners> listeners, std::uint64_t number)
-            : m_listeners(std::move(listeners)), m_number(number) {}
-        Handle(const Handle&) = delete;
-        Handle& operator=(const Handle&) = delete;
-        ~Handle() override {
-            if (const auto listeners = m_listeners.lock()) {
-                listeners->problem.erase(m_number);
-                listeners->part.erase(m_number);
-            }
-        }
-
-     private:
-        std::weak_ptr<Listeners> m_listeners;
-        std::uint64_t m_number;
-    };
-
-    /// Calls each listener that is still subscribed; one may unsubscribe itself or others meanwhile.
-    template <class Map, class... Args>
-    static void call(Map& map, const Args&... args) {
-        std::vector<std::uint64_t> numbers;
-        for (const auto& [number, unused] : map) {
-            numbers.push_back(number);
-        }
-        for (const std::uint64_t number : numbers) {
-            if (const auto found = map.find(number); found != map.end()) {
-                const auto listener = found->second;
-                listener(args...);
-            }
-        }
-    }
-};
-
 /// The thread's own side: connection, store, the parts that wait to be stored.
 class WriterThread::Worker {
  public:
@@ -143,12 +103,12 @@ WriterThread::WriterThread(std::string path, SpscRing<PartRecord>* parts, Option
     : m_path(std::move(path)),
       m_parts(parts),
       m_options(options),
-      m_jobs(options.queueCapacity),
-      m_listeners(std::make_shared<Listeners>()) {}
+      m_jobs(options.queueCapacity) {}
 
 WriterThread::~WriterThread() {
     m_waiting.clear();  // whoever is gone by now is not called any more
-    m_listeners.reset();
+    m_problemListeners = {};
+    m_partListeners = {};
     stop();
 }
 
@@ -218,14 +178,12 @@ void WriterThread::submit(StoreCommand command, Done done) {
     }
 }
 
-std::unique_ptr<StoreSubscription> WriterThread::onProblemChanged(std::function<void()> changed) {
-    m_listeners->problem.emplace(++m_listeners->last, std::move(changed));
-    return std::make_unique<Listeners::Handle>(m_listeners, m_listeners->last);
+std::unique_ptr<Subscription> WriterThread::onProblemChanged(std::function<void()> changed) {
+    return m_problemListeners.add(std::move(changed));
 }
 
-std::unique_ptr<StoreSubscription> WriterThread::onPartStored(std::function<void(const StoredPart&)> stored) {
-    m_listeners->part.emplace(++m_listeners->last, std::move(stored));
-    return std::make_unique<Listeners::Handle>(m_listeners, m_listeners->last);
+std::unique_ptr<Subscription> WriterThread::onPartStored(std::function<void(const StoredPart&)> stored) {
+    return m_partListeners.add(std::move(stored));
 }
 
 void WriterThread::post(Outcome outcome) {
@@ -247,7 +205,6 @@ void WriterThread::deliver() {
         const std::lock_guard lock(m_outcomesLock);
         outcomes.swap(m_outcomes);
     }
-    const std::shared_ptr<Listeners> listeners = m_listeners;
     for (const Outcome& outcome : outcomes) {
         if (const auto* answer = std::get_if<Answer>(&outcome)) {
             if (const auto found = m_waiting.find(answer->ticket); found != m_waiting.end()) {
@@ -256,14 +213,10 @@ void WriterThread::deliver() {
                 done(answer->result);
             }
         } else if (const auto* part = std::get_if<StoredPart>(&outcome)) {
-            if (listeners) {
-                Listeners::call(listeners->part, *part);
-            }
+            m_partListeners.tell(*part);
         } else {
             m_problem = std::get<Sentence>(outcome);
-            if (listeners) {
-                Listeners::call(listeners->problem);
-            }
+            m_problemListeners.tell();
         }
     }
 }

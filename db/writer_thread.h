@@ -14,6 +14,7 @@
 
 #include "db/api/store_writer.h"
 #include "db/wake.h"
+#include "engine/core/listeners.h"
 #include "engine/core/spsc_ring.h"
 
 namespace kerf::db {
@@ -51,8 +52,8 @@ class WriterThread final : public QObject, public StoreWriter {
 
     void submit(StoreCommand command, Done done) override;
     [[nodiscard]] const Sentence& problem() const override { return m_problem; }
-    [[nodiscard]] std::unique_ptr<StoreSubscription> onProblemChanged(std::function<void()> changed) override;
-    [[nodiscard]] std::unique_ptr<StoreSubscription> onPartStored(
+    [[nodiscard]] std::unique_ptr<Subscription> onProblemChanged(std::function<void()> changed) override;
+    [[nodiscard]] std::unique_ptr<Subscription> onPartStored(
         std::function<void(const StoredPart&)> stored) override;
 
     /// Finished parts of the engine stored so far; any thread may read it or wait for it to change.
@@ -71,7 +72,6 @@ class WriterThread final : public QObject, public StoreWriter {
     };
     using Outcome = std::variant<Answer, StoredPart, Sentence>;
     class Worker;
-    struct Listeners;
 
     void post(Outcome outcome);  // writer thread
     void deliver();              // caller's thread
@@ -93,7 +93,8 @@ class WriterThread final : public QObject, public StoreWriter {
     std::uint64_t m_lastTicket{0};
     std::map<std::uint64_t, Done> m_waiting;
     Sentence m_problem{};
-    std::shared_ptr<Listeners> m_listeners;
+    Listeners<> m_problemListeners{};
+    Listeners<StoredPart> m_partListeners{};
 };
 
 }  // namespace kerf::db

@@ -15,7 +15,7 @@
 #include "app/console/preferences.h"
 #include "app/machines/machine_module_loader.h"
 #include "db/migrator.h"
-#include "engine/boring/boring_loop.h"
+#include "engine/process/boring/boring_loop.h"
 #include "ui/link/texts.h"
 
 namespace kerf::console {
@@ -58,7 +58,7 @@ ConsoleApplication::~ConsoleApplication() {
             spdlog::critical("{} finished parts could not be stored", unsaved);
         }
     }
-    m_deskChanges.reset();
+    m_serviceChanges.reset();
     m_lots.reset();
     m_modes.reset();
     m_rooms.clear();
@@ -188,8 +188,8 @@ void ConsoleApplication::openLots() {
     first.lotName = std::string(kLotName);
     first.lotSize = m_options.lotSize;
     first.author = std::string(kAuthor);
-    StoredBoringDesk::Links links{*m_writer, *m_engine};
-    links.gauge = [this](const DeskPart& part, const BoringRecipe& recipe,
+    StoredBoringService::Links links{*m_writer, *m_engine};
+    links.gauge = [this](const ServicePart& part, const BoringRecipe& recipe,
                          double overhang_mm) -> std::optional<double> {
         if (!m_simulator) {
             return std::nullopt;
@@ -200,7 +200,7 @@ void ConsoleApplication::openLots() {
         return m_simulator->gaugeReading_mm(gauged, overhang_mm, bore);
     };
     m_lots = std::make_unique<StoredBoringLots>(links, *m_reader, first, [this] { lotIsOpen(); });
-    m_deskChanges = m_lots->desk().onChanged([this] { announceAccepted(); });
+    m_serviceChanges = m_lots->service().onChanged([this] { announceAccepted(); });
     m_lots->start([this](const Result<void>& opened) {
         if (opened) {
             QTimer::singleShot(0, this, &ConsoleApplication::openWindow);
@@ -212,11 +212,11 @@ void ConsoleApplication::openLots() {
 }
 
 void ConsoleApplication::lotIsOpen() {
-    const StoredBoringDesk& desk = m_lots->desk().stored();
-    if (!desk.restartFinding().empty()) {
-        spdlog::warn("{}", desk.restartFinding().english());
+    const StoredBoringService& service = m_lots->service().stored();
+    if (!service.restartFinding().empty()) {
+        spdlog::warn("{}", service.restartFinding().english());
     }
-    for (const BorePartView& part : desk.view().parts) {
+    for (const BorePartView& part : service.view().parts) {
         for (const BoreMeasurementView& measurement : part.measurements) {
             m_lastAnnounced = std::max(m_lastAnnounced, measurement.id);
         }
@@ -231,7 +231,7 @@ void ConsoleApplication::openWindow() {
     m_modes->restore();
     if (m_simulator && m_lots) {
         const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
-        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots->desk());
+        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots->service());
     }
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);
@@ -257,7 +257,7 @@ std::string ConsoleApplication::author() const {
 ui::Services ConsoleApplication::services() {
     ui::Services services{*m_engine};
     if (m_lots) {
-        services.boringDesk = &m_lots->desk();
+        services.boringService = &m_lots->service();
         services.boringLots = m_lots.get();
     }
     services.parts = m_reader.get();
@@ -365,7 +365,7 @@ void ConsoleApplication::acknowledgeAlarm(AlarmCode code, const QString& author)
 }
 
 void ConsoleApplication::announceAccepted() {
-    const BoringDeskView& view = m_lots->desk().view();
+    const BoringServiceView& view = m_lots->service().view();
     MeasurementId newest = m_lastAnnounced;
     for (const BorePartView& part : view.parts) {
         for (const BoreMeasurementView& measurement : part.measurements) {

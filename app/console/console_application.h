@@ -12,10 +12,10 @@
 #include "app/console/rooms/room.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
-#include "app/desk/boring_lots.h"
+#include "app/service/boring/boring_lots.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
-#include "engine/loop/engine.h"
+#include "engine/cycle/engine.h"
 #include "ui/shell/main_window.h"
 #include "ui/theme/look.h"
 
@@ -38,7 +38,7 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
     /// @pre the machine bores
-    [[nodiscard]] StoredBoringDesk& boringDesk() noexcept { return m_lots->desk().stored(); }
+    [[nodiscard]] StoredBoringService& boringService() noexcept { return m_lots->service().stored(); }
     /// @pre the machine bores
     [[nodiscard]] StoredBoringLots& boringLots() noexcept { return *m_lots; }
     [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
@@ -84,7 +84,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
-    std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
+    std::unique_ptr<Subscription> m_serviceChanges;
     std::unique_ptr<LoopModes> m_modes;
     QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;

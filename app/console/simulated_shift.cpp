@@ -19,8 +19,8 @@ Command commandOf(const Action& action) {
 
 }  // namespace
 
-SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringDesk& desk, QObject* parent)
-    : QObject(parent), m_params(params), m_engine(engine), m_desk(desk) {
+SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringService& service, QObject* parent)
+    : QObject(parent), m_params(params), m_engine(engine), m_service(service) {
     m_prepared = partsDone() >= params.preparedParts;
     setSpeed(m_prepared ? params.simulationSpeed : 0.0);
     connect(&m_timer, &QTimer::timeout, this, &SimulatedShift::tick);
@@ -28,7 +28,7 @@ SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringDe
 }
 
 std::uint32_t SimulatedShift::partsDone() const {
-    const auto& parts = m_desk.view().parts;
+    const auto& parts = m_service.view().parts;
     const auto last =
         std::find_if(parts.rbegin(), parts.rend(), [](const BorePartView& part) { return part.complete; });
     return last == parts.rend() ? 0 : last->number;
@@ -44,7 +44,7 @@ void SimulatedShift::tick() {
         setSpeed(m_params.simulationSpeed);
         emit preparationDone();
     }
-    if (m_desk.view().awaiting) {
+    if (m_service.view().awaiting) {
         if (!m_prepared || m_params.autoOperator) {
             enterWhatTheGaugeShows();
         }
@@ -57,8 +57,8 @@ void SimulatedShift::enterWhatTheGaugeShows() {
     if (m_entering) {
         return;
     }
-    const BoringDeskView& view = m_desk.view();
-    const auto reading_mm = m_desk.gaugeReading_mm(*view.awaiting, view.awaitingDepth);
+    const BoringServiceView& view = m_service.view();
+    const auto reading_mm = m_service.gaugeReading_mm(*view.awaiting, view.awaitingDepth);
     if (!reading_mm) {
         return;
     }
@@ -70,7 +70,7 @@ void SimulatedShift::enterWhatTheGaugeShows() {
     entry.fromGauge = true;
     entry.confirmed = true;  // the gauge is read again and again until it is believed
     m_entering = true;
-    m_desk.enter(entry, [this](const Result<void>& result) {
+    m_service.enter(entry, [this](const Result<void>& result) {
         m_entering = false;
         if (!result) {
             spdlog::warn("simulated operator: {}", result.error().english());
@@ -80,13 +80,13 @@ void SimulatedShift::enterWhatTheGaugeShows() {
 
 void SimulatedShift::loadNextBlank() {
     const Status& status = m_engine.status();
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     const std::uint32_t cut = view.parts.empty() ? 0 : view.parts.back().number;
     const bool machineFree = status.program != ProgramState::Running && status.program != ProgramState::Paused;
     if (!machineFree && m_startWait > 0) {
-        m_startWait = kStartPatience_ticks;  // the wait is for the desk, not for the cut
+        m_startWait = kStartPatience_ticks;  // the wait is for the service, not for the cut
     }
-    // The part just finished shows up at the desk a moment after the machine has finished it.
+    // The part just finished shows up at the service a moment after the machine has finished it.
     const bool known = m_startWait == 0 || cut > m_startedAfter || --m_startWait == 0;
     if (!machineFree || !known || status.held || status.link != LinkState::Up || status.boring.nextSchedule == 0 ||
         view.lotClosed || lotFull(view)) {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
 
 namespace kerf::console {
@@ -23,7 +23,7 @@ class SimulatedShift : public QObject {
         bool autoOperator{false};        ///< measured by itself for the rest of the lot too
         double simulationSpeed{20.0};    ///< after the prepared parts
     };
-    SimulatedShift(const Params& params, EngineApi& engine, BoringDesk& desk, QObject* parent = nullptr);
+    SimulatedShift(const Params& params, EngineApi& engine, BoringService& service, QObject* parent = nullptr);
 
     /// True once the prepared parts are done.
     [[nodiscard]] bool prepared() const noexcept { return m_prepared; }
@@ -43,7 +43,7 @@ class SimulatedShift : public QObject {
 
     Params m_params;
     EngineApi& m_engine;
-    BoringDesk& m_desk;
+    BoringService& m_service;
     QTimer m_timer;
     bool m_prepared{false};
     bool m_entering{false};

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/boring/model.h"
+#include "engine/process/boring/model.h"
 #include "engine/core/random.h"
 
 namespace kerf::console {

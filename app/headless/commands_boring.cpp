@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
-#include "engine/boring/lot_tracker.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
+#include "engine/process/boring/lot_tracker.h"
 
 namespace kerf::headless {
 namespace {

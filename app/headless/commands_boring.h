@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/boring/campaign.h"
+#include "engine/process/boring/campaign.h"
 
 /// What the boring commands share.
 namespace kerf::headless {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/headless/commands_boring.h"
-#include "app/headless/table.h"
+#include "app/files/table.h"
 
 namespace kerf::headless {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/headless/commands_boring.h"
-#include "app/headless/table.h"
-#include "engine/boring/gcode_export.h"
+#include "app/files/table.h"
+#include "engine/process/boring/gcode_export.h"
 
 namespace kerf::headless {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "app/headless/commands_boring.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 
 namespace kerf::headless {
 namespace {

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "app/headless/commands_boring.h"
-#include "app/headless/output.h"
+#include "app/files/output.h"
 
 namespace kerf::headless {
 namespace {

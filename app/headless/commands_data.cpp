@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 #include "db/api/csv_export.h"
 #include "db/location.h"
 #include "db/migrator.h"

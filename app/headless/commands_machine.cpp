@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
-#include "engine/loop/engine.h"
+#include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/shared_link.h"
 
 namespace kerf::headless {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "app/headless/commands.h"
-#include "app/headless/milling_input.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
-#include "engine/milling/cut_simulation.h"
-#include "engine/milling/revolution_averager.h"
+#include "app/files/milling_input.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
+#include "engine/process/milling/cut_simulation.h"
+#include "engine/process/milling/revolution_averager.h"
 
 namespace kerf::headless {
 namespace {

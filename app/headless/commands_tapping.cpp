@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
-#include "app/headless/tapping_drive_file.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
+#include "app/files/tapping_drive_file.h"
 #include "app/headless/tapping_table.h"
-#include "engine/tapping/tap_drive.h"
-#include "engine/tapping/tap_record.h"
-#include "engine/tapping/thread_table.h"
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/tap_drive.h"
+#include "engine/process/tapping/tap_record.h"
+#include "engine/process/tapping/thread_table.h"
+#include "engine/process/tapping/trial_machine.h"
 
 namespace kerf::headless {
 namespace {

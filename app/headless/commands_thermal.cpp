@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 
-#include "app/formats/thermal_model_json.h"
+#include "app/files/thermal_model_json.h"
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
+#include "app/files/output.h"
 #include "app/headless/thermal_commands.h"
-#include "app/headless/thermal_files.h"
-#include "engine/thermal/replay.h"
-#include "engine/thermal/training.h"
+#include "app/files/thermal_files.h"
+#include "engine/process/thermal/replay.h"
+#include "engine/process/thermal/training.h"
 
 namespace kerf::headless {
 namespace {

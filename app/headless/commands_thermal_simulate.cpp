@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 #include "app/headless/thermal_commands.h"
-#include "engine/thermal/plant/simulated_day.h"
+#include "engine/process/thermal/plant/simulated_day.h"
 
 namespace kerf::headless {
 namespace {

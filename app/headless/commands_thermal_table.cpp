@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/headless/table.h"
+#include "app/files/table.h"
 #include "app/headless/thermal_commands.h"
-#include "app/headless/thermal_files.h"
-#include "engine/thermal/replay.h"
-#include "engine/thermal/training.h"
+#include "app/files/thermal_files.h"
+#include "engine/process/thermal/replay.h"
+#include "engine/process/thermal/training.h"
 
 namespace kerf::headless {
 namespace {

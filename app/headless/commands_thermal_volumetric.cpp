@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 #include "app/headless/thermal_commands.h"
-#include "engine/thermal/volumetric.h"
+#include "engine/process/thermal/volumetric.h"
 
 namespace kerf::headless {
 namespace {

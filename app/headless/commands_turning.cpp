@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "app/headless/commands.h"
-#include "app/headless/output.h"
-#include "app/headless/table.h"
+#include "app/files/output.h"
+#include "app/files/table.h"
 #include "app/headless/turning_table.h"
-#include "engine/turning/blind.h"
-#include "engine/turning/identifier.h"
-#include "engine/turning/margins.h"
-#include "engine/turning/overlap.h"
-#include "engine/turning/simulation.h"
+#include "engine/process/turning/blind.h"
+#include "engine/process/turning/identifier.h"
+#include "engine/process/turning/margins.h"
+#include "engine/process/turning/overlap.h"
+#include "engine/process/turning/simulation.h"
 
 namespace kerf::headless {
 namespace {

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "app/headless/commands.h"
-#include "app/headless/table.h"
+#include "app/files/table.h"
 
 namespace {
 constexpr int kDone = 0;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/trial_machine.h"
 
 namespace kerf::headless {
 namespace {

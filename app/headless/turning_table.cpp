@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/turning/simulation.h"
+#include "engine/process/turning/simulation.h"
 
 namespace kerf::headless {
 namespace {

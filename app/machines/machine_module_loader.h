@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/machine/machine_module.h"
+#include "engine/port/machine_module.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/api/boring_types.h"
+#include "engine/process/boring/boring_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
@@ -70,7 +70,7 @@ struct ScheduleRow {
     ScheduleId id{0};
     std::optional<LotId> lot{};
     BoringSchedule schedule{};
-    std::string predictionJson{};  ///< predicted diameters at each station, as the desk made them; may be empty
+    std::string predictionJson{};  ///< predicted diameters at each station, as the service made them; may be empty
     std::string reason{};          ///< why it differs from the one before; may be empty
     std::int64_t createdUtc_ms{0};
     std::string acceptedBy{};  ///< empty: only proposed
@@ -143,7 +143,7 @@ struct PartDetail {
     std::vector<EstimatorStateRow> states{};  ///< newest per measurement, in the order of acceptance
 };
 
-/// A whole lot as a desk needs it after a restart.
+/// A whole lot as a service needs it after a restart.
 struct LotHistory {
     LotRow lot{};
     RecipeRevision recipe{};

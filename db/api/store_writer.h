@@ -11,6 +11,7 @@
 
 #include "db/api/rows.h"
 #include "engine/api/status.h"
+#include "engine/core/subscription.h"
 #include "engine/core/result.h"
 
 /// Everything that can be written. One command is one transaction, with its audit entry inside.
@@ -156,14 +157,6 @@ struct StoredPart {
 };
 
 /// Ends when destroyed.
-class StoreSubscription {
- public:
-    StoreSubscription() = default;
-    StoreSubscription(const StoreSubscription&) = delete;
-    StoreSubscription& operator=(const StoreSubscription&) = delete;
-    virtual ~StoreSubscription() = default;
-};
-
 /// The way into the database. One caller thread; no call blocks; callbacks run later on the caller's thread.
 ///
 /// When it fails: a command's transaction is rolled back and `done` gets the sentence; nothing is half-stored and the
@@ -184,8 +177,8 @@ class StoreWriter {
 
     /// Why finished parts cannot be stored at the moment; empty when they can.
     [[nodiscard]] virtual const Sentence& problem() const = 0;
-    [[nodiscard]] virtual std::unique_ptr<StoreSubscription> onProblemChanged(std::function<void()> changed) = 0;
-    [[nodiscard]] virtual std::unique_ptr<StoreSubscription> onPartStored(
+    [[nodiscard]] virtual std::unique_ptr<Subscription> onProblemChanged(std::function<void()> changed) = 0;
+    [[nodiscard]] virtual std::unique_ptr<Subscription> onPartStored(
         std::function<void(const StoredPart&)> stored) = 0;
 };
 

@@ -96,7 +96,7 @@ ScheduleId findOrAddSchedule(const QSqlDatabase& database, const ScheduleRow& ro
     const std::int64_t accepted_ms = row.acceptedBy.empty() ? 0 : row.acceptedUtc_ms.value_or(utcNow_ms());
     if (bindValues(find).run().next()) {
         const ScheduleId id = find.integer(0);
-        // The part may have come before the desk's own row: fill in what only the desk knows, take nothing away.
+        // The part may have come before the service's own row: fill in what only the service knows, take nothing away.
         if (!row.predictionJson.empty() || !row.reason.empty() || !row.acceptedBy.empty()) {
             Statement(database,
                       "UPDATE schedules SET prediction = coalesce(nullif(?, ''), prediction), reason = "

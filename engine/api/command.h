@@ -5,11 +5,11 @@
 #include <type_traits>
 #include <variant>
 
-#include "engine/api/boring_types.h"
-#include "engine/api/milling_types.h"
-#include "engine/api/tapping_types.h"
-#include "engine/api/thermal_types.h"
-#include "engine/api/turning_types.h"
+#include "engine/process/boring/boring_types.h"
+#include "engine/process/milling/milling_types.h"
+#include "engine/process/tapping/tapping_types.h"
+#include "engine/process/thermal/thermal_types.h"
+#include "engine/process/turning/turning_types.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
 

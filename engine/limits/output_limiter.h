@@ -4,8 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/loop/process_loop.h"
-#include "engine/machine/machine_port.h"
+#include "engine/core/process.h"
+#include "engine/limits/loop_outputs.h"
+#include "engine/port/machine_port.h"
 
 namespace kerf {
 

@@ -2,8 +2,8 @@
 #include <QTest>
 #include <string>
 
-#include "app/desk/milling_json.h"
-#include "engine/milling/milling_setup.h"
+#include "app/service/milling/milling_json.h"
+#include "engine/process/milling/milling_setup.h"
 
 using namespace kerf;
 

@@ -2,7 +2,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/formats/tapping_tuning_json.h"
+#include "app/service/tapping/tapping_tuning_json.h"
 
 using namespace kerf;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include "engine/boring/campaign.h"
-#include "engine/boring/lot_tracker.h"
+#include "engine/process/boring/campaign.h"
+#include "engine/process/boring/lot_tracker.h"
 
 namespace {
 

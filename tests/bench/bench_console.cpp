@@ -53,7 +53,7 @@ void liveConsole(benchmark::State& state) {
         window->resize(size);
         window->showPage("boring");
         // The shift before the operator came is made as fast as it can be.
-        (void)QTest::qWaitFor([&] { return bench.desk().parts.size() >= options.preparedParts; }, 60'000);
+        (void)QTest::qWaitFor([&] { return bench.service().parts.size() >= options.preparedParts; }, 60'000);
         send(bench, SetSimulationSpeed{1.0});
         (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == 1.0; }, 10'000);
         if (!bench.status().boring.cutting) {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "engine/milling/feed_controller.h"
-#include "engine/milling/revolution_averager.h"
-#include "engine/milling/sampled_force.h"
+#include "engine/process/milling/feed_controller.h"
+#include "engine/process/milling/revolution_averager.h"
+#include "engine/process/milling/sampled_force.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
-#include "engine/tapping/tap_drive.h"
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/tap_drive.h"
+#include "engine/process/tapping/trial_machine.h"
 
 using namespace kerf::tapping;
 

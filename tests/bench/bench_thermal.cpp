@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/loop/event_sink.h"
-#include "engine/machine/simulated_thermal.h"
-#include "engine/thermal/gmdh.h"
-#include "engine/thermal/plant/simulated_day.h"
-#include "engine/thermal/thermal_estimator.h"
-#include "engine/thermal/thermal_loop.h"
-#include "engine/thermal/training.h"
+#include "engine/cycle/event_sink.h"
+#include "engine/machine/simulated/simulated_thermal.h"
+#include "engine/process/thermal/gmdh.h"
+#include "engine/process/thermal/plant/simulated_day.h"
+#include "engine/process/thermal/thermal_estimator.h"
+#include "engine/process/thermal/thermal_loop.h"
+#include "engine/process/thermal/training.h"
 
 using namespace kerf;
 using namespace kerf::thermal;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/turning/identifier.h"
-#include "engine/turning/simulation.h"
+#include "engine/process/turning/identifier.h"
+#include "engine/process/turning/simulation.h"
 #include "tests/support/turning_bench.h"
 
 using namespace kerf::turning;

@@ -37,7 +37,7 @@ class TestConsoleFrozen : public QObject {
         QCOMPARE(after.partsBlocked, false);
         // The screen goes on where the engine is.
         QTRY_VERIFY(bench.status().cycle >= after.cycle);
-        QTRY_VERIFY(bench.desk().awaiting.has_value());
+        QTRY_VERIFY(bench.service().awaiting.has_value());
     }
     void holdWorksWhileAPageHangs() {
         test::ConsoleBench bench;

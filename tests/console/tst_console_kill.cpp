@@ -66,10 +66,10 @@ class TestConsoleKill : public QObject {
         if (!QTest::qWaitFor([&bench] { return bench.up(); }, 20'000)) {
             return QStringLiteral("does not start again: ") + bench.failure();
         }
-        if (!bench.console().boringDesk().restartFinding().empty()) {
+        if (!bench.console().boringService().restartFinding().empty()) {
             return QStringLiteral("the state computed again differs from the stored one");
         }
-        const BoringSchedule& next = bench.desk().nextSchedule;
+        const BoringSchedule& next = bench.service().nextSchedule;
         const bool same = last == nullptr || (next.revision == last->revision && next.lnC == last->lnC &&
                                               next.alpha == last->alpha && next.beta == last->beta);
         return same ? QString() : QStringLiteral("the next schedule is not the one announced last");

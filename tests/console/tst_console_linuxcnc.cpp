@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/desk/boring_recipe.h"
-#include "app/formats/tapping_tuning_json.h"
+#include "app/service/boring/boring_recipe.h"
+#include "app/service/tapping/tapping_tuning_json.h"
 #include "db/migrator.h"
 #include "db/writer_thread.h"
-#include "engine/boring/model.h"
+#include "engine/process/boring/model.h"
 #include "engine/core/random.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/linuxcnc_control.h"
@@ -56,7 +56,7 @@ class TestConsoleLinuxCnc : public QObject {
         QCOMPARE(writer.stop(), std::size_t{0});
     }
     [[nodiscard]] const BorePartView* awaited() {
-        const BoringDeskView& view = m_bench.desk();
+        const BoringServiceView& view = m_bench.service();
         for (const BorePartView& part : view.parts) {
             if (view.awaiting == part.id) {
                 return &part;
@@ -69,7 +69,7 @@ class TestConsoleLinuxCnc : public QObject {
         return part != nullptr && part->number == number;
     }
     [[nodiscard]] std::size_t measured(std::uint32_t number) {
-        for (const BorePartView& part : m_bench.desk().parts) {
+        for (const BorePartView& part : m_bench.service().parts) {
             if (part.number == number) {
                 return part.measurements.size();
             }
@@ -162,15 +162,15 @@ class TestConsoleLinuxCnc : public QObject {
             makeBore(number);
             if (QTest::currentTestFailed()) return;
         }
-        QCOMPARE(m_bench.desk().parts.size(), std::size_t{kParts});
-        for (const BorePartView& part : m_bench.desk().parts) {
+        QCOMPARE(m_bench.service().parts.size(), std::size_t{kParts});
+        for (const BorePartView& part : m_bench.service().parts) {
             QVERIFY(part.complete);
             QCOMPARE(part.measurements.size(), std::size_t{2});
         }
         // The law has been found: the next bore is on the target at both ends.
         for (const double overhang_mm : {40.0, 120.0}) {
             const double error =
-                m_bench.desk().nextSchedule.feed_mmPerRev(overhang_mm) / trueFeed_mmPerRev(overhang_mm) - 1.0;
+                m_bench.service().nextSchedule.feed_mmPerRev(overhang_mm) / trueFeed_mmPerRev(overhang_mm) - 1.0;
             std::printf("at %.0f mm the next feed is %.1f %% off\n", overhang_mm, 100.0 * error);
             QVERIFY(std::abs(error) < 0.1);
         }
@@ -215,7 +215,7 @@ class TestConsoleLinuxCnc : public QObject {
         QVERIFY(m_bench.up());
         m_control.stop();
         QTRY_COMPARE_WITH_TIMEOUT(m_bench.status().link, LinkState::Down, 10'000);
-        QCOMPARE(m_bench.desk().parts.size(), std::size_t{kParts});  // nothing lost
+        QCOMPARE(m_bench.service().parts.size(), std::size_t{kParts});  // nothing lost
         QVERIFY2(m_control.start(), m_control.log());
         QTRY_COMPARE_WITH_TIMEOUT(m_bench.status().link, LinkState::Up, 10'000);
     }
@@ -237,7 +237,7 @@ class TestConsoleLinuxCnc : public QObject {
         QVERIFY2(m_control.start(), m_control.log());
         QTRY_COMPARE_WITH_TIMEOUT(m_bench.status().link, LinkState::Up, 10'000);
         QTRY_COMPARE_WITH_TIMEOUT(linkText(), QStringLiteral("connected"), 10'000);
-        QCOMPARE(m_bench.desk().parts.size(), std::size_t{kParts});  // nothing lost
+        QCOMPARE(m_bench.service().parts.size(), std::size_t{kParts});  // nothing lost
     }
     void cleanupTestCase() { m_bench.stop(); }
 

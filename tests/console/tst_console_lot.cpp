@@ -25,10 +25,10 @@ class TestConsoleLot : public QObject {
         o.changeAtPart = kChangePart;
         return o;
     }
-    /// The part of that number; an empty one (number 0) while the desk does not know it.
+    /// The part of that number; an empty one (number 0) while the service does not know it.
     [[nodiscard]] const BorePartView& part(std::uint32_t number) {
         static const BorePartView kNone{};
-        for (const BorePartView& p : m_bench.desk().parts) {
+        for (const BorePartView& p : m_bench.service().parts) {
             if (p.number == number) {
                 return p;
             }
@@ -36,13 +36,13 @@ class TestConsoleLot : public QObject {
         return kNone;
     }
     [[nodiscard]] bool waits(std::uint32_t number, std::uint8_t depth) {
-        const BoringDeskView& view = m_bench.desk();
+        const BoringServiceView& view = m_bench.service();
         const BorePartView& p = part(number);
         return p.number == number && view.awaiting == p.id && view.awaitingDepth == depth;
     }
     [[nodiscard]] double gauged_mm() {
-        const BoringDeskView& view = m_bench.desk();
-        return m_bench.console().boringDesk().gaugeReading_mm(*view.awaiting, view.awaitingDepth).value_or(0.0);
+        const BoringServiceView& view = m_bench.service();
+        return m_bench.console().boringService().gaugeReading_mm(*view.awaiting, view.awaitingDepth).value_or(0.0);
     }
     [[nodiscard]] double stored_mm(std::uint32_t number, std::uint8_t depth) {
         for (const BoreMeasurementView& m : part(number).measurements) {
@@ -105,13 +105,13 @@ class TestConsoleLot : public QObject {
 
  private:
     void slipsADecade(std::uint32_t number) {
-        const std::uint64_t before = m_bench.desk().revision;
+        const std::uint64_t before = m_bench.service().revision;
         const QString wrong = QString::number(gauged_mm() / 10.0, 'f', 3);
         QVERIFY(m_bench.keyIn(wrong));
         QVERIFY(m_bench.find("boringConfirm") != nullptr || m_bench.find("boringEntryMessage") != nullptr);
         QVERIFY(!m_bench.text("boringEntryMessage").isEmpty());
         QVERIFY(part(number).measurements.empty());
-        QCOMPARE(m_bench.desk().revision, before);
+        QCOMPARE(m_bench.service().revision, before);
         if (m_bench.find("boringMeasureAgain") != nullptr) {
             QVERIFY(m_bench.press("boringMeasureAgain"));
         } else {
@@ -119,11 +119,11 @@ class TestConsoleLot : public QObject {
         }
     }
     void restartInTheMiddle(std::uint32_t number) {
-        const BoringDeskView before = m_bench.desk();
+        const BoringServiceView before = m_bench.service();
         m_bench.stop();
         bringUp();
         signOn();
-        const BoringDeskView& after = m_bench.desk();
+        const BoringServiceView& after = m_bench.service();
         QCOMPARE(after.parts.size(), before.parts.size());
         QCOMPARE(after.nextSchedule.revision, before.nextSchedule.revision);
         QCOMPARE(after.nextSchedule.lnC, before.nextSchedule.lnC);
@@ -133,7 +133,7 @@ class TestConsoleLot : public QObject {
         for (std::size_t i = 0; i < after.estimates.size(); ++i) {
             QCOMPARE(after.estimates[i].value, before.estimates[i].value);
         }
-        QVERIFY(m_bench.console().boringDesk().restartFinding().empty());
+        QVERIFY(m_bench.console().boringService().restartFinding().empty());
         QTRY_VERIFY(waits(number, 1));
     }
     void entersInInchAndKorean(std::uint32_t number) {
@@ -163,7 +163,7 @@ class TestConsoleLot : public QObject {
         QCOMPARE(stored_mm(number, 0), top_mm);
     }
     void correctsAValue(std::uint32_t number) {
-        const auto estimateBefore = m_bench.desk().estimates.back().value;
+        const auto estimateBefore = m_bench.service().estimates.back().value;
         const double old_mm = stored_mm(number, 0);
         const double corrected_mm = old_mm + 0.004;
         QVERIFY(m_bench.press("boringCorrect"));
@@ -178,14 +178,14 @@ class TestConsoleLot : public QObject {
         QVERIFY(m_bench.press("measurementReason0"));
         QVERIFY(m_bench.press("measurementApply"));
         QTRY_COMPARE_WITH_TIMEOUT(stored_mm(number, 0), std::round(corrected_mm * 1000.0) / 1000.0, 10'000);
-        QVERIFY(m_bench.desk().estimates.back().value != estimateBefore);
+        QVERIFY(m_bench.service().estimates.back().value != estimateBefore);
         if (m_bench.find("measurementListClose") != nullptr) {
             QVERIFY(m_bench.press("measurementListClose"));
         }
     }
     void processChangeWasNoticed() {
         bool noticed = false;
-        for (const BorePartView& p : m_bench.desk().parts) {
+        for (const BorePartView& p : m_bench.service().parts) {
             if (p.perturbed) {
                 QVERIFY(p.number >= kChangePart);
                 QVERIFY(!p.perturbedReason.empty());

@@ -51,7 +51,7 @@ class TestConsoleLots : public QObject {
         return button != nullptr && !button->isEnabled();
     }
     static bool waitForFullLot(test::ConsoleBench& bench) {
-        return QTest::qWaitFor([&bench] { return lotFull(bench.desk()) && !bench.desk().awaiting; }, 60'000);
+        return QTest::qWaitFor([&bench] { return lotFull(bench.service()) && !bench.service().awaiting; }, 60'000);
     }
 
  private slots:
@@ -68,16 +68,16 @@ class TestConsoleLots : public QObject {
         signOn(bench, "Kim", ui::Role::Setter);
         look(bench, "lots");
         QVERIFY(bench.press("lotOpen"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("lot 2")));
         QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
         QVERIFY(waitForFullLot(bench));  // the shift goes on by itself
-        QCOMPARE(bench.desk().parts.size(), std::size_t{3});
+        QCOMPARE(bench.service().parts.size(), std::size_t{3});
         bench.stop();
         start(bench, options(3, true));
-        QCOMPARE(bench.desk().lot, std::string("2"));
-        QCOMPARE(bench.desk().parts.size(), std::size_t{3});
-        QVERIFY(bench.console().boringDesk().restartFinding().empty());
+        QCOMPARE(bench.service().lot, std::string("2"));
+        QCOMPARE(bench.service().parts.size(), std::size_t{3});
+        QVERIFY(bench.console().boringService().restartFinding().empty());
     }
     void anEarlierLotGoesOnAndCanBeClosed() {
         test::ConsoleBench bench;
@@ -86,18 +86,18 @@ class TestConsoleLots : public QObject {
         signOn(bench, "Kim", ui::Role::Setter);
         QVERIFY(bench.press("lots"));
         QVERIFY(bench.press("lotOpen"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("2"), 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
         QVERIFY(waitForFullLot(bench));
         QVERIFY(bench.press("lots"));
         auto* table = bench.find<QTableWidget>("lotTable");
         QCOMPARE(table->rowCount(), 2);
         table->selectRow(1);
         QVERIFY(bench.press("lotChoose"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().lot, std::string("1"), 30'000);
-        QCOMPARE(bench.desk().parts.size(), std::size_t{2});
+        QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("1"), 30'000);
+        QCOMPARE(bench.service().parts.size(), std::size_t{2});
         QVERIFY(bench.press("lots"));
         QVERIFY(bench.press("lotClose"));
-        QTRY_VERIFY(bench.desk().lotClosed);
+        QTRY_VERIFY(bench.service().lotClosed);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("closed")));
     }
     void onlyASetterOpensLotsAndTheButtonSaysSo() {
@@ -161,13 +161,13 @@ class TestConsoleLots : public QObject {
 
         bench.find<QComboBox>("lotPartType")->setCurrentText(QStringLiteral("Sleeve 50"));
         QVERIFY(bench.press("lotOpen"));
-        QTRY_COMPARE(bench.desk().partType, std::string("Sleeve 50"));
-        QCOMPARE(bench.desk().upperTolerance_mm, 50.03);
-        QCOMPARE(bench.desk().depths.size(), std::size_t{3});
-        QCOMPARE(bench.desk().recipeRevision, 3U);
+        QTRY_COMPARE(bench.service().partType, std::string("Sleeve 50"));
+        QCOMPARE(bench.service().upperTolerance_mm, 50.03);
+        QCOMPARE(bench.service().depths.size(), std::size_t{3});
+        QCOMPARE(bench.service().recipeRevision, 3U);
         bench.stop();
         start(bench, options(1, true));
-        QCOMPARE(bench.desk().partType, std::string("Sleeve 50"));
+        QCOMPARE(bench.service().partType, std::string("Sleeve 50"));
     }
     void aPartGetsItsSerialAndItsReportAndAllDataABackup() {
         test::ConsoleBench bench;
@@ -223,17 +223,17 @@ class TestConsoleLots : public QObject {
         console::Options first = options(5, false);
         first.changeAtPart = 1;
         start(bench, first);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.desk().awaiting.has_value(), 60'000);
-        const PartId part = *bench.desk().awaiting;
-        const auto before = bench.console().boringDesk().gaugeReading_mm(part, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.service().awaiting.has_value(), 60'000);
+        const PartId part = *bench.service().awaiting;
+        const auto before = bench.console().boringService().gaugeReading_mm(part, 1);
         QVERIFY(before.has_value());
         bench.stop();
         start(bench, first);
-        QCOMPARE(*bench.desk().awaiting, part);
-        const auto after = bench.console().boringDesk().gaugeReading_mm(part, 1);
+        QCOMPARE(*bench.service().awaiting, part);
+        const auto after = bench.console().boringService().gaugeReading_mm(part, 1);
         QVERIFY(after.has_value());
         QVERIFY2(std::abs(*after - *before) < 0.0015, qPrintable(QString::number(*after - *before)));
-        QCOMPARE(*bench.console().boringDesk().gaugeReading_mm(part, 1), *after);
+        QCOMPARE(*bench.console().boringService().gaugeReading_mm(part, 1), *after);
     }
 };
 

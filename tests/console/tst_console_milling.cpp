@@ -2,7 +2,7 @@
 #include <QFile>
 #include <QTextStream>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "tests/support/console_bench.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
@@ -40,7 +40,7 @@ class TestConsoleMilling : public QObject {
         m_bench->start(options());
         QTRY_VERIFY_WITH_TIMEOUT(m_bench->up() || !m_bench->failure().isEmpty(), 20'000);
         QVERIFY2(m_bench->up(), qPrintable(m_bench->failure()));
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench->desk().awaiting.has_value(), 60'000);  // its bore waits for the gauge
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench->service().awaiting.has_value(), 60'000);  // its bore waits for the gauge
         m_bench->console().window()->showPage("milling");
         QTRY_VERIFY(m_bench->find("millingPage") != nullptr);
         QTRY_VERIFY_WITH_TIMEOUT(milling().setup != 0 && loop().mode == LoopMode::Control, 20'000);

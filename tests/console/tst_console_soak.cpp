@@ -32,7 +32,7 @@ class TestConsoleSoak : public QObject {
         bench.start(options);
         QTRY_VERIFY2_WITH_TIMEOUT(bench.up(), qPrintable(bench.failure()), 20'000);
         const auto done = [&bench](int number) {
-            const auto& list = bench.desk().parts;
+            const auto& list = bench.service().parts;
             return !list.empty() && list.back().number >= static_cast<std::uint32_t>(number) && list.back().complete;
         };
         QTRY_VERIFY_WITH_TIMEOUT(done(parts / 2), 3'000'000);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "app/formats/tapping_tuning_json.h"
+#include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/api/part_results.h"
-#include "engine/machine/simulated_machine.h"
+#include "engine/machine/simulated/simulated_machine.h"
 #include "tests/support/console_bench.h"
 #include "ui/pages/tapping/trial_bars.h"
 
@@ -32,7 +32,7 @@ class TestConsoleTapping : public QObject {
         QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
         QVERIFY(m_bench.press("signOn"));
         // The lot's only bore is cut first; it waits for its gauge and leaves the machine free.
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench.desk().awaiting.has_value(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(enabled("tappingTap"), 60'000);
     }
     [[nodiscard]] QString situation() {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/thermal/thermal_alarms.h"
+#include "engine/process/thermal/thermal_alarms.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/golden.h"
 #include "ui/widgets/action_button.h"

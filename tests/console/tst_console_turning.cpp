@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/console/rooms/turning_room.h"
-#include "engine/turning/turning_alarms.h"
+#include "engine/process/turning/turning_alarms.h"
 #include "tests/support/console_bench.h"
 #include "ui/pages/turning/spectrum_chart.h"
 
@@ -31,8 +31,8 @@ class TestConsoleTurning : public QObject {
         QVERIFY(m_bench.console().engine().send(fast).has_value());
     }
     void signOn() { QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Setter)); }
-    [[nodiscard]] const TurningDeskView& desk() {
-        return static_cast<console::TurningRoom*>(m_bench.console().room(ProcessId::Turning))->desk().view();
+    [[nodiscard]] const TurningServiceView& service() {
+        return static_cast<console::TurningRoom*>(m_bench.console().room(ProcessId::Turning))->service().view();
     }
     [[nodiscard]] const TurningStatus& turning() { return m_bench.status().turning; }
     [[nodiscard]] const LoopStatus& loop() { return m_bench.status().loops[kTurning]; }
@@ -51,7 +51,7 @@ class TestConsoleTurning : public QObject {
     }
     void cutPart(std::size_t partsAfter) {
         startPart();
-        QTRY_COMPARE_WITH_TIMEOUT(desk().parts.size(), partsAfter, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(service().parts.size(), partsAfter, 60'000);
         QTRY_VERIFY(m_bench.status().program != ProgramState::Running);
     }
 
@@ -65,8 +65,8 @@ class TestConsoleTurning : public QObject {
         }
         setMode("turningModeAdvise", LoopMode::Advise);
         cutPart(1);
-        QVERIFY(!desk().parts[0].record.controlled);
-        QCOMPARE(desk().parts[0].record.trimPeak_um, 0.0);
+        QVERIFY(!service().parts[0].record.controlled);
+        QCOMPARE(service().parts[0].record.trimPeak_um, 0.0);
         setMode("turningModeControl", LoopMode::Control);
         cutPart(2);
         comparisonHolds();
@@ -88,15 +88,15 @@ class TestConsoleTurning : public QObject {
         QTest::keyClicks(to, QStringLiteral("0.8"));
         QTRY_VERIFY(enabled("turningSetupApply"));
         QVERIFY(m_bench.press("turningSetupApply"));
-        QTRY_COMPARE(desk().setup.faceTo_mm, 0.8);
-        QTRY_COMPARE(turning().nextSetup, desk().setup.revision);
+        QTRY_COMPARE(service().setup.faceTo_mm, 0.8);
+        QTRY_COMPARE(turning().nextSetup, service().setup.revision);
     }
     void comparisonHolds() {
-        const TurningPartView& open = desk().parts[0];
-        const TurningPartView& closed = desk().parts[1];
+        const TurningPartView& open = service().parts[0];
+        const TurningPartView& closed = service().parts[1];
         QVERIFY(closed.complete && closed.record.controlled && !closed.record.leftLoop);
-        QVERIFY(desk().comparison.has_value());
-        const TurningComparison& c = *desk().comparison;
+        QVERIFY(service().comparison.has_value());
+        const TurningComparison& c = *service().comparison;
         QCOMPARE(c.openPart, open.number);
         QCOMPARE(c.closedPart, closed.number);
         QVERIFY2(c.rms_percent() > 80.0, qPrintable(QString::number(c.rms_percent())));
@@ -107,12 +107,12 @@ class TestConsoleTurning : public QObject {
         QVERIFY(!closed.force.empty() && !closed.spectrum.empty());
         QVERIFY(closed.record.identification.available);
         QVERIFY(std::abs(closed.record.identification.value[1] - 0.747) < 0.05);
-        QTRY_VERIFY(desk().margins.known);
-        QVERIFY(desk().margins.phase_deg > 30.0);
+        QTRY_VERIFY(service().margins.known);
+        QVERIFY(service().margins.phase_deg > 30.0);
     }
     void blindTonesAreNamed() {
         QVERIFY(m_bench.text("turningBlind").contains(QStringLiteral("86.0")));
-        QVERIFY(desk().blind.anyBlind && desk().blind.suggestedSpeed_rpm.has_value());
+        QVERIFY(service().blind.anyBlind && service().blind.suggestedSpeed_rpm.has_value());
         auto* spectrum = m_bench.find<ui::SpectrumChart>("turningSpectrum");
         QVERIFY(spectrum != nullptr);
         bool named = false;
@@ -152,16 +152,16 @@ class TestConsoleTurning : public QObject {
         Command fast;
         fast.action = SetSimulationSpeed{0.0};
         QVERIFY(m_bench.console().engine().send(fast).has_value());
-        QTRY_COMPARE_WITH_TIMEOUT(desk().parts.size(), std::size_t{3}, 60'000);
-        QVERIFY(desk().parts[2].record.leftLoop);
-        QVERIFY(!desk().parts[2].record.controlled);
-        QCOMPARE(desk().comparison->closedPart, desk().parts[1].number);  // that one does not count
+        QTRY_COMPARE_WITH_TIMEOUT(service().parts.size(), std::size_t{3}, 60'000);
+        QVERIFY(service().parts[2].record.leftLoop);
+        QVERIFY(!service().parts[2].record.controlled);
+        QCOMPARE(service().comparison->closedPart, service().parts[1].number);  // that one does not count
     }
     void archiveSurvivesARestart() {
-        const TurningDeskView before = desk();
+        const TurningServiceView before = service();
         m_bench.stop();
         bringUp();
-        const TurningDeskView& after = desk();
+        const TurningServiceView& after = service();
         QCOMPARE(after.setup.faceTo_mm, before.setup.faceTo_mm);
         QCOMPARE(after.setup.revision, before.setup.revision);
         QCOMPARE(after.parts.size(), before.parts.size());

@@ -80,7 +80,7 @@ class Victim : public QObject {
     std::vector<MeasurementRow> m_rows;
     std::vector<PartId> m_parts;
     Random m_random;
-    std::unique_ptr<StoreSubscription> m_subscription;
+    std::unique_ptr<Subscription> m_subscription;
     bool m_busy{false};
 };
 

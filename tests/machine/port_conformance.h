@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/machine/machine_port.h"
+#include "engine/port/machine_port.h"
 
 /// What every machine behind the port must do. A machine's test derives from this class, makes the port and says how
 /// machine time passes; Qt Test then runs the inherited slots against it.

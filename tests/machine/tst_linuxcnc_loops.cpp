@@ -8,14 +8,14 @@
 #include <thread>
 #include <vector>
 
-#include "engine/boring/boring_loop.h"
-#include "engine/boring/gcode_export.h"
-#include "engine/loop/engine.h"
+#include "engine/process/boring/boring_loop.h"
+#include "engine/process/boring/gcode_export.h"
+#include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
-#include "engine/milling/milling_loop.h"
-#include "engine/tapping/tapping_loop.h"
-#include "engine/tapping/tuning_session.h"
+#include "engine/process/milling/milling_loop.h"
+#include "engine/process/tapping/tapping_loop.h"
+#include "engine/process/tapping/tuning_session.h"
 #include "tests/support/linuxcnc_control.h"
 
 using namespace kerf;

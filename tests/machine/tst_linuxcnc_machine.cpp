@@ -7,9 +7,9 @@
 #include <string_view>
 #include <thread>
 
-#include "engine/boring/boring_loop.h"
+#include "engine/process/boring/boring_loop.h"
 #include "engine/limits/output_limiter.h"
-#include "engine/loop/engine.h"
+#include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "tests/machine/port_conformance.h"
 #include "tests/support/linuxcnc_control.h"

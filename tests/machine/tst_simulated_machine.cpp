@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "engine/machine/simulated_boring.h"
-#include "engine/machine/simulated_machine.h"
+#include "engine/machine/simulated/simulated_boring.h"
+#include "engine/machine/simulated/simulated_machine.h"
 #include "tests/machine/port_conformance.h"
 
 namespace {

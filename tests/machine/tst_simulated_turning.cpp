@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_turning.h"
+#include "engine/machine/simulated/simulated_machine.h"
+#include "engine/machine/simulated/simulated_turning.h"
 #include "tests/machine/port_conformance.h"
 
 /// The simulated diamond turning machine passes the suite of the port at its 5 kHz cycle.

@@ -36,7 +36,7 @@ class ConsoleBench {
     [[nodiscard]] bool up() const { return m_console && m_console->window() != nullptr; }
     [[nodiscard]] const QString& failure() const { return m_failure; }
     [[nodiscard]] console::ConsoleApplication& console() { return *m_console; }
-    [[nodiscard]] const BoringDeskView& desk() { return m_console->boringDesk().view(); }
+    [[nodiscard]] const BoringServiceView& service() { return m_console->boringService().view(); }
     [[nodiscard]] const Status& status() { return m_console->window()->client().status(); }
     [[nodiscard]] QString folder() const { return m_folder.path(); }
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/loop/engine.h"
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_milling.h"
-#include "engine/milling/milling_loop.h"
+#include "engine/cycle/engine.h"
+#include "engine/machine/simulated/simulated_machine.h"
+#include "engine/machine/simulated/simulated_milling.h"
+#include "engine/process/milling/milling_loop.h"
 
 namespace kerf::test {
 

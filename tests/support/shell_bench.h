@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/core/random.h"
-#include "tests/support/fake_boring_desk.h"
+#include "tests/support/fake_boring_service.h"
 #include "tests/support/fake_engine.h"
 #include "ui/shell/main_window.h"
 #include "ui/theme/look.h"
@@ -61,9 +61,9 @@ struct ShellBench {
         s.stats.cycles = 200'000;
         s.stats.overruns = 3;
         services = std::make_unique<ui::Services>(ui::Services{engine});
-        desk.runParts(6);
-        desk.cutPart();
-        services->boringDesk = &desk;
+        service.runParts(6);
+        service.cutPart();
+        services->boringService = &service;
         services->signOn.accounts = {{QStringLiteral("Kim Minji"), ui::Role::Operator, {}},
                                      {QStringLiteral("A. Berger"), ui::Role::Engineer, {}}};
         window = std::make_unique<ui::MainWindow>(look, *services, std::move(pages));
@@ -74,7 +74,7 @@ struct ShellBench {
     }
 
     FakeEngine engine;
-    FakeBoringDesk desk;
+    FakeBoringService service;
     ui::Look look;
     std::unique_ptr<ui::Services> services;
     std::unique_ptr<ui::MainWindow> window;

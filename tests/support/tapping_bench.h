@@ -6,12 +6,12 @@
 #include <set>
 #include <vector>
 
-#include "engine/loop/engine.h"
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_tapping.h"
-#include "engine/tapping/tapping_loop.h"
-#include "engine/tapping/trial_machine.h"
-#include "engine/tapping/tuner.h"
+#include "engine/cycle/engine.h"
+#include "engine/machine/simulated/simulated_machine.h"
+#include "engine/machine/simulated/simulated_tapping.h"
+#include "engine/process/tapping/tapping_loop.h"
+#include "engine/process/tapping/trial_machine.h"
+#include "engine/process/tapping/tuner.h"
 
 namespace kerf::test {
 

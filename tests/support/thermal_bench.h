@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/loop/engine.h"
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_thermal.h"
-#include "engine/thermal/plant/simulated_day.h"
-#include "engine/thermal/thermal_alarms.h"
-#include "engine/thermal/thermal_loop.h"
-#include "engine/thermal/training.h"
+#include "engine/cycle/engine.h"
+#include "engine/machine/simulated/simulated_machine.h"
+#include "engine/machine/simulated/simulated_thermal.h"
+#include "engine/process/thermal/plant/simulated_day.h"
+#include "engine/process/thermal/thermal_alarms.h"
+#include "engine/process/thermal/thermal_loop.h"
+#include "engine/process/thermal/training.h"
 
 namespace kerf::test {
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/loop/engine.h"
-#include "engine/machine/simulated_machine.h"
-#include "engine/machine/simulated_turning.h"
-#include "engine/turning/turning_loop.h"
+#include "engine/cycle/engine.h"
+#include "engine/machine/simulated/simulated_machine.h"
+#include "engine/machine/simulated/simulated_turning.h"
+#include "engine/process/turning/turning_loop.h"
 
 namespace kerf::test {
 

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "tests/support/fake_boring_desk.h"
+#include "tests/support/fake_boring_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
@@ -13,106 +13,106 @@
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeBoringDesk;
+using kerf::test::FakeBoringService;
 using kerf::test::PageBench;
 
-/// A lot on the fake desk, its page, and the touches of an operator.
+/// A lot on the fake service, its page, and the touches of an operator.
 class TestBoringPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeBoringDesk>();
+        m_service = std::make_unique<FakeBoringService>();
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.boringDesk = m_desk.get();
+        m_bench->services.boringService = m_service.get();
         m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Advise;
         m_bench->engine.loop(ProcessId::Boring).state = LoopState::Advising;
     }
     void cleanup() {
         m_bench.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     // Entry.
     void aDiameterIsEnteredInThreeTouches() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
         QCOMPARE(touches("key1", "key2", "keyEnter"), 3);
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
-        QCOMPARE(m_desk->entries[0].diameter_mm, 50.012);
-        QCOMPARE(m_desk->entries[0].author, std::string("Kim"));
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
+        QCOMPARE(m_service->entries[0].diameter_mm, 50.012);
+        QCOMPARE(m_service->entries[0].author, std::string("Kim"));
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, bottom"));  // the next one is preselected
         QCOMPARE(touches("key9", "key9", "keyEnter"), 3);
-        QCOMPARE(m_desk->entries[1].diameter_mm, 49.999);
-        QCOMPARE(m_desk->entries[1].depth, std::uint8_t{1});
+        QCOMPARE(m_service->entries[1].diameter_mm, 49.999);
+        QCOMPARE(m_service->entries[1].depth, std::uint8_t{1});
         QVERIFY(!field()->isEnabled());
         QVERIFY(!text("boringEntryMessage").isEmpty());
     }
     void aWholeDiameterMayBeTypedOnTheKeyboard() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         QTest::keyClicks(field(), QStringLiteral("50,013"));
         QTest::keyClick(field(), Qt::Key_Return);
-        QTRY_COMPARE(m_desk->entries.size(), std::size_t{1});
-        QCOMPARE(m_desk->entries[0].diameter_mm, 50.013);
+        QTRY_COMPARE(m_service->entries.size(), std::size_t{1});
+        QCOMPARE(m_service->entries[0].diameter_mm, 50.013);
     }
     void aTextPutInByOtherMeansCounts() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         field()->setText(QStringLiteral("50.014"));
         QVERIFY(m_bench->press("keyEnter"));
-        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.014);
+        QCOMPARE(m_service->entries.at(0).diameter_mm, 50.014);
     }
     void theGaugeButtonFillsTheField() {
-        m_desk->cutPart();
-        m_desk->gaugeFitted = true;
+        m_service->cutPart();
+        m_service->gaugeFitted = true;
         show();
         QCOMPARE(touches("boringGauge", "keyEnter"), 2);
-        QCOMPARE(m_desk->entries.at(0).diameter_mm, m_desk->trueDiameter_mm(101, 0) + 0.00037);
-        QVERIFY(m_desk->entries.at(0).fromGauge);
+        QCOMPARE(m_service->entries.at(0).diameter_mm, m_service->trueDiameter_mm(101, 0) + 0.00037);
+        QVERIFY(m_service->entries.at(0).fromGauge);
     }
     void aDecadeTypoIsAskedAboutAndMeasuredAgain() {
-        m_desk->runParts(3);
-        m_desk->cutPart();
+        m_service->runParts(3);
+        m_service->cutPart();
         show();
-        const std::size_t before = m_desk->entries.size();
+        const std::size_t before = m_service->entries.size();
         type("5.0011");
-        QCOMPARE(m_desk->entries.size(), before);
+        QCOMPARE(m_service->entries.size(), before);
         QVERIFY(visible("boringMeasureAgain"));
         QVERIFY(visible("boringConfirm"));
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("5.001")));
         QVERIFY(m_bench->press("keyEnter"));  // Enter is no answer
-        QCOMPARE(m_desk->entries.size(), before);
+        QCOMPARE(m_service->entries.size(), before);
         QVERIFY(visible("boringConfirm"));
         QVERIFY(m_bench->press("boringMeasureAgain"));
         QVERIFY(!visible("boringConfirm"));
         QCOMPARE(touches("key1", "key1", "keyEnter"), 3);
-        QCOMPARE(m_desk->entries.size(), before + 1);
-        QVERIFY(!m_desk->entries.back().confirmed);
+        QCOMPARE(m_service->entries.size(), before + 1);
+        QVERIFY(!m_service->entries.back().confirmed);
     }
     void typingOnIsMeasuringAgain() {
-        m_desk->runParts(3);
-        m_desk->cutPart();
+        m_service->runParts(3);
+        m_service->cutPart();
         show();
         type("5.0011");
         QCOMPARE(touches("key1", "key1", "keyEnter"), 3);
-        QCOMPARE(m_desk->entries.back().diameter_mm, 50.011);
+        QCOMPARE(m_service->entries.back().diameter_mm, 50.011);
         QVERIFY(!visible("boringConfirm"));
     }
     void anImplausibleValueMayBeConfirmed() {
-        m_desk->runParts(3);
-        m_desk->cutPart();
+        m_service->runParts(3);
+        m_service->cutPart();
         show();
         type("49.700");
         QVERIFY(m_bench->press("boringConfirm"));
-        QCOMPARE(m_desk->entries.back().diameter_mm, 49.7);
-        QVERIFY(m_desk->entries.back().confirmed);
+        QCOMPARE(m_service->entries.back().diameter_mm, 49.7);
+        QVERIFY(m_service->entries.back().confirmed);
     }
     void aRefusedEntryKeepsItsTextAndSaysWhatWhereAndRange() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         type("500.11");
-        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_service->entries.empty());
         QCOMPARE(field()->text(), QStringLiteral("500.11"));
         for (const char* piece : {"500.110", "part 1, top", "50.127"}) {
             QVERIFY2(text("boringEntryMessage").contains(QLatin1String(piece)), qPrintable(text("boringEntryMessage")));
@@ -127,53 +127,53 @@ class TestBoringPage : public QObject {
     }
     void whatIsNoNumberIsRefusedAtTheField() {
         QFETCH(QString, typed);
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         type(typed.toLatin1().constData());
-        QVERIFY(m_desk->entries.empty());
-        QVERIFY(m_desk->checked.empty());
+        QVERIFY(m_service->entries.empty());
+        QVERIFY(m_service->checked.empty());
         QCOMPARE(entry()->field()->input().typed(), typed);
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("part 1, top")));
     }
     void withoutANameNothingIsEntered() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         m_bench->session.signOff();
         type("50.011");
         QCOMPARE(m_bench->askedForName, 1);
-        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_service->entries.empty());
         QCOMPARE(field()->text(), QStringLiteral("50.011"));
     }
     void anEntryStaysWithThePartItWasBegunFor() {
-        m_desk->runParts(2);
-        m_desk->cutPart();
+        m_service->runParts(2);
+        m_service->cutPart();
         show();
         QVERIFY(m_bench->press("key1"));
-        m_desk->voidMeasurement(1, "Lee", "gauge", {});  // now part 1 waits and is older
+        m_service->voidMeasurement(1, "Lee", "gauge", {});  // now part 1 waits and is older
         QVERIFY(m_bench->press("key2"));
         QVERIFY(m_bench->press("keyEnter"));
-        QCOMPARE(m_desk->entries.back().part, PartId{103});
+        QCOMPARE(m_service->entries.back().part, PartId{103});
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
     }
 
     // Store.
     void aFailingStoreKeepsTheValueAndSaysSo() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
-        m_desk->setStoreProblem(Sentence("The disk is full."));
+        m_service->setStoreProblem(Sentence("The disk is full."));
         QVERIFY(text("boringNote").contains(QStringLiteral("The disk is full.")));
         type("50.011");
-        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_service->entries.empty());
         QCOMPARE(field()->text(), QStringLiteral("50.011"));
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("The disk is full.")));
-        m_desk->setStoreProblem({});
+        m_service->setStoreProblem({});
         QVERIFY(m_bench->press("keyEnter"));
-        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.011);
+        QCOMPARE(m_service->entries.at(0).diameter_mm, 50.011);
         QVERIFY(!visible("boringNote"));
     }
     void aSlowStoreNeitherBlocksThePageNorStoresTwice() {
-        m_desk->cutPart();
-        m_desk->keepAnswers = true;
+        m_service->cutPart();
+        m_service->keepAnswers = true;
         show();
         type("50.011");
         QVERIFY(m_bench->press("keyEnter"));
@@ -183,24 +183,24 @@ class TestBoringPage : public QObject {
         connect(&beat, &QTimer::timeout, this, [&beats] { ++beats; });
         beat.start(1);
         QTRY_VERIFY(beats > 3);
-        QVERIFY(m_desk->entries.empty());
-        m_desk->answerAll();
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QVERIFY(m_service->entries.empty());
+        m_service->answerAll();
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, bottom"));
     }
     void anAnswerMayComeAfterThePageHasGone() {
-        m_desk->cutPart();
-        m_desk->keepAnswers = true;
+        m_service->cutPart();
+        m_service->keepAnswers = true;
         show();
         type("50.011");
         m_bench.reset();
-        m_desk->answerAll();
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        m_service->answerAll();
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
     }
 
     // Undo and correct.
     void undoTakesTheLastOneOutWithAReason() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         type("50.011");
         QVERIFY(m_bench->press("boringUndo"));
@@ -208,15 +208,15 @@ class TestBoringPage : public QObject {
         QVERIFY(!m_bench->find<ActionButton>("measurementApply")->reason().isEmpty());
         QVERIFY(m_bench->press("measurementReason0"));
         QVERIFY(m_bench->press("measurementApply"));
-        QCOMPARE(m_desk->calls.back().what, std::string("void"));
-        QCOMPARE(m_desk->calls.back().id, std::int64_t{1});
-        QCOMPARE(m_desk->calls.back().author, std::string("Kim"));
-        QVERIFY(!m_desk->calls.back().reason.empty());
+        QCOMPARE(m_service->calls.back().what, std::string("void"));
+        QCOMPARE(m_service->calls.back().id, std::int64_t{1});
+        QCOMPARE(m_service->calls.back().author, std::string("Kim"));
+        QVERIFY(!m_service->calls.back().reason.empty());
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
         QVERIFY(!m_bench->notices.empty());
     }
     void aValueIsCorrectedFromTheList() {
-        m_desk->runParts(3);
+        m_service->runParts(3);
         show();
         QVERIFY(m_bench->press("boringCorrect"));
         auto* list = m_bench->find<QTableWidget>("boringMeasurementList");
@@ -232,16 +232,16 @@ class TestBoringPage : public QObject {
         }
         m_bench->find<QLineEdit>("measurementReason")->setText(QStringLiteral("read the wrong line"));
         QVERIFY(m_bench->press("measurementApply"));
-        QCOMPARE(m_desk->calls.back().what, std::string("correct"));
-        QCOMPARE(m_desk->calls.back().id, std::int64_t{1});
-        QCOMPARE(m_desk->calls.back().value_mm, 50.021);
-        QCOMPARE(m_desk->calls.back().reason, std::string("read the wrong line"));
-        QVERIFY(m_desk->view().parts[0].measurements[0].corrected);
+        QCOMPARE(m_service->calls.back().what, std::string("correct"));
+        QCOMPARE(m_service->calls.back().id, std::int64_t{1});
+        QCOMPARE(m_service->calls.back().value_mm, 50.021);
+        QCOMPARE(m_service->calls.back().reason, std::string("read the wrong line"));
+        QVERIFY(m_service->view().parts[0].measurements[0].corrected);
     }
     void aCorrectionThatCannotBeStoredStaysOpenWithTheReason() {
-        m_desk->runParts(1);
+        m_service->runParts(1);
         show();
-        m_desk->failWith = Sentence("The disk is full.");
+        m_service->failWith = Sentence("The disk is full.");
         QVERIFY(m_bench->press("boringUndo"));
         QVERIFY(m_bench->press("measurementReason1"));
         QVERIFY(m_bench->press("measurementApply"));
@@ -249,86 +249,86 @@ class TestBoringPage : public QObject {
         QVERIFY(m_bench->sheets->current() != nullptr);
     }
     void anotherPartMayBeMeasuredFirst() {
-        m_desk->cutPart();
-        m_desk->cutPart();
+        m_service->cutPart();
+        m_service->cutPart();
         show();
         QVERIFY(m_bench->press("boringCorrect"));
         emit m_bench->find<QTableWidget>("boringMeasurementList")->cellClicked(0, 2);  // newest part, bottom
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 2, bottom"));
         type("50.011");
-        QCOMPARE(m_desk->entries.at(0).part, PartId{102});
+        QCOMPARE(m_service->entries.at(0).part, PartId{102});
         QCOMPARE(text("boringEntryPrompt"), QStringLiteral("⌀ of part 1, top"));
     }
 
     // Gauge, whatever has the focus.
     void aGaugeEntersFromAnyFocus() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         QLineEdit elsewhere;
         elsewhere.show();
         burst(&elsewhere, "50.011");
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
-        QVERIFY(m_desk->entries[0].fromGauge);
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
+        QVERIFY(m_service->entries[0].fromGauge);
         QVERIFY(elsewhere.text().isEmpty());
         burst(&elsewhere, "50.012mm");
-        QCOMPARE(m_desk->entries.size(), std::size_t{2});
-        QCOMPARE(m_desk->entries[1].depth, std::uint8_t{1});
+        QCOMPARE(m_service->entries.size(), std::size_t{2});
+        QCOMPARE(m_service->entries[1].depth, std::uint8_t{1});
     }
     void aGaugeEntersWhileAnotherPageIsShown() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         m_bench->page->hide();
         QLineEdit elsewhere;
         elsewhere.show();
         burst(&elsewhere, "50.011");
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
         QVERIFY(!m_bench->notices.empty());
         burst(&elsewhere, "5.0011");  // a question: the page must come up
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
         QCOMPARE(m_bench->shownPages.back(), std::string("boring"));
     }
     void aGaugeInTheOtherUnitIsAskedAbout() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         burst(field(), "1.9689");
-        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_service->entries.empty());
         QVERIFY(visible("boringConfirm"));
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("inch")));
         QVERIFY(m_bench->press("boringConfirm"));
-        QVERIFY(std::abs(m_desk->entries.at(0).diameter_mm - 1.9689 * 25.4) < 1e-9);
+        QVERIFY(std::abs(m_service->entries.at(0).diameter_mm - 1.9689 * 25.4) < 1e-9);
     }
     void aReadingSentTwiceIsTakenOnce() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
         burst(field(), "50.011");
         burst(field(), "50.011");
-        QCOMPARE(m_desk->entries.size(), std::size_t{1});
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("50.011")));
     }
     void aReadingThatNobodyWaitsForIsTold() {
         show();
         burst(m_bench->page, "50.011");
-        QVERIFY(m_desk->entries.empty());
+        QVERIFY(m_service->entries.empty());
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("50.011")));
     }
     void aGaugeReadingThatCouldNotBeStoredWaitsInTheField() {
-        m_desk->cutPart();
+        m_service->cutPart();
         show();
-        m_desk->failWith = Sentence("The disk is full.");
+        m_service->failWith = Sentence("The disk is full.");
         burst(m_bench->page, "50.011");
         QCOMPARE(field()->text(), QStringLiteral("50.011"));
-        m_desk->failWith = {};
+        m_service->failWith = {};
         QVERIFY(m_bench->press("keyEnter"));
-        QCOMPARE(m_desk->entries.at(0).diameter_mm, 50.011);
+        QCOMPARE(m_service->entries.at(0).diameter_mm, 50.011);
     }
 
     // Units and language.
     void switchingUnitsInTheMiddleOfAnEntryKeepsTheData() {
-        m_desk->runParts(2);
-        m_desk->cutPart();
+        m_service->runParts(2);
+        m_service->cutPart();
         show();
         QVERIFY(m_bench->press("key1"));
-        const double before = m_desk->view().parts[0].measurements[0].diameter_mm;
+        const double before = m_service->view().parts[0].measurements[0].diameter_mm;
         Preferences preferences;
         preferences.length = LengthUnit::Inch;
         preferences.brightness = Brightness::Dark;
@@ -337,15 +337,15 @@ class TestBoringPage : public QObject {
         QVERIFY(text("boringNextFeed").contains(QStringLiteral("in/rev")));
         QVERIFY(m_bench->press("key2"));
         QVERIFY(m_bench->press("keyEnter"));
-        QCOMPARE(m_desk->entries.back().diameter_mm, 50.012);
+        QCOMPARE(m_service->entries.back().diameter_mm, 50.012);
         QCOMPARE(text("boringEntryUnit"), QStringLiteral("in"));
         type("1.9690");
-        QVERIFY(std::abs(m_desk->entries.back().diameter_mm - 1.9690 * 25.4) < 1e-9);
-        QCOMPARE(m_desk->view().parts[0].measurements[0].diameter_mm, before);
+        QVERIFY(std::abs(m_service->entries.back().diameter_mm - 1.9690 * 25.4) < 1e-9);
+        QCOMPARE(m_service->view().parts[0].measurements[0].diameter_mm, before);
     }
     void switchingTheLanguageKeepsEntryAndQuestion() {
-        m_desk->runParts(2);
-        m_desk->cutPart();
+        m_service->runParts(2);
+        m_service->cutPart();
         show();
         type("5.0011");
         Preferences preferences;
@@ -358,7 +358,7 @@ class TestBoringPage : public QObject {
 
     // Next part.
     void theNextPartIsShownBeforeItIsCut() {
-        m_desk->runParts(2);
+        m_service->runParts(2);
         show();
         auto* top = m_bench->find<NumberDisplay>("boringNextDiameter0");
         QVERIFY(top != nullptr);
@@ -366,22 +366,22 @@ class TestBoringPage : public QObject {
         QVERIFY(text("boringNextFeed").contains(QStringLiteral("→")));
         QVERIFY(!text("boringNextReason").isEmpty());
         QVERIFY(!visible("boringNextLimited"));
-        m_desk->edit().nextLimited = true;
-        m_desk->announce();
+        m_service->edit().nextLimited = true;
+        m_service->announce();
         QVERIFY(visible("boringNextLimited"));
     }
     void acceptIsOffWithItsReasonUntilThereIsSomethingToAccept() {
-        m_desk->runParts(2);
+        m_service->runParts(2);
         show();
         auto* accept = m_bench->find<ActionButton>("boringAccept");
         QVERIFY(!accept->isEnabled());
         QVERIFY(!accept->reason().isEmpty());
-        m_desk->adviseMode = true;
-        m_desk->runParts(1);
+        m_service->adviseMode = true;
+        m_service->runParts(1);
         QVERIFY(m_bench->press("boringAccept"));
-        QCOMPARE(m_desk->calls.back().what, std::string("accept"));
+        QCOMPARE(m_service->calls.back().what, std::string("accept"));
         QVERIFY(!accept->isEnabled());
-        m_desk->runParts(1);
+        m_service->runParts(1);
         m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Control;
         m_bench->client.tick();
         QVERIFY(!accept->isEnabled());
@@ -408,7 +408,7 @@ class TestBoringPage : public QObject {
 
     // Charts.
     void aTouchOnAChangedPartSaysWhy() {
-        m_desk->runParts(14);
+        m_service->runParts(14);
         show();
         auto* chart = m_bench->find<BoreChart>("boringBoreChart");
         emit chart->partTouched(11);
@@ -417,12 +417,12 @@ class TestBoringPage : public QObject {
         QVERIFY(!visible("boringNote"));
     }
     void theLivePointMovesWhileCutting() {
-        m_desk->runParts(1);
+        m_service->runParts(1);
         show();
         auto* chart = m_bench->find<Chart>("boringFeedChart");
         BoringStatus& boring = m_bench->engine.fake.boring;
         boring.cutting = true;
-        boring.activeSchedule = m_desk->view().nextSchedule.revision;
+        boring.activeSchedule = m_service->view().nextSchedule.revision;
         boring.overhang_mm = {120.0, 1, Quality::Good};
         boring.feed_mmPerRev = {0.15, 1, Quality::Good};
         QTRY_VERIFY((m_bench->client.tick(), chart->drawn(3).size() == 1));
@@ -433,12 +433,12 @@ class TestBoringPage : public QObject {
         QTRY_VERIFY((m_bench->client.tick(), chart->drawn(3).isEmpty()));
     }
     void atMostTwentyFivePartsAreDrawn() {
-        m_desk->runParts(30);
+        m_service->runParts(30);
         show();
         QCOMPARE(m_bench->find<Chart>("boringBoreChart")->drawn(0).size(), 25);
     }
     void withoutALotThePageSaysSo() {
-        m_bench->services.boringDesk = nullptr;
+        m_bench->services.boringService = nullptr;
         show();
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
@@ -448,8 +448,8 @@ class TestBoringPage : public QObject {
         QFETCH(test::PageLook, look);
         m_bench->look.apply(look.preferences());
         if (look.full) {
-            m_desk->runParts(25);
-            m_desk->cutPart();
+            m_service->runParts(25);
+            m_service->cutPart();
             cutHalf();
         }
         m_bench->show<BoringPage>(look.size);
@@ -461,9 +461,9 @@ class TestBoringPage : public QObject {
         settle();
         check(m_bench->page, name);
         emit m_bench->find<BoreChart>("boringBoreChart")->partTouched(11);
-        m_desk->edit().nextLimited = true;
-        m_desk->adviseMode = true;
-        m_desk->announce();
+        m_service->edit().nextLimited = true;
+        m_service->adviseMode = true;
+        m_service->announce();
         type(look.inch ? "0.1969" : "5.0011");  // the question
         check(m_bench->page, name + QStringLiteral("_question"));
         type("-");  // a refusal
@@ -525,7 +525,7 @@ class TestBoringPage : public QObject {
     }
     void cutHalf() {
         BoringStatus& boring = m_bench->engine.fake.boring;
-        const BoringSchedule& schedule = m_desk->view().nextSchedule;
+        const BoringSchedule& schedule = m_service->view().nextSchedule;
         boring.cutting = true;
         boring.activeSchedule = schedule.revision;
         boring.overhang_mm = {150.0, 1, Quality::Good};
@@ -539,7 +539,7 @@ class TestBoringPage : public QObject {
         }
     }
 
-    std::unique_ptr<FakeBoringDesk> m_desk;
+    std::unique_ptr<FakeBoringService> m_service;
     std::unique_ptr<PageBench> m_bench;
 };
 

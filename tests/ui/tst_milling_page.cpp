@@ -5,8 +5,8 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "engine/milling/cut_simulation.h"
-#include "tests/support/fake_milling_desk.h"
+#include "engine/process/milling/cut_simulation.h"
+#include "tests/support/fake_milling_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
@@ -15,17 +15,17 @@
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeMillingDesk;
+using kerf::test::FakeMillingService;
 using kerf::test::PageBench;
 
-/// The milling page on a fake engine and desk, and the touches of an engineer.
+/// The milling page on a fake engine and service, and the touches of an engineer.
 class TestMillingPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeMillingDesk>();
+        m_service = std::make_unique<FakeMillingService>();
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.millingDesk = m_desk.get();
+        m_bench->services.millingService = m_service.get();
         m_bench->engine.caps.cycleStart.fitted = true;
         LoopStatus& loop = m_bench->engine.loop(ProcessId::Milling);
         loop.fitted = true;
@@ -41,7 +41,7 @@ class TestMillingPage : public QObject {
     }
     void cleanup() {
         m_bench.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     // Live.
@@ -113,7 +113,7 @@ class TestMillingPage : public QObject {
         QVERIFY(m_bench->find<NumberDisplay>("millingSaved")->accessibleName().contains(QStringLiteral("would save")));
     }
     void wearIsDrawnOverTheParts() {
-        m_desk->cutParts(6);
+        m_service->cutParts(6);
         m_bench->engine.fake.milling.partsWithTool = 6;
         m_bench->engine.fake.milling.wear = 0.0953;
         m_bench->engine.fake.milling.wearPerPart = 0.0149;
@@ -171,10 +171,10 @@ class TestMillingPage : public QObject {
     void aNewToolIsAskedAboutFirst() {
         show();
         QVERIFY(m_bench->press("millingNewTool"));
-        QVERIFY(m_desk->calls.empty());
+        QVERIFY(m_service->calls.empty());
         QVERIFY(m_bench->press("sheetProceed"));
-        QCOMPARE(m_desk->calls.at(0).what, std::string("new tool"));
-        QCOMPARE(m_desk->calls.at(0).author, std::string("Kim"));
+        QCOMPARE(m_service->calls.at(0).what, std::string("new tool"));
+        QCOMPARE(m_service->calls.at(0).author, std::string("Kim"));
     }
     void whatIsBeingCutKeepsItsSetup() {
         show();
@@ -185,7 +185,7 @@ class TestMillingPage : public QObject {
         }
     }
     void withoutALoopThePageSaysSo() {
-        m_bench->services.millingDesk = nullptr;
+        m_bench->services.millingService = nullptr;
         show();
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
@@ -198,8 +198,8 @@ class TestMillingPage : public QObject {
         field(0)->edit()->setFocus();
         QTest::keyClicks(field(0)->edit(), QStringLiteral("350"));
         QVERIFY(m_bench->press("millingSetupSave"));
-        QCOMPARE(m_desk->calls.at(0).what, std::string("setup"));
-        QCOMPARE(m_desk->calls.at(0).setup.reference_N, 350.0);
+        QCOMPARE(m_service->calls.at(0).what, std::string("setup"));
+        QCOMPARE(m_service->calls.at(0).setup.reference_N, 350.0);
         QVERIFY(m_bench->sheets->current() == nullptr);
     }
     void aBadNumberIsRefusedWithItsRangeAndNothingIsLost() {
@@ -210,7 +210,7 @@ class TestMillingPage : public QObject {
         QTest::keyClicks(field(6)->edit(), QStringLiteral("99999"));
         QVERIFY(m_bench->press("millingGroup0"));
         QVERIFY(m_bench->press("millingSetupSave"));
-        QVERIFY(m_desk->calls.empty());
+        QVERIFY(m_service->calls.empty());
         for (const char* piece : {"Spindle speed", "60", "12000"}) {
             QVERIFY2(text("millingSetupMessage").contains(QLatin1String(piece)),
                      qPrintable(text("millingSetupMessage")));
@@ -223,7 +223,7 @@ class TestMillingPage : public QObject {
         QVERIFY(m_bench->press("millingSetup"));
         field(3)->setValue(0.5);  // highest feed below the planned one
         QVERIFY(m_bench->press("millingSetupSave"));
-        QVERIFY(m_desk->calls.empty());
+        QVERIFY(m_service->calls.empty());
         QVERIFY(text("millingSetupMessage").contains(QStringLiteral("Highest feed")));
     }
     void aNewNameMakesAPartType() {
@@ -235,8 +235,8 @@ class TestMillingPage : public QObject {
         QTest::keyClicks(name, QStringLiteral("Cover"));
         QVERIFY(!m_bench->press("millingSetupOpen"));  // nothing stored under it
         QVERIFY(m_bench->press("millingSetupSave"));
-        QCOMPARE(m_desk->calls.at(0).text, std::string("Cover"));
-        QCOMPARE(m_desk->calls.at(1).what, std::string("setup"));
+        QCOMPARE(m_service->calls.at(0).text, std::string("Cover"));
+        QCOMPARE(m_service->calls.at(1).what, std::string("setup"));
     }
     void aStoredPartTypeIsOpened() {
         show();
@@ -245,11 +245,11 @@ class TestMillingPage : public QObject {
         name->selectAll();
         QTest::keyClicks(name, QStringLiteral("Housing"));
         QVERIFY(m_bench->press("millingSetupOpen"));
-        QCOMPARE(m_desk->view().partType, std::string("Housing"));
-        QCOMPARE(m_desk->calls.size(), std::size_t{1});
+        QCOMPARE(m_service->view().partType, std::string("Housing"));
+        QCOMPARE(m_service->calls.size(), std::size_t{1});
     }
     void whatCannotBeStoredStaysOnTheSheet() {
-        m_desk->storeFails = Sentence("disk full");
+        m_service->storeFails = Sentence("disk full");
         show();
         QVERIFY(m_bench->press("millingSetup"));
         QVERIFY(m_bench->press("millingSetupSave"));
@@ -266,7 +266,7 @@ class TestMillingPage : public QObject {
         step("20", "2");  // in any order
         step("20", "2.5");
         QVERIFY(m_bench->press("millingBlankUse"));
-        const MillingBlank& blank = m_desk->calls.at(0).blank;
+        const MillingBlank& blank = m_service->calls.at(0).blank;
         QCOMPARE(blank.count, std::uint16_t{3});
         QCOMPARE(blank.begin_mm[1], 20.0);
         QCOMPARE(blank.height_mm[1], 2.5);
@@ -282,21 +282,21 @@ class TestMillingPage : public QObject {
                      qPrintable(text("millingBlankMessage")));
         }
         QCOMPARE(m_bench->find<Chart>("millingBlankChart")->drawn(0).size(), 2);
-        QVERIFY(m_desk->calls.empty());
+        QVERIFY(m_service->calls.empty());
     }
     void aFileIsImportedAndSavedWithItsName() {
         MillingBlank blank;
         blank.count = 1;
         blank.height_mm[0] = 2.0;
         blank.end_mm = 60.0;
-        m_desk->files["/tmp/wall.csv"] = blank;
+        m_service->files["/tmp/wall.csv"] = blank;
         show();
         QVERIFY(m_bench->press("millingBlank"));
         m_bench->find<QLineEdit>("millingBlankFile")->setText(QStringLiteral("/tmp/wall.csv"));
         QVERIFY(m_bench->press("millingBlankImport"));
         QVERIFY(m_bench->press("millingBlankUse"));
-        QCOMPARE(m_desk->calls.at(0).text, std::string("/tmp/wall.csv"));
-        QCOMPARE(m_desk->calls.at(0).blank.end_mm, 60.0);
+        QCOMPARE(m_service->calls.at(0).text, std::string("/tmp/wall.csv"));
+        QCOMPARE(m_service->calls.at(0).blank.end_mm, 60.0);
     }
     void stepsThatCannotBeAreNotSaved() {
         show();
@@ -311,7 +311,7 @@ class TestMillingPage : public QObject {
     void theLogShowsTheLastCuts() {
         show();
         QVERIFY(!m_bench->press("millingLog"));
-        m_desk->cutParts(4);
+        m_service->cutParts(4);
         QVERIFY(m_bench->press("millingLog"));
         auto* log = m_bench->find<QTableWidget>("millingCutLog");
         QCOMPARE(log->rowCount(), 4);
@@ -324,7 +324,7 @@ class TestMillingPage : public QObject {
         QFETCH(test::PageLook, look);
         m_bench->look.apply(look.preferences());
         if (look.full) {
-            m_desk->cutParts(14);
+            m_service->cutParts(14);
         }
         m_bench->show<MillingPage>(look.size);
         const QString name = QStringLiteral("milling_%1").arg(QLatin1String(QTest::currentDataTag()));
@@ -432,7 +432,7 @@ class TestMillingPage : public QObject {
         milling.gainMargin = 3.6;
         milling.peakForce_N = 424.0;
         milling.savedTime_s = 3.4;
-        milling.partsWithTool = static_cast<std::uint32_t>(m_desk->view().cuts.size());
+        milling.partsWithTool = static_cast<std::uint32_t>(m_service->view().cuts.size());
         milling.wear = 0.19;
         milling.wearPerPart = 0.0148;
         LoopStatus& loop = m_bench->engine.loop(ProcessId::Milling);
@@ -457,7 +457,7 @@ class TestMillingPage : public QObject {
         settle();
     }
 
-    std::unique_ptr<FakeMillingDesk> m_desk;
+    std::unique_ptr<FakeMillingService> m_service;
     std::unique_ptr<PageBench> m_bench;
 };
 

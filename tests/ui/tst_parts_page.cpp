@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/support/fake_boring_desk.h"
+#include "tests/support/fake_boring_service.h"
 #include "tests/support/fake_part_reader.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
@@ -15,7 +15,7 @@
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeBoringDesk;
+using kerf::test::FakeBoringService;
 using kerf::test::FakePartReader;
 using kerf::test::PageBench;
 
@@ -23,16 +23,16 @@ class TestPartsPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeBoringDesk>();
+        m_service = std::make_unique<FakeBoringService>();
         m_reader = std::make_unique<FakePartReader>(250);
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.boringDesk = m_desk.get();
+        m_bench->services.boringService = m_service.get();
         m_bench->services.parts = m_reader.get();
     }
     void cleanup() {
         m_bench.reset();
         m_reader.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     void theNewestPartsComeFirstAndTheOthersPageByPage() {
@@ -84,8 +84,8 @@ class TestPartsPage : public QObject {
         QVERIFY(m_bench->press("partVoid"));
         QVERIFY(m_bench->press("measurementReason2"));
         QVERIFY(m_bench->press("measurementApply"));
-        QCOMPARE(m_desk->calls.back().what, std::string("void"));
-        QCOMPARE(m_desk->calls.back().id, m_reader->details.back().part.measurements.back().id);
+        QCOMPARE(m_service->calls.back().what, std::string("void"));
+        QCOMPARE(m_service->calls.back().id, m_reader->details.back().part.measurements.back().id);
     }
     void oneThatNoLongerHoldsMayNot() {
         PartDetail& part = m_reader->add(251);
@@ -101,7 +101,7 @@ class TestPartsPage : public QObject {
     void aNewPartAppearsByItself() {
         show();
         m_reader->add(251);
-        m_desk->cutPart();
+        m_service->cutPart();
         QCOMPARE(cell(0, 0), QStringLiteral("251"));
     }
     void aDatabaseThatCannotBeReadIsSaid() {
@@ -189,7 +189,7 @@ class TestPartsPage : public QObject {
         return label != nullptr ? label->text() : QString();
     }
 
-    std::unique_ptr<FakeBoringDesk> m_desk;
+    std::unique_ptr<FakeBoringService> m_service;
     std::unique_ptr<FakePartReader> m_reader;
     std::unique_ptr<PageBench> m_bench;
 };

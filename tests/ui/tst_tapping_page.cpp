@@ -3,14 +3,14 @@
 #include <QLineEdit>
 #include <QTest>
 
-#include "tests/support/fake_tapping_desk.h"
+#include "tests/support/fake_tapping_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "ui/pages/tapping/tapping_page.h"
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeTappingDesk;
+using kerf::test::FakeTappingService;
 using kerf::test::PageBench;
 
 namespace {
@@ -18,14 +18,14 @@ constexpr QSize kSmall{1083, 670};  // the page area of 1280×800
 constexpr QSize kMiddle{1723, 930};
 }  // namespace
 
-/// A tuning on the fake desk, its page, and the touches of an operator.
+/// A tuning on the fake service, its page, and the touches of an operator.
 class TestTappingPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeTappingDesk>();
+        m_service = std::make_unique<FakeTappingService>();
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.tappingDesk = m_desk.get();
+        m_bench->services.tappingService = m_service.get();
         LoopStatus& loop = m_bench->engine.loop(ProcessId::Tapping);
         loop.fitted = true;
         loop.mode = LoopMode::Control;
@@ -37,12 +37,12 @@ class TestTappingPage : public QObject {
     }
     void cleanup() {
         m_bench.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     // What the operator sees.
     void firstAndLastTapStandAgainstTheTolerance() {
-        m_desk->tune(3);
+        m_service->tune(3);
         show();
         auto* chart = m_bench->find<ContourChart>("tappingContourChart");
         QVERIFY(chart->drawn(0).size() > 1000);
@@ -54,7 +54,7 @@ class TestTappingPage : public QObject {
         QCOMPARE(m_bench->find<TrialBars>("tappingPpBars")->values().size(), 3);
     }
     void theProposalStandsBesideTheGainsWithReasonAndMargin() {
-        m_desk->tune(1);
+        m_service->tune(1);
         show();
         QCOMPARE(text("tappingGain11"), QStringLiteral("48.00"));
         QVERIFY(visible("tappingGain12"));
@@ -72,18 +72,18 @@ class TestTappingPage : public QObject {
         QVERIFY(!visible("tappingNote"));
     }
     void theProofStaysOnThePage() {
-        m_desk->tune(3);
-        m_desk->acceptTuning();
+        m_service->tune(3);
+        m_service->acceptTuning();
         show();
         QVERIFY(text("tappingNote").contains(QStringLiteral("Kim")));
         QVERIFY(text("tappingNote").contains(QStringLiteral("−99.")));
         QCOMPARE(text("tappingGain10"), QStringLiteral("48.00"));
-        m_desk->edit().storeProblem = Sentence("The disk is full.");
+        m_service->edit().storeProblem = Sentence("The disk is full.");
         tick();
         QVERIFY(text("tappingNote").contains(QStringLiteral("The disk is full.")));
     }
-    void withoutADeskThePageSaysSo() {
-        m_bench->services.tappingDesk = nullptr;
+    void withoutAServiceThePageSaysSo() {
+        m_bench->services.tappingService = nullptr;
         show();
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
@@ -92,38 +92,38 @@ class TestTappingPage : public QObject {
     void tuningIsBegunWithAName() {
         show();
         QVERIFY(m_bench->press("tappingTune"));
-        QCOMPARE(m_desk->calls.back(), std::string("begin Kim"));
+        QCOMPARE(m_service->calls.back(), std::string("begin Kim"));
         m_bench->session.signOff();
         QVERIFY(m_bench->press("tappingTune"));
         QCOMPARE(m_bench->askedForName, 1);
-        QCOMPARE(m_desk->calls.size(), std::size_t{1});
+        QCOMPARE(m_service->calls.size(), std::size_t{1});
     }
     void aRefusalIsTold() {
-        m_desk->failWith = Sentence("The gear is not engaged.");
+        m_service->failWith = Sentence("The gear is not engaged.");
         show();
         QVERIFY(m_bench->press("tappingTune"));
         QCOMPARE(m_bench->notices.back(), QStringLiteral("The gear is not engaged."));
     }
     void theProposalIsTappedAcceptedOrRolledBack() {
-        m_desk->tune(2);
+        m_service->tune(2);
         show();
         QVERIFY(m_bench->press("tappingOneMore"));
         QVERIFY(m_bench->press("tappingAccept"));
         QVERIFY(m_bench->press("tappingRollBack"));
-        QCOMPARE(m_desk->calls, (std::vector<std::string>{"one more", "accept Kim", "roll back Kim"}));
-        m_desk->edit().mayTapMore = false;
+        QCOMPARE(m_service->calls, (std::vector<std::string>{"one more", "accept Kim", "roll back Kim"}));
+        m_service->edit().mayTapMore = false;
         tick();
         QVERIFY(!m_bench->press("tappingOneMore"));
         QVERIFY(reason("tappingOneMore").contains(QStringLiteral("used")));
     }
-    void theAutomaticIsWhatTheDeskSays() {
+    void theAutomaticIsWhatTheServiceSays() {
         show();
         QVERIFY(m_bench->press("tappingAutomatic"));
-        QCOMPARE(m_desk->calls.back(), std::string("automatic"));
+        QCOMPARE(m_service->calls.back(), std::string("automatic"));
         tick();
         QVERIFY(m_bench->find<QPushButton>("tappingAutomatic")->isChecked());
         QVERIFY(m_bench->press("tappingTune"));
-        QCOMPARE(m_desk->calls.back(), std::string("begin automatic Kim"));
+        QCOMPARE(m_service->calls.back(), std::string("begin automatic Kim"));
     }
     void theFirstTapOfAJobIsNamedAnAirTap() {
         show();
@@ -161,7 +161,7 @@ class TestTappingPage : public QObject {
         show();
         QVERIFY(text("tappingLive").contains(QStringLiteral("12.3")));
         QVERIFY(m_bench->press("tappingAbort"));
-        QCOMPARE(m_desk->calls.back(), std::string("abort"));
+        QCOMPARE(m_service->calls.back(), std::string("abort"));
     }
     void theSwitchAsksTheEngineAndShowsWhatItSays() {
         show();
@@ -196,10 +196,10 @@ class TestTappingPage : public QObject {
         speed->setText(QStringLiteral("4500"));
         emit speed->textEdited(speed->text());
         QVERIFY(m_bench->press("jobApply"));
-        QCOMPARE(m_desk->loaded.size(), std::size_t{1});
-        QCOMPARE(m_desk->loaded.back().thread, std::string("M10x1"));
-        QCOMPARE(m_desk->loaded.back().speed_rpm, 4500.0);
-        QCOMPARE(m_desk->loaded.back().depth_rev, 22.0);
+        QCOMPARE(m_service->loaded.size(), std::size_t{1});
+        QCOMPARE(m_service->loaded.back().thread, std::string("M10x1"));
+        QCOMPARE(m_service->loaded.back().speed_rpm, 4500.0);
+        QCOMPARE(m_service->loaded.back().depth_rev, 22.0);
         QVERIFY(m_bench->sheets->current() == nullptr);
     }
     void aSpeedOutOfRangeStaysOnTheSheet() {
@@ -209,12 +209,12 @@ class TestTappingPage : public QObject {
         speed->setText(QStringLiteral("99999"));
         emit speed->textEdited(speed->text());
         QVERIFY(m_bench->press("jobApply"));
-        QVERIFY(m_desk->loaded.empty());
+        QVERIFY(m_service->loaded.empty());
         QVERIFY(!text("jobMessage").isEmpty());
         QCOMPARE(speed->text(), QStringLiteral("99999"));
     }
-    void theDeskMayRefuseAJob() {
-        m_desk->failWith = Sentence("This tap takes 20 s.");
+    void theServiceMayRefuseAJob() {
+        m_service->failWith = Sentence("This tap takes 20 s.");
         show();
         QVERIFY(m_bench->press("tappingJob"));
         QVERIFY(m_bench->press("jobApply"));
@@ -222,14 +222,14 @@ class TestTappingPage : public QObject {
         QVERIFY(m_bench->sheets->current() != nullptr);
     }
     void aTunedSpeedIsPickedFromTheChart() {
-        m_desk->tune(3);
-        m_desk->acceptTuning();
+        m_service->tune(3);
+        m_service->acceptTuning();
         show();
         TapChoice choice;
         choice.speed_rpm = 4500.0;
         emit m_bench->find<SpeedChart>("tappingSpeedChart")->picked(choice);
         QVERIFY(m_bench->press("sheetProceed"));
-        QCOMPARE(m_desk->loaded.back().speed_rpm, 4500.0);
+        QCOMPARE(m_service->loaded.back().speed_rpm, 4500.0);
     }
 
     // Recovery.
@@ -254,7 +254,7 @@ class TestTappingPage : public QObject {
         m_bench->engine.fake.emergencyStop = false;
         m_bench->client.tick();
         QVERIFY(m_bench->press("recoveryTurn"));
-        QCOMPARE(m_desk->calls.back(), std::string("recover"));
+        QCOMPARE(m_service->calls.back(), std::string("recover"));
         tapping.phase = TapPhase::Retracting;
         tapping.spindle_rev = 6.0;
         m_bench->client.tick();
@@ -301,9 +301,9 @@ class TestTappingPage : public QObject {
         preferences.length = state == 3 ? LengthUnit::Inch : LengthUnit::Millimetre;
         m_bench->look.apply(preferences);
         TappingStatus& tapping = m_bench->engine.fake.tapping;
-        if (state >= 1 && state < 5) m_desk->tune(state == 1 ? 1 : 4);
+        if (state >= 1 && state < 5) m_service->tune(state == 1 ? 1 : 4);
         if (state == 2 || state == 3) {
-            m_desk->acceptTuning();
+            m_service->acceptTuning();
             tapping.airTapPassed = true;
             tapping.productionTaps = 123;
         }
@@ -339,7 +339,7 @@ class TestTappingPage : public QObject {
     [[nodiscard]] ActionButton* button(const char* name) { return m_bench->find<ActionButton>(name); }
     [[nodiscard]] QString reason(const char* name) { return button(name)->reason(); }
 
-    std::unique_ptr<FakeTappingDesk> m_desk;
+    std::unique_ptr<FakeTappingService> m_service;
     std::unique_ptr<PageBench> m_bench;
 };
 QTEST_MAIN(TestTappingPage)

@@ -3,7 +3,7 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "tests/support/fake_thermal_desk.h"
+#include "tests/support/fake_thermal_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "ui/charts/chart.h"
@@ -13,23 +13,23 @@
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeThermalDesk;
+using kerf::test::FakeThermalService;
 using kerf::test::PageBench;
 
-/// The page on a fake desk and engine, and the touches of an operator.
+/// The page on a fake service and engine, and the touches of an operator.
 class TestThermalPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeThermalDesk>();
+        m_service = std::make_unique<FakeThermalService>();
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.thermalDesk = m_desk.get();
+        m_bench->services.thermalService = m_service.get();
         m_bench->engine.caps.cycleStart.fitted = true;
-        FakeThermalDesk::fill(m_bench->engine.fake);
+        FakeThermalService::fill(m_bench->engine.fake);
     }
     void cleanup() {
         m_bench.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     void threeOffsetsWithTheirIntervalAndTheShiftTheControlHas() {
@@ -126,16 +126,16 @@ class TestThermalPage : public QObject {
         touchDay(1);
         touchDay(1);
         QVERIFY(m_bench->press("thermalTrainAuto"));
-        QCOMPARE(m_desk->trainedDays, std::vector<std::string>{"file:H0.csv"});
+        QCOMPARE(m_service->trainedDays, std::vector<std::string>{"file:H0.csv"});
         m_bench->client.tick();
         QVERIFY(text("thermalTrainState").contains(QStringLiteral("40 %")));
         QVERIFY(!m_bench->find<ActionButton>("thermalGoLive")->isEnabled());
-        m_desk->finishTraining();
+        m_service->finishTraining();
         m_bench->client.tick();
         QCOMPARE(m_bench->find<QTableWidget>("thermalCompared")->rowCount(), 3);
         QVERIFY(cell("thermalCompared", 2, 0).contains(QStringLiteral("best")));
         QVERIFY(m_bench->press("thermalGoLive"));
-        QCOMPARE(m_desk->calls.back(), std::string("goLive Kim"));
+        QCOMPARE(m_service->calls.back(), std::string("goLive Kim"));
     }
     void trainingCanBeCancelled() {
         show();
@@ -150,10 +150,10 @@ class TestThermalPage : public QObject {
     }
     void aDayThatCannotBeReadSaysWhereAndWhy() {
         show();
-        m_desk->edit().training.state = TrainingState::Failed;
-        m_desk->edit().training.problem = Sentence(KERF_TEXT("A day cannot be used; nothing has changed."));
-        m_desk->edit().training.detail = "H1.csv, line 12, column T03: no value";
-        m_desk->announce();
+        m_service->edit().training.state = TrainingState::Failed;
+        m_service->edit().training.problem = Sentence(KERF_TEXT("A day cannot be used; nothing has changed."));
+        m_service->edit().training.detail = "H1.csv, line 12, column T03: no value";
+        m_service->announce();
         QVERIFY(m_bench->press("thermalModel"));
         QVERIFY(m_bench->press("thermalTrainOpen"));
         QVERIFY(text("thermalTrainState").contains(QStringLiteral("line 12, column T03")));
@@ -162,16 +162,16 @@ class TestThermalPage : public QObject {
         show();
         QVERIFY(m_bench->press("thermalModel"));
         QVERIFY(m_bench->press("thermalRollBack"));
-        QCOMPARE(m_desk->calls.back(), std::string("rollBack Kim"));
-        m_desk->edit().canRollBack = false;
-        m_desk->announce();
+        QCOMPARE(m_service->calls.back(), std::string("rollBack Kim"));
+        m_service->edit().canRollBack = false;
+        m_service->announce();
         m_bench->client.tick();
         QVERIFY(!m_bench->press("thermalRollBack"));
-        m_desk->failWith = Sentence("no");
+        m_service->failWith = Sentence("no");
     }
     void aRefusalIsTold() {
         show();
-        m_desk->failWith = Sentence(KERF_TEXT("There is no model before this one."));
+        m_service->failWith = Sentence(KERF_TEXT("There is no model before this one."));
         QVERIFY(m_bench->press("thermalModel"));
         QVERIFY(m_bench->press("thermalRollBack"));
         QVERIFY(!m_bench->notices.empty());
@@ -196,10 +196,10 @@ class TestThermalPage : public QObject {
         show();
         QVERIFY(m_bench->press("thermalMeasure"));
         QVERIFY(m_bench->press("thermalSession"));
-        QCOMPARE(m_desk->calls.back(), std::string("begin Kim"));
+        QCOMPARE(m_service->calls.back(), std::string("begin Kim"));
         m_bench->client.tick();
         QVERIFY(m_bench->press("thermalSession"));
-        QCOMPARE(m_desk->calls.back(), std::string("end Kim"));
+        QCOMPARE(m_service->calls.back(), std::string("end Kim"));
     }
     void limitsAreChangedInTheirRange() {
         show();
@@ -211,8 +211,8 @@ class TestThermalPage : public QObject {
         allowed->edit()->setText(QStringLiteral("2.5"));
         emit allowed->edit()->textEdited(QStringLiteral("2.5"));
         QVERIFY(m_bench->press("thermalLimitsUse"));
-        QCOMPARE(m_desk->setup.allowed_um, 2.5);
-        QCOMPARE(m_desk->setup.period_min, 1.0);
+        QCOMPARE(m_service->setup.allowed_um, 2.5);
+        QCOMPARE(m_service->setup.period_min, 1.0);
     }
     void theErrorMapShowsEveryAxis() {
         show();
@@ -221,8 +221,8 @@ class TestThermalPage : public QObject {
             QVERIFY(m_bench->find<QWidget>(name) != nullptr);
         }
     }
-    void withoutADeskThePageSaysSo() {
-        m_bench->services.thermalDesk = nullptr;
+    void withoutAServiceThePageSaysSo() {
+        m_bench->services.thermalService = nullptr;
         show();
         QVERIFY(m_bench->page->findChild<QLabel*>()->isVisible());
     }
@@ -259,7 +259,7 @@ class TestThermalPage : public QObject {
         preferences.brightness = korean ? Brightness::Dark : Brightness::Light;
         m_bench->look.apply(preferences);
         if (sheet == QStringLiteral("empty")) {
-            m_desk->edit().course.clear();
+            m_service->edit().course.clear();
             m_bench->engine.fake.thermal = {};
         } else {
             m_bench->engine.fake.thermal.couple[5] = CoupleState::Open;
@@ -273,7 +273,7 @@ class TestThermalPage : public QObject {
             QVERIFY(m_bench->press("thermalModel"));
             QVERIFY(m_bench->press("thermalTrainOpen"));
             touchDay(0);
-            m_desk->finishTraining();
+            m_service->finishTraining();
         } else if (sheet.startsWith(QStringLiteral("thermal"))) {
             QVERIFY(m_bench->press(sheet.toLatin1().constData()));
         }
@@ -301,7 +301,7 @@ class TestThermalPage : public QObject {
     }
     void touchDay(int row) { emit m_bench->find<QTableWidget>("thermalDays")->cellClicked(row, 0); }
 
-    std::unique_ptr<FakeThermalDesk> m_desk;
+    std::unique_ptr<FakeThermalService> m_service;
     std::unique_ptr<PageBench> m_bench;
 };
 QTEST_MAIN(TestThermalPage)

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "tests/support/fake_turning_desk.h"
+#include "tests/support/fake_turning_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
@@ -17,17 +17,17 @@
 
 using namespace kerf;
 using namespace kerf::ui;
-using kerf::test::FakeTurningDesk;
+using kerf::test::FakeTurningService;
 using kerf::test::PageBench;
 
-/// Two parts on the fake desk, a cut on the fake engine, and the touches of an operator.
+/// Two parts on the fake service, a cut on the fake engine, and the touches of an operator.
 class TestTurningPage : public QObject {
     Q_OBJECT
  private slots:
     void init() {
-        m_desk = std::make_unique<FakeTurningDesk>();
+        m_service = std::make_unique<FakeTurningService>();
         m_bench = std::make_unique<PageBench>();
-        m_bench->services.turningDesk = m_desk.get();
+        m_bench->services.turningService = m_service.get();
         LoopStatus& loop = m_bench->engine.loop(ProcessId::Turning);
         loop.fitted = true;
         loop.mode = LoopMode::Advise;
@@ -38,7 +38,7 @@ class TestTurningPage : public QObject {
     }
     void cleanup() {
         m_bench.reset();
-        m_desk.reset();
+        m_service.reset();
     }
 
     // Control.
@@ -55,13 +55,13 @@ class TestTurningPage : public QObject {
         QVERIFY(start != nullptr);
         QCOMPARE(start->process, ProcessId::Turning);
         QVERIFY(m_bench->press("turningPi"));
-        QCOMPARE(m_desk->view().controller, TurningController::Pi);
+        QCOMPARE(m_service->view().controller, TurningController::Pi);
         QVERIFY(m_bench->find<QPushButton>("turningPi")->isChecked());
-        QCOMPARE(m_desk->authors.back(), std::string("Kim"));
+        QCOMPARE(m_service->authors.back(), std::string("Kim"));
     }
     void aControllerThatCannotBeStoredStaysTheOldOne() {
         show();
-        m_desk->failWith = Sentence("The disk is full.");
+        m_service->failWith = Sentence("The disk is full.");
         QVERIFY(m_bench->press("turningPaper"));
         QVERIFY(m_bench->find<QPushButton>("turningTones")->isChecked());
         QVERIFY(m_bench->notices.back().contains(QStringLiteral("The disk is full.")));
@@ -86,10 +86,10 @@ class TestTurningPage : public QObject {
         QVERIFY(m_bench->press("turningPi"));
         QVERIFY(m_bench->press("turningSetup"));
         QCOMPARE(m_bench->askedForName, 2);
-        QVERIFY(m_desk->authors.empty());
+        QVERIFY(m_service->authors.empty());
     }
-    void withoutADeskThePageSaysWhatIsMissing() {
-        m_bench->services.turningDesk = nullptr;
+    void withoutAServiceThePageSaysWhatIsMissing() {
+        m_bench->services.turningService = nullptr;
         show();
         const auto* label = m_bench->page->findChild<QLabel*>();
         QVERIFY(label->isVisible() && label->text().contains(QStringLiteral("0.2 ms")));
@@ -117,7 +117,7 @@ class TestTurningPage : public QObject {
     void surfaceProcessMarginsAndTrimAreShown() {
         show();
         cut();
-        m_desk->archiveTwo();
+        m_service->archiveTwo();
         run(20);
         QTRY_VERIFY((run(1), number("turningSurfaceRms") == QStringLiteral("0.053")));
         QTRY_VERIFY((run(1), number("turningUntreatedRms") == QStringLiteral("0.668")));
@@ -144,7 +144,7 @@ class TestTurningPage : public QObject {
     void blindTonesAreNamedAndABetterSpeedIsOffered() {
         show();
         cut();
-        m_desk->archiveTwo();
+        m_service->archiveTwo();
         run(2);
         QVERIFY(text("turningBlind").contains(QStringLiteral("86.0 Hz")));
         auto* spectrum = m_bench->find<SpectrumChart>("turningSpectrum");
@@ -157,9 +157,9 @@ class TestTurningPage : public QObject {
         QVERIFY(speed != nullptr);
         QCOMPARE(speed->text(), QStringLiteral("1119"));
         QVERIFY(m_bench->press("turningSetupApply"));
-        QCOMPARE(m_desk->view().setup.spindleSpeed_rpm, 1119.4);
-        m_desk->fake.blind = {1119.4, {{86.0, 0.9, false, false}}, false, {}, 0.0};
-        m_desk->change();
+        QCOMPARE(m_service->view().setup.spindleSpeed_rpm, 1119.4);
+        m_service->fake.blind = {1119.4, {{86.0, 0.9, false, false}}, false, {}, 0.0};
+        m_service->change();
         QVERIFY(!m_bench->find<QWidget>("turningUseSpeed")->isVisible());
         QVERIFY(text("turningBlind").contains(QStringLiteral("every known tone")));
     }
@@ -175,7 +175,7 @@ class TestTurningPage : public QObject {
         QVERIFY(m_bench->press("turningSetupTones"));
         type("turningTone5Edit", "150");
         QVERIFY(m_bench->press("turningSetupApply"));
-        const TurningSetup& setup = m_desk->view().setup;
+        const TurningSetup& setup = m_service->view().setup;
         QCOMPARE(setup.depth_um, 5.5);
         QCOMPARE(setup.feed_umPerRev, 2.61);
         QCOMPARE(static_cast<int>(setup.knownToneCount), 6);
@@ -193,12 +193,12 @@ class TestTurningPage : public QObject {
         type("turningField5Edit", "-3");
         QVERIFY(!m_bench->press("turningSetupApply"));
         QVERIFY(m_bench->find<ActionButton>("turningSetupApply")->reason().contains(QStringLiteral("face")));
-        QCOMPARE(m_desk->view().setup.depth_um, 6.0);
+        QCOMPARE(m_service->view().setup.depth_um, 6.0);
     }
     void aSetupThatCannotBeStoredStaysOpenWithTheReason() {
         show();
         QVERIFY(m_bench->press("turningSetup"));
-        m_desk->failWith = Sentence("The disk is full.");
+        m_service->failWith = Sentence("The disk is full.");
         QVERIFY(m_bench->press("turningSetupApply"));
         QVERIFY(text("turningSetupMessage").contains(QStringLiteral("The disk is full.")));
         QVERIFY(m_bench->sheets->current() != nullptr);
@@ -210,8 +210,8 @@ class TestTurningPage : public QObject {
         m_bench->look.apply(preferences);
         QVERIFY(m_bench->press("turningSetup"));
         QVERIFY(m_bench->press("turningSetupApply"));
-        QCOMPARE(m_desk->view().setup.depth_um, 6.0);
-        QCOMPARE(m_desk->view().setup.toolRadius_um, 800.0);
+        QCOMPARE(m_service->view().setup.depth_um, 6.0);
+        QCOMPARE(m_service->view().setup.toolRadius_um, 800.0);
     }
 
     // Comparison and archive.
@@ -219,7 +219,7 @@ class TestTurningPage : public QObject {
         show();
         QVERIFY(m_bench->find<QWidget>("turningNoComparison")->isVisible());
         QVERIFY(!m_bench->press("turningArchive"));
-        m_desk->archiveTwo();
+        m_service->archiveTwo();
         QVERIFY(!m_bench->find<QWidget>("turningNoComparison")->isVisible());
         QCOMPARE(text("turningComparison13"), QStringLiteral("−92.1 %"));
         QCOMPARE(text("turningComparison23"), QStringLiteral("−88.7 %"));
@@ -228,7 +228,7 @@ class TestTurningPage : public QObject {
     }
     void theArchiveShowsEveryPart() {
         show();
-        m_desk->archiveTwo();
+        m_service->archiveTwo();
         QVERIFY(m_bench->press("turningArchive"));
         auto* table = m_bench->find<QTableWidget>("turningArchiveTable");
         QCOMPARE(table->rowCount(), 2);
@@ -258,7 +258,7 @@ class TestTurningPage : public QObject {
             check(m_bench->page, name);
             return;
         }
-        m_desk->archiveTwo();
+        m_service->archiveTwo();
         cut();
         run(400);
         QTRY_VERIFY((
@@ -308,9 +308,9 @@ class TestTurningPage : public QObject {
         t.surfaceRms_um = 0.053;
         t.surfacePv_um = 0.41;
         t.untreatedRms_um = 0.668;
-        t.tones = {FakeTurningDesk::tone(17.0, 0.5), FakeTurningDesk::tone(52.0, 0.4),
-                   FakeTurningDesk::tone(86.0, 0.25, true), FakeTurningDesk::tone(113.0, 0.25),
-                   FakeTurningDesk::tone(120.0, 0.6)};
+        t.tones = {FakeTurningService::tone(17.0, 0.5), FakeTurningService::tone(52.0, 0.4),
+                   FakeTurningService::tone(86.0, 0.25, true), FakeTurningService::tone(113.0, 0.25),
+                   FakeTurningService::tone(120.0, 0.6)};
         t.toneCount = 5;
         t.identification.available = true;
         t.identification.sure = true;
@@ -369,7 +369,7 @@ class TestTurningPage : public QObject {
     }
 
     QSize m_wanted;
-    std::unique_ptr<FakeTurningDesk> m_desk;
+    std::unique_ptr<FakeTurningService> m_service;
     std::unique_ptr<PageBench> m_bench;
 };
 QTEST_MAIN(TestTurningPage)

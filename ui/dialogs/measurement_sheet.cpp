@@ -16,20 +16,20 @@ constexpr int kDecimals = 3;
 
 }  // namespace
 
-MeasurementForm* MeasurementForm::open(SheetHost& host, Look& look, BoringDesk& desk, Author author,
+MeasurementForm* MeasurementForm::open(SheetHost& host, Look& look, BoringService& service, Author author,
                                        const MeasurementSubject& subject, Start start, OnDone onDone) {
     Sheet* sheet = host.open({});
-    auto* form = new MeasurementForm(look, desk, std::move(author), subject, start, std::move(onDone), sheet);
+    auto* form = new MeasurementForm(look, service, std::move(author), subject, start, std::move(onDone), sheet);
     sheet->body()->addWidget(form);
     form->show();
     form->m_field->setFocus();
     return form;
 }
 
-MeasurementForm::MeasurementForm(Look& look, BoringDesk& desk, Author author, MeasurementSubject subject, Start start,
+MeasurementForm::MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject, Start start,
                                  OnDone onDone, Sheet* sheet)
     : FaceWidget(look, sheet),
-      m_desk(desk),
+      m_service(service),
       m_author(std::move(author)),
       m_subject(std::move(subject)),
       m_onDone(std::move(onDone)),
@@ -205,9 +205,9 @@ void MeasurementForm::apply() {
         }
     };
     if (correcting()) {
-        m_desk.correct(m_subject.id, *m_field->input().value_mm(), m_author(), reason().toStdString(), done);
+        m_service.correct(m_subject.id, *m_field->input().value_mm(), m_author(), reason().toStdString(), done);
     } else {
-        m_desk.voidMeasurement(m_subject.id, m_author(), reason().toStdString(), done);
+        m_service.voidMeasurement(m_subject.id, m_author(), reason().toStdString(), done);
     }
     if (m_pending) {
         reconsider();

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/diameter_field.h"
 #include "ui/widgets/action_button.h"
@@ -24,7 +24,7 @@ struct MeasurementSubject {
     double expected_mm{0.0};  ///< for the completion of the last two figures
 };
 
-/// Form of the correct / take out sheet: new value, reason (one touch, or words), who signs. The desk keeps the old
+/// Form of the correct / take out sheet: new value, reason (one touch, or words), who signs. The service keeps the old
 /// value on record and computes everything after it again.
 ///
 /// Object names: measurementCorrect, measurementVoid (switch), measurementField, measurementKeypad, measurementReason
@@ -39,7 +39,7 @@ class MeasurementForm : public FaceWidget {
     using OnDone = std::function<void(const QString& sentence)>;
 
     /// Opens the sheet; it closes itself when the change is on disk, and stays with the reason when it is not.
-    static MeasurementForm* open(SheetHost& host, Look& look, BoringDesk& desk, Author author,
+    static MeasurementForm* open(SheetHost& host, Look& look, BoringService& service, Author author,
                                  const MeasurementSubject& subject, Start start, OnDone onDone);
 
     /// A gauge was read while the form is open.
@@ -50,7 +50,7 @@ class MeasurementForm : public FaceWidget {
     void refresh() override;
 
  private:
-    MeasurementForm(Look& look, BoringDesk& desk, Author author, MeasurementSubject subject, Start start, OnDone onDone,
+    MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject, Start start, OnDone onDone,
                     Sheet* sheet);
     void reconsider();
     void apply();
@@ -59,7 +59,7 @@ class MeasurementForm : public FaceWidget {
     [[nodiscard]] QString reason() const;
     [[nodiscard]] QString whyNot() const;
 
-    BoringDesk& m_desk;
+    BoringService& m_service;
     Author m_author;
     MeasurementSubject m_subject;
     OnDone m_onDone;

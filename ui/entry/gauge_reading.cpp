@@ -66,7 +66,7 @@ GaugeJudgement judgeReading(const GaugeReading& reading, double expected_mm, Len
     GaugeJudgement judgement;
     judgement.value_mm = inMillimetre(reading.value, unit);
     if (expected_mm <= 0.0 || judgement.value_mm <= 0.0 || near(judgement.value_mm, expected_mm)) {
-        return judgement;  // what the process makes of it is the desk's question
+        return judgement;  // what the process makes of it is the service's question
     }
     const LengthUnit other = unit == LengthUnit::Inch ? LengthUnit::Millimetre : LengthUnit::Inch;
     const double otherUnit_mm = inMillimetre(reading.value, other);

@@ -66,7 +66,7 @@ void HeaderBar::setStatus(const Status& status, const Capabilities& capabilities
     rebuild();
 }
 
-void HeaderBar::setWork(const BoringDeskView* view, const Status& status) {
+void HeaderBar::setWork(const BoringServiceView* view, const Status& status) {
     QStringList work;
     if (view != nullptr && !view->partType.empty()) {
         work << QString::fromStdString(view->partType);

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
 #include "ui/shell/operator_session.h"
 #include "ui/widgets/face_widget.h"
@@ -19,7 +19,7 @@ class HeaderBar : public FaceWidget {
     HeaderBar(Look& look, OperatorSession& session, QWidget* parent = nullptr);
 
     void setStatus(const Status& status, const Capabilities& capabilities);
-    void setWork(const BoringDeskView* view, const Status& status);
+    void setWork(const BoringServiceView* view, const Status& status);
     void setTime(const QString& clock);
     /// Lots can be opened and closed here.
     void setLots(bool there) { m_lots->setVisible(there); }

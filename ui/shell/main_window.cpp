@@ -70,8 +70,8 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
                    ? Sentence()
                    : Sentence(KERF_TEXT("Only a setter or a process engineer who is signed on may switch a loop."));
     });
-    if (m_services.boringDesk != nullptr) {
-        m_deskChanges = m_services.boringDesk->onChanged([this] { onStatus(m_client.status()); });
+    if (m_services.boringService != nullptr) {
+        m_serviceChanges = m_services.boringService->onChanged([this] { onStatus(m_client.status()); });
     }
     m_clock.setInterval(1000);
     connect(&m_clock, &QTimer::timeout, this, [this] {
@@ -151,7 +151,7 @@ void MainWindow::buildFrame() {
         m_made.push_back(made);
     }
     connect(m_navigation, &Navigation::chosen, this, [this](std::size_t index) { showPage(m_pages[index].key); });
-    m_header->setLots(m_services.boringLots != nullptr && m_services.boringDesk != nullptr);
+    m_header->setLots(m_services.boringLots != nullptr && m_services.boringService != nullptr);
     connect(m_header, &HeaderBar::lotsRequested, this, [context] { LotForm::open(context); });
     connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
     connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
@@ -251,7 +251,7 @@ void MainWindow::refresh() {
 
 void MainWindow::onStatus(const Status& status) {
     m_header->setStatus(status, m_services.engine.capabilities());
-    m_header->setWork(m_services.boringDesk != nullptr ? &m_services.boringDesk->view() : nullptr, status);
+    m_header->setWork(m_services.boringService != nullptr ? &m_services.boringService->view() : nullptr, status);
     m_navigation->setStatus(status);
     m_holdAll->setHeld(status.held);
 }

@@ -20,7 +20,7 @@ class Navigation;
 /// The frame around every page: header, navigation, page area, bottom line with HOLD ALL.
 ///
 ///     Look look;
-///     MainWindow window(look, Services{.engine = engine, .boringDesk = &desk});
+///     MainWindow window(look, Services{.engine = engine, .boringService = &service});
 ///     window.show();
 ///
 /// Look and everything in Services outlive the window. Pages are made when the window is.
@@ -63,7 +63,7 @@ class MainWindow : public QMainWindow {
     EngineClient m_client;
     OperatorSession m_session;
     AlarmList m_alarms;
-    std::unique_ptr<BoringDesk::Subscription> m_deskChanges;
+    std::unique_ptr<Subscription> m_serviceChanges;
     QTimer m_clock;
     QElapsedTimer m_sinceStart;
 

@@ -50,7 +50,7 @@ class OperatorSession : public QObject {
 
     [[nodiscard]] QString name() const { return m_name; }
     [[nodiscard]] bool signedOn() const { return !m_name.isEmpty(); }
-    /// The name as the desk wants it.
+    /// The name as the service wants it.
     [[nodiscard]] std::string author() const { return m_name.toStdString(); }
     /// Empty: nobody is signed on.
     [[nodiscard]] std::optional<Role> role() const;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/texts.h"
-#include "ui/pages/alarms_page.h"
+#include "ui/pages/alarms/alarms_page.h"
 #include "ui/pages/boring/boring_page.h"
 #include "ui/pages/boring/boring_texts.h"
-#include "ui/pages/diagnostics_page.h"
+#include "ui/pages/diagnostics/diagnostics_page.h"
 #include "ui/pages/milling/milling_page.h"
 #include "ui/pages/milling/milling_texts.h"
-#include "ui/pages/overview_page.h"
+#include "ui/pages/overview/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
 #include "ui/pages/tapping/tapping_page.h"
 #include "ui/pages/tapping/tapping_texts.h"
@@ -31,14 +31,14 @@ Page* makePage(const PageContext& context) {
 /// The next bore as predicted; its course is what was measured at the first depth.
 KeyFigure boringFigure(const Services& services, const Status& status) {
     KeyFigure figure;
-    if (services.boringDesk == nullptr) {
+    if (services.boringService == nullptr) {
         figure = {Pages::tr("Feed"), "mm/rev", kFeedDecimals, {}, {}, status.feedScaleLimited, {}};
         if (status.boring.feed_mmPerRev.good()) {
             figure.value = status.boring.feed_mmPerRev.value;
         }
         return figure;
     }
-    const BoringDeskView& view = services.boringDesk->view();
+    const BoringServiceView& view = services.boringService->view();
     figure.unit = "mm";
     figure.decimals = kDiameterDecimals;
     figure.limited = view.nextLimited;
@@ -59,8 +59,8 @@ KeyFigure boringFigure(const Services& services, const Status& status) {
 /// Waviness of the cut under way or of the last one; its course is that of the last cuts.
 KeyFigure millingFigure(const Services& services, const Status& status) {
     KeyFigure figure{Pages::tr("Waviness of the cut"), "um", kWallDecimals, {}, {}, status.feedScaleLimited, {}};
-    if (services.millingDesk != nullptr) {
-        for (const MillingCutView& cut : services.millingDesk->view().cuts) {
+    if (services.millingService != nullptr) {
+        for (const MillingCutView& cut : services.millingService->view().cuts) {
             if (cut.complete && cut.cut.waviness_um > 0.0) {
                 figure.course.push_back(cut.cut.waviness_um);
             }
@@ -84,8 +84,8 @@ KeyFigure tappingFigure(const Services& services, const Status& status) {
     if (status.tapping.taps > 0 && status.tapping.last.samples > 0) {
         figure.value = status.tapping.last.engagedPp_um;
     }
-    if (services.tappingDesk != nullptr) {
-        for (const float saec_mm : services.tappingDesk->view().productionSaec_mm) {
+    if (services.tappingService != nullptr) {
+        for (const float saec_mm : services.tappingService->view().productionSaec_mm) {
             figure.course.push_back(static_cast<double>(saec_mm));
         }
     }

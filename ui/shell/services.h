@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
 #include "ui/shell/operator_session.h"
 
@@ -15,12 +15,12 @@ class AlarmReader;
 class AuditReader;
 class BoringLots;
 class LotReader;
-class MillingDesk;
+class MillingService;
 class PartReader;
 class SettingsReader;
-class TappingDesk;
-class ThermalDesk;
-class TurningDesk;
+class TappingService;
+class ThermalService;
+class TurningService;
 }  // namespace kerf
 
 namespace kerf::ui {
@@ -31,12 +31,12 @@ struct Preferences;
 /// what is missing when a pointer it needs is null. All of them outlive the main window and are used on the GUI thread.
 struct Services {
     EngineApi& engine;
-    BoringDesk* boringDesk{nullptr};
+    BoringService* boringService{nullptr};
     BoringLots* boringLots{nullptr};
-    MillingDesk* millingDesk{nullptr};
-    TurningDesk* turningDesk{nullptr};
-    ThermalDesk* thermalDesk{nullptr};
-    TappingDesk* tappingDesk{nullptr};
+    MillingService* millingService{nullptr};
+    TurningService* turningService{nullptr};
+    ThermalService* thermalService{nullptr};
+    TappingService* tappingService{nullptr};
     PartReader* parts{nullptr};
     LotReader* lots{nullptr};
     AlarmReader* alarms{nullptr};

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/milling/milling_loop.h"
+#include "engine/process/milling/milling_loop.h"
 
 namespace kerf::console {
 
@@ -28,19 +28,19 @@ std::unique_ptr<ProcessLoop> MillingRoom::makeLoop() {
 }
 
 void MillingRoom::open(const Context& context) {
-    StoredMillingDesk::Links links{context.writer, context.engine, context.author, {}};
+    StoredMillingService::Links links{context.writer, context.engine, context.author, {}};
     if (m_plant != nullptr) {
         links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
     }
-    m_desk = std::make_unique<StoredMillingDesk>(std::move(links), context.reader, context.reader);
+    m_service = std::make_unique<StoredMillingService>(std::move(links), context.reader, context.reader);
 }
 
 void MillingRoom::serve(ui::Services& services) {
-    services.millingDesk = m_desk.get();
+    services.millingService = m_service.get();
 }
 
 void MillingRoom::poll() {
-    m_desk->poll();
+    m_service->poll();
 }
 
 }  // namespace kerf::console

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/console/rooms/room.h"
-#include "app/desk/milling_desk.h"
-#include "engine/machine/simulated_milling.h"
+#include "app/service/milling/milling_service.h"
+#include "engine/machine/simulated/simulated_milling.h"
 
 namespace kerf::console {
 
-/// Milling on the console: the built-in machine's plant, the force loop, and its desk.
+/// Milling on the console: the built-in machine's plant, the force loop, and its service.
 class MillingRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Milling; }
@@ -20,7 +20,7 @@ class MillingRoom final : public Room {
 
  private:
     SimulatedMilling* m_plant{nullptr};  ///< null: a real machine
-    std::unique_ptr<StoredMillingDesk> m_desk;
+    std::unique_ptr<StoredMillingService> m_service;
 };
 
 }  // namespace kerf::console

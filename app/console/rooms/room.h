@@ -10,13 +10,13 @@
 #include "db/api/store_writer.h"
 #include "db/readers/database_reader.h"
 #include "engine/api/engine_api.h"
-#include "engine/loop/process_loop.h"
-#include "engine/machine/simulated_process.h"
+#include "engine/cycle/process_loop.h"
+#include "engine/machine/simulated/simulated_process.h"
 #include "ui/shell/services.h"
 
 namespace kerf::console {
 
-/// One process on the console: what it brings to the simulated machine and to the engine, and its desk. GUI thread.
+/// One process on the console: what it brings to the simulated machine and to the engine, and its service. GUI thread.
 ///
 /// Order of the calls: makePlant (simulated machines only), makeLoop, open, serve, then poll a few times per second.
 /// The engine is stopped before a room is destroyed.
@@ -42,9 +42,9 @@ class Room {
     /// May be null.
     [[nodiscard]] virtual std::unique_ptr<SimulatedProcess> makePlant(const Options& options) = 0;
     [[nodiscard]] virtual std::unique_ptr<ProcessLoop> makeLoop() = 0;
-    /// Make the desk, load what was kept, send the loop its first setup.
+    /// Make the service, load what was kept, send the loop its first setup.
     virtual void open(const Context&) {}
-    /// Hand the desk to the pages.
+    /// Hand the service to the pages.
     virtual void serve(ui::Services&) {}
     virtual void poll() {}
 };

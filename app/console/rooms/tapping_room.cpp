@@ -3,10 +3,10 @@
 
 #include <spdlog/spdlog.h>
 
-#include "app/formats/tapping_tuning_json.h"
+#include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
-#include "engine/machine/simulated_tapping.h"
-#include "engine/tapping/tapping_loop.h"
+#include "engine/machine/simulated/simulated_tapping.h"
+#include "engine/process/tapping/tapping_loop.h"
 
 namespace kerf::console {
 namespace {
@@ -54,18 +54,18 @@ std::unique_ptr<ProcessLoop> TappingRoom::makeLoop() {
 
 void TappingRoom::open(const Context& context) {
     m_writer = &context.writer;
-    SessionTappingDesk::Params params;
+    StoredTappingService::Params params;
     if (context.options.machine == "linuxcnc") {
         params.assumed = linuxcnc::assumedDrive(linuxcnc::kAssumedBandwidth_perS);
         params.abortOverAllowed = kSlavedAbortOverAllowed;
     }
     params.known = storedTunings(context.reader);
     params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
-    m_desk = std::make_unique<SessionTappingDesk>(context.engine, *m_exchange, std::move(params));
+    m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));
 }
 
 void TappingRoom::poll() {
-    if (m_desk) m_desk->poll();
+    if (m_service) m_service->poll();
 }
 
 void TappingRoom::keep(const tapping::StoredTuning& tuning) {
@@ -77,7 +77,7 @@ void TappingRoom::keep(const tapping::StoredTuning& tuning) {
     record.author = tuning.proof.author;
     record.reason = tuning.proof.rolledBack ? "rolled back" : "accepted";
     m_writer->submit(std::move(record), [this](const Result<Receipt>& result) {
-        m_desk->setStoreProblem(result ? Sentence{} : result.error());
+        m_service->setStoreProblem(result ? Sentence{} : result.error());
     });
 }
 

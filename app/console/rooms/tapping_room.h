@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "app/console/rooms/room.h"
-#include "engine/tapping/session_desk.h"
-#include "engine/tapping/tap_exchange.h"
+#include "app/service/tapping/tapping_service.h"
+#include "engine/process/tapping/tap_exchange.h"
 
 namespace kerf::console {
 
-/// Tapping on the console: the built-in machine's drive, the loop that makes and records taps, the desk that tunes.
+/// Tapping on the console: the built-in machine's drive, the loop that makes and records taps, the service that tunes.
 /// Accepted tunings are room records of kind "tuning"; at a start they come back in the order they were made.
 class TappingRoom final : public Room {
  public:
@@ -18,7 +18,7 @@ class TappingRoom final : public Room {
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
     void open(const Context& context) override;
-    void serve(ui::Services& services) override { services.tappingDesk = m_desk.get(); }
+    void serve(ui::Services& services) override { services.tappingService = m_service.get(); }
     void poll() override;
 
  private:
@@ -26,7 +26,7 @@ class TappingRoom final : public Room {
 
     std::unique_ptr<TapExchange> m_exchange{std::make_unique<TapExchange>()};
     StoreWriter* m_writer{nullptr};
-    std::unique_ptr<SessionTappingDesk> m_desk;
+    std::unique_ptr<StoredTappingService> m_service;
 };
 
 }  // namespace kerf::console

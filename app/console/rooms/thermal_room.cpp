@@ -9,7 +9,7 @@
 #include <QSaveFile>
 #include <nlohmann/json.hpp>
 
-#include "engine/thermal/thermal_loop.h"
+#include "engine/process/thermal/thermal_loop.h"
 
 namespace kerf::console {
 namespace {
@@ -74,19 +74,19 @@ void ThermalRoom::open(const Context& context) {
             m_plant->resume(*memory);
         }
     }
-    StoredThermalDesk::Links links{context.engine, context.writer, *m_exchange};
+    StoredThermalService::Links links{context.engine, context.writer, *m_exchange};
     links.dayFolder = folder.filePath(QStringLiteral("thermal")).toStdString();
     links.machineSeed = m_machineSeed;
-    m_desk = std::make_unique<StoredThermalDesk>(links, context.reader);
+    m_service = std::make_unique<StoredThermalService>(links, context.reader);
 }
 
 void ThermalRoom::serve(ui::Services& services) {
-    services.thermalDesk = m_desk.get();
+    services.thermalService = m_service.get();
 }
 
 void ThermalRoom::poll() {
-    if (m_desk) {
-        m_desk->poll();
+    if (m_service) {
+        m_service->poll();
     }
     if (m_plant == nullptr) {
         return;

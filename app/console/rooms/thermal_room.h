@@ -5,13 +5,13 @@
 #include <string>
 
 #include "app/console/rooms/room.h"
-#include "app/desk/thermal_desk.h"
-#include "engine/machine/simulated_thermal.h"
-#include "engine/thermal/thermal_exchange.h"
+#include "app/service/thermal/thermal_service.h"
+#include "engine/machine/simulated/simulated_thermal.h"
+#include "engine/process/thermal/thermal_exchange.h"
 
 namespace kerf::console {
 
-/// Thermal on the console: the heat of both built-in machines, the compensating loop and the desk.
+/// Thermal on the console: the heat of both built-in machines, the compensating loop and the service.
 ///
 /// The simulated machine remembers its temperatures and its work offset over a restart of the console, as a real one
 /// would: a file beside the database, written once a minute of machine time at most.
@@ -33,7 +33,7 @@ class ThermalRoom final : public Room {
     SimulatedThermal* m_plant{nullptr};
     std::uint64_t m_machineSeed{SimulatedThermal::kMachiningCentre};
     std::string m_memoryFile;
-    std::unique_ptr<StoredThermalDesk> m_desk;
+    std::unique_ptr<StoredThermalService> m_service;
 };
 
 }  // namespace kerf::console

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/rooms/turning_room.h"
 
-#include "engine/machine/simulated_turning.h"
-#include "engine/turning/turning_loop.h"
+#include "engine/machine/simulated/simulated_turning.h"
+#include "engine/process/turning/turning_loop.h"
 
 namespace kerf::console {
 namespace {
@@ -27,16 +27,16 @@ std::unique_ptr<ProcessLoop> TurningRoom::makeLoop() {
 }
 
 void TurningRoom::open(const Context& context) {
-    m_desk = std::make_unique<StoredTurningDesk>(
-        StoredTurningDesk::Links{context.writer, context.engine, *m_exchange, context.reader});
+    m_service = std::make_unique<StoredTurningService>(
+        StoredTurningService::Links{context.writer, context.engine, *m_exchange, context.reader});
 }
 
 void TurningRoom::serve(ui::Services& services) {
-    services.turningDesk = m_desk.get();
+    services.turningService = m_service.get();
 }
 
 void TurningRoom::poll() {
-    m_desk->poll();
+    m_service->poll();
 }
 
 }  // namespace kerf::console

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/rooms/room.h"
-#include "app/desk/turning_desk.h"
+#include "app/service/turning/turning_service.h"
 
 namespace kerf::console {
 
@@ -16,11 +16,11 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
-    [[nodiscard]] const StoredTurningDesk& desk() const { return *m_desk; }
+    [[nodiscard]] const StoredTurningService& service() const { return *m_service; }
 
  private:
     std::unique_ptr<TurningExchange> m_exchange{std::make_unique<TurningExchange>()};
-    std::unique_ptr<StoredTurningDesk> m_desk;
+    std::unique_ptr<StoredTurningService> m_service;
 };
 
 }  // namespace kerf::console

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/machine/linuxcnc/tap_follower.h"
-#include "engine/tapping/drive_params.h"
+#include "engine/process/tapping/drive_params.h"
 
 namespace kerf::linuxcnc {
 

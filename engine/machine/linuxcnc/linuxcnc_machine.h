@@ -13,7 +13,7 @@
 #include "engine/machine/linuxcnc/shift_word_answer.h"
 #include "engine/machine/linuxcnc/simulated_force.h"
 #include "engine/machine/linuxcnc/tap_follower.h"
-#include "engine/machine/machine_port.h"
+#include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/machine/machine_module.h"
+#include "engine/port/machine_module.h"
 
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 

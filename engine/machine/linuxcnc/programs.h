@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/machine/machine_port.h"
+#include "engine/port/machine_port.h"
 
 /// What is said to LinuxCNC to start one of the shipped subroutines (resources/linuxcnc). All numbers are plain
 /// decimals.

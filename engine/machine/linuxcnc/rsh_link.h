@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "engine/core/spsc_ring.h"
-#include "engine/machine/machine_port.h"
+#include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
 

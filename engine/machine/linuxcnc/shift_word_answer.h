@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/thermal/compensation.h"
+#include "engine/process/thermal/compensation.h"
 
 namespace kerf::linuxcnc {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "engine/core/random.h"
-#include "engine/machine/machine_port.h"
-#include "engine/milling/moving_cut.h"
-#include "engine/milling/sampled_force.h"
+#include "engine/port/machine_port.h"
+#include "engine/process/milling/moving_cut.h"
+#include "engine/process/milling/sampled_force.h"
 
 namespace kerf::linuxcnc {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "engine/machine/linuxcnc/link_memory.h"
-#include "engine/machine/machine_port.h"
+#include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
 

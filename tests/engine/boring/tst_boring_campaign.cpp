@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
-#include "engine/boring/campaign.h"
+#include "engine/process/boring/campaign.h"
 
 namespace {
 

@@ -2,9 +2,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "engine/boring/feed_law.h"
-#include "engine/boring/perturbation_estimator.h"
-#include "engine/boring/plant.h"
+#include "engine/process/boring/feed_law.h"
+#include "engine/process/boring/perturbation_estimator.h"
+#include "engine/process/boring/plant.h"
 #include "tests/support/golden.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/boring/campaign.h"
-#include "engine/boring/lot_tracker.h"
+#include "engine/process/boring/campaign.h"
+#include "engine/process/boring/lot_tracker.h"
 #include "tests/support/golden.h"
 
 namespace {

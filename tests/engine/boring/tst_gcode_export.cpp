@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <map>
 
-#include "engine/boring/gcode_export.h"
+#include "engine/process/boring/gcode_export.h"
 
 using namespace kerf;
 

@@ -4,8 +4,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "engine/boring/lot_tracker.h"
-#include "engine/boring/plant.h"
+#include "engine/process/boring/lot_tracker.h"
+#include "engine/process/boring/plant.h"
 #include "tests/support/golden.h"
 
 namespace {

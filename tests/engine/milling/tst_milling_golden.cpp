@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/milling/cut_simulation.h"
+#include "engine/process/milling/cut_simulation.h"
 #include "tests/support/golden.h"
 
 using namespace kerf;

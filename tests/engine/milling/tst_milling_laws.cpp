@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/core/random.h"
-#include "engine/milling/cut_simulation.h"
+#include "engine/process/milling/cut_simulation.h"
 
 using namespace kerf;
 using namespace kerf::milling;

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/loop/machine_alarms.h"
-#include "engine/milling/cut_simulation.h"
-#include "engine/milling/milling_alarms.h"
-#include "engine/milling/milling_setup.h"
+#include "engine/cycle/machine_alarms.h"
+#include "engine/process/milling/cut_simulation.h"
+#include "engine/process/milling/milling_alarms.h"
+#include "engine/process/milling/milling_setup.h"
 #include "tests/support/milling_bench.h"
 
 using namespace kerf;

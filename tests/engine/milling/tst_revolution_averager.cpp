@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/milling/revolution_averager.h"
-#include "engine/milling/sampled_force.h"
+#include "engine/process/milling/revolution_averager.h"
+#include "engine/process/milling/sampled_force.h"
 
 using namespace kerf;
 using namespace kerf::milling;

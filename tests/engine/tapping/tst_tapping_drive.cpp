@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/tapping/tap_drive.h"
-#include "engine/tapping/thread_table.h"
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/tap_drive.h"
+#include "engine/process/tapping/thread_table.h"
+#include "engine/process/tapping/trial_machine.h"
 #include "tests/support/golden.h"
 
 using namespace kerf;

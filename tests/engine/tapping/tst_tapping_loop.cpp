@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "engine/api/part_results.h"
-#include "engine/tapping/tapping_alarms.h"
+#include "engine/process/tapping/tapping_alarms.h"
 #include "tests/support/cycle_guard.h"
 #include "tests/support/golden.h"
 #include "tests/support/tapping_bench.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/tapping/tap_record.h"
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/tap_record.h"
+#include "engine/process/tapping/trial_machine.h"
 #include "tests/support/golden.h"
 
 using namespace kerf;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/tapping/thread_table.h"
-#include "engine/tapping/trial_machine.h"
+#include "engine/process/tapping/thread_table.h"
+#include "engine/process/tapping/trial_machine.h"
 #include "tests/support/golden.h"
 
 using namespace kerf;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/headless/thermal_files.h"
-#include "engine/thermal/history.h"
-#include "engine/thermal/training.h"
+#include "app/files/thermal_files.h"
+#include "engine/process/thermal/history.h"
+#include "engine/process/thermal/training.h"
 #include "tests/support/golden.h"
 
 namespace kerf::test {

@@ -5,7 +5,7 @@
 #include <cfenv>
 #include <limits>
 
-#include "engine/thermal/compensation.h"
+#include "engine/process/thermal/compensation.h"
 #include "tests/support/golden.h"
 
 using namespace kerf::thermal;

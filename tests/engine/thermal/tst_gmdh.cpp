@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "engine/core/random.h"
-#include "engine/thermal/gmdh.h"
+#include "engine/process/thermal/gmdh.h"
 #include "tests/support/golden.h"
 
 using namespace kerf::thermal;

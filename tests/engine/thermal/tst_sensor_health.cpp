@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "engine/core/random.h"
-#include "engine/thermal/replay.h"
+#include "engine/process/thermal/replay.h"
 #include "tests/engine/thermal/thermal_days.h"
 
 using namespace kerf::thermal;

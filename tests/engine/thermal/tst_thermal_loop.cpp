@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/thermal/warm_up.h"
+#include "engine/process/thermal/warm_up.h"
 #include "tests/support/cycle_guard.h"
 #include "tests/support/thermal_bench.h"
 

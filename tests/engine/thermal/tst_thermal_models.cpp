@@ -3,8 +3,8 @@
 #include <array>
 
 #include "engine/core/random.h"
-#include "engine/thermal/replay.h"
-#include "engine/thermal/training.h"
+#include "engine/process/thermal/replay.h"
+#include "engine/process/thermal/training.h"
 #include "tests/engine/thermal/thermal_days.h"
 
 using namespace kerf::thermal;

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <QTest>
 
-#include "engine/thermal/volumetric.h"
+#include "engine/process/thermal/volumetric.h"
 #include "tests/support/golden.h"
 
 using kerf::thermal::exactError_mm;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/core/random.h"
-#include "engine/turning/identifier.h"
+#include "engine/process/turning/identifier.h"
 
 using namespace kerf::turning;
 using kerf::Random;

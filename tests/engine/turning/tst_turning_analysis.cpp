@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/turning/blind.h"
-#include "engine/turning/margins.h"
-#include "engine/turning/overlap.h"
-#include "engine/turning/simulation.h"
-#include "engine/turning/spectrum.h"
-#include "engine/turning/tone_canceller.h"
+#include "engine/process/turning/blind.h"
+#include "engine/process/turning/margins.h"
+#include "engine/process/turning/overlap.h"
+#include "engine/process/turning/simulation.h"
+#include "engine/process/turning/spectrum.h"
+#include "engine/process/turning/tone_canceller.h"
 #include "tests/support/golden.h"
 
 using namespace kerf::turning;

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/turning/admittance.h"
-#include "engine/turning/identifier.h"
-#include "engine/turning/overlap.h"
-#include "engine/turning/simulation.h"
+#include "engine/process/turning/admittance.h"
+#include "engine/process/turning/identifier.h"
+#include "engine/process/turning/overlap.h"
+#include "engine/process/turning/simulation.h"
 #include "tests/support/golden.h"
 
 using namespace kerf::turning;

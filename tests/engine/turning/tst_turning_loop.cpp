@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/turning/turning_alarms.h"
+#include "engine/process/turning/turning_alarms.h"
 #include "tests/support/cycle_guard.h"
 #include "tests/support/turning_bench.h"
 
@@ -332,7 +332,7 @@ class TestTurningLoop : public QObject {
         QVERIFY(bench.motionRms_um(0.4) < 0.2);
         QVERIFY(!bench.execute(SetTurningController{static_cast<TurningController>(9)}).done);
     }
-    void theDeskGetsSurfaceForceAndRecord() {
+    void theServiceGetsSurfaceForceAndRecord() {
         TurningExchange exchange;
         test::TurningBench bench({}, 200'000, &exchange);
         QVERIFY(bench.start());

@@ -32,7 +32,7 @@ void BoreChart::retranslate() {
     rebuildCurves();
 }
 
-void BoreChart::setView(const BoringDeskView& view) {
+void BoreChart::setView(const BoringServiceView& view) {
     m_view = view;
     rebuildCurves();
 }

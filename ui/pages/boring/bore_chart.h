@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/charts/chart.h"
 
 namespace kerf::ui {
@@ -17,7 +17,7 @@ class BoreChart : public Chart {
  public:
     explicit BoreChart(Look& look, QWidget* parent = nullptr);
 
-    void setView(const BoringDeskView& view);
+    void setView(const BoringServiceView& view);
     void retranslate();
     /// What the marks mean, for the card's header.
     [[nodiscard]] QString key() const;
@@ -44,7 +44,7 @@ class BoreChart : public Chart {
     [[nodiscard]] QPointF at(double part, double diameter_mm) const;
     void rebuildCurves();
 
-    BoringDeskView m_view;
+    BoringServiceView m_view;
     std::vector<CurveId> m_depthCurves;
     std::vector<Bar> m_bars;
     std::vector<Beyond> m_beyond;

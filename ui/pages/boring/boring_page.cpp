@@ -15,9 +15,9 @@
 namespace kerf::ui {
 
 BoringPage::BoringPage(const PageContext& page, QWidget* parent)
-    : Page(page, parent), m_desk(page.services.boringDesk) {
+    : Page(page, parent), m_service(page.services.boringService) {
     m_rows = new QVBoxLayout(this);
-    if (m_desk == nullptr) {
+    if (m_service == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
         m_rows->addWidget(m_missing, 1);
@@ -45,7 +45,7 @@ void BoringPage::build() {
     m_next = new NextPartPanel(look(), this);
     m_estimates = new EstimatePanel(look(), this);
     m_entry =
-        new EntryPanel(look(), *m_desk, {[this] { return context().session.author(); }, context().withOperator}, this);
+        new EntryPanel(look(), *m_service, {[this] { return context().session.author(); }, context().withOperator}, this);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -87,7 +87,7 @@ void BoringPage::build() {
     connect(m_wedge, &GaugeWedge::reading, this, &BoringPage::onGauge);
     connect(m_wedge, &GaugeWedge::repeated, m_entry, &EntryPanel::tellRepeated);
 
-    m_subscription = m_desk->onChanged([this] { onDeskChanged(); });
+    m_subscription = m_service->onChanged([this] { onServiceChanged(); });
 }
 
 void BoringPage::refresh() {
@@ -105,7 +105,7 @@ void BoringPage::refresh() {
         m_next->setWhyNoMode(context().session.whyNot(Role::Setter));
         m_bore->retranslate();
         m_behind = true;
-        onDeskChanged();
+        onServiceChanged();
     }
     Page::refresh();
 }
@@ -116,15 +116,15 @@ void BoringPage::showEvent(QShowEvent* event) {
         m_entry->field()->setFocus();
     }
     if (m_behind) {
-        onDeskChanged();
+        onServiceChanged();
     }
 }
 
-void BoringPage::onDeskChanged() {
-    if (m_desk == nullptr) {
+void BoringPage::onServiceChanged() {
+    if (m_service == nullptr) {
         return;
     }
-    const BoringDeskView& view = m_desk->view();
+    const BoringServiceView& view = m_service->view();
     m_entry->refreshView();  // also while hidden: a gauge enters from any page
     m_behind = !isVisible();
     if (m_behind && m_shownRevision != 0) {
@@ -159,7 +159,7 @@ void BoringPage::onStatus(const Status& status) {
 }
 
 void BoringPage::showNote() {
-    const BoringDeskView& view = m_desk->view();
+    const BoringServiceView& view = m_service->view();
     QString text;
     if (!view.storeProblem.empty()) {
         text = tr("Nothing can be stored at the moment: %1").arg(sentenceText(view.storeProblem, look().units()));
@@ -198,14 +198,14 @@ void BoringPage::showNote() {
 }
 
 void BoringPage::undoLast() {
-    const LastMeasurement last = lastMeasurement(m_desk->view());
+    const LastMeasurement last = lastMeasurement(m_service->view());
     if (last.measurement != nullptr) {
         openForm(last.part->id, last.measurement->depth, last.measurement->id, MeasurementForm::Start::Void);
     }
 }
 
 void BoringPage::openForm(PartId id, std::uint8_t depth, MeasurementId measurement, MeasurementForm::Start start) {
-    const BoringDeskView& view = m_desk->view();
+    const BoringServiceView& view = m_service->view();
     const BorePartView* part = findPart(view, id);
     if (part == nullptr || depth >= view.depths.size()) {
         return;
@@ -220,14 +220,14 @@ void BoringPage::openForm(PartId id, std::uint8_t depth, MeasurementId measureme
         }
     }
     m_form = MeasurementForm::open(
-        context().sheets, look(), *m_desk, [this] { return context().session.author(); }, subject, start,
+        context().sheets, look(), *m_service, [this] { return context().session.author(); }, subject, start,
         context().notify);
 }
 
 void BoringPage::openList() {
     Sheet* sheet = context().sheets.open(tr("Diameters of this lot"),
                                          tr("Touch a value to correct or take it out, an empty place to enter it."));
-    auto* list = new MeasurementList(look(), *m_desk, sheet);
+    auto* list = new MeasurementList(look(), *m_service, sheet);
     sheet->body()->addWidget(list);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("measurementListClose"));
     connect(list, &MeasurementList::measurementTouched, this, [this](qint64 part, int depth, qint64 measurement) {
@@ -257,7 +257,7 @@ void BoringPage::onGauge(const GaugeReading& reading) {
 void BoringPage::acceptSchedule() {
     m_next->setBusy(true);
     const QPointer<BoringPage> self(this);
-    m_desk->acceptSchedule(context().session.author(), [self](const Result<void>& result) {
+    m_service->acceptSchedule(context().session.author(), [self](const Result<void>& result) {
         BoringPage* page = self.data();
         if (page == nullptr) {
             return;

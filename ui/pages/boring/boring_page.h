@@ -17,7 +17,7 @@ namespace kerf::ui {
 
 /// The boring loop: bore against tolerance, feed along the bore, next part, estimated law, entry of diameters.
 ///
-/// Shows what BoringDesk and Status say and passes on what is touched; decides nothing.
+/// Shows what BoringService and Status say and passes on what is touched; decides nothing.
 ///
 /// Object names, stable for tests:
 ///   boringPage
@@ -47,7 +47,7 @@ class BoringPage : public Page {
 
  private:
     void build();
-    void onDeskChanged();
+    void onServiceChanged();
     void onStatus(const Status& status);
     void showNote();
     void undoLast();
@@ -57,8 +57,8 @@ class BoringPage : public Page {
     void acceptSchedule();
     void setMode(LoopMode mode);
 
-    BoringDesk* m_desk;
-    std::unique_ptr<BoringDesk::Subscription> m_subscription;
+    BoringService* m_service;
+    std::unique_ptr<Subscription> m_subscription;
     GaugeWedge* m_wedge{nullptr};
     Card* m_boreCard{nullptr};
     BoreChart* m_bore{nullptr};

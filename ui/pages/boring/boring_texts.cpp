@@ -38,12 +38,12 @@ const BoreMeasurementView* measurementAt(const BorePartView& part, std::uint8_t 
     return found == part.measurements.rend() ? nullptr : &*found;
 }
 
-const BorePartView* findPart(const BoringDeskView& view, PartId id) {
+const BorePartView* findPart(const BoringServiceView& view, PartId id) {
     const auto found = std::find_if(view.parts.begin(), view.parts.end(), [id](const auto& p) { return p.id == id; });
     return found == view.parts.end() ? nullptr : &*found;
 }
 
-LastMeasurement lastMeasurement(const BoringDeskView& view) {
+LastMeasurement lastMeasurement(const BoringServiceView& view) {
     LastMeasurement last;
     for (const BorePartView& part : view.parts) {
         for (const BoreMeasurementView& measurement : part.measurements) {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/units/unit_system.h"
 
 namespace kerf::ui {
@@ -20,12 +20,12 @@ inline constexpr int kFeedDecimals = 3;      ///< of the stored mm/rev
 
 /// The measurement of a depth that holds now; null while there is none.
 [[nodiscard]] const BoreMeasurementView* measurementAt(const BorePartView& part, std::uint8_t depth);
-[[nodiscard]] const BorePartView* findPart(const BoringDeskView& view, PartId id);
+[[nodiscard]] const BorePartView* findPart(const BoringServiceView& view, PartId id);
 /// The newest measurement that holds, with its part; nulls while there is none.
 struct LastMeasurement {
     const BorePartView* part{nullptr};
     const BoreMeasurementView* measurement{nullptr};
 };
-[[nodiscard]] LastMeasurement lastMeasurement(const BoringDeskView& view);
+[[nodiscard]] LastMeasurement lastMeasurement(const BoringServiceView& view);
 
 }  // namespace kerf::ui

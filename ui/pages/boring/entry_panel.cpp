@@ -13,10 +13,10 @@
 
 namespace kerf::ui {
 
-EntryPanel::EntryPanel(Look& look, BoringDesk& desk, Signing signing, QWidget* parent)
+EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWidget* parent)
     : Card(look, parent),
       m_look(look),
-      m_desk(desk),
+      m_service(service),
       m_signing(std::move(signing)),
       m_prompt(makeLabel(TextRole::Title, this)),
       m_field(new DiameterField(look, this)),
@@ -89,10 +89,10 @@ EntryPanel::EntryPanel(Look& look, BoringDesk& desk, Signing signing, QWidget* p
         if (!m_target) {
             return tr("no part waits");
         }
-        return m_desk.gaugeReading_mm(m_target->part, m_target->depth) ? QString() : tr("none fitted");
+        return m_service.gaugeReading_mm(m_target->part, m_target->depth) ? QString() : tr("none fitted");
     });
     m_undo->setPredicate([this]() -> QString {
-        return lastMeasurement(m_desk.view()).measurement == nullptr ? tr("nothing entered") : QString();
+        return lastMeasurement(m_service.view()).measurement == nullptr ? tr("nothing entered") : QString();
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
@@ -125,7 +125,7 @@ void EntryPanel::retranslate() {
 }
 
 std::optional<EntryPanel::Target> EntryPanel::nextTarget() const {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     const auto open = [&view](const Target& target) {
         const BorePartView* part = findPart(view, target.part);
         return part != nullptr && target.depth < view.depths.size() && measurementAt(*part, target.depth) == nullptr;
@@ -145,7 +145,7 @@ void EntryPanel::refreshView() {
         m_target = nextTarget();
     } else if (m_target && !m_pending) {
         // Measured meanwhile by somebody else: what is typed belongs to nothing any more.
-        const BorePartView* part = findPart(m_desk.view(), m_target->part);
+        const BorePartView* part = findPart(m_service.view(), m_target->part);
         if (part == nullptr || measurementAt(*part, m_target->depth) != nullptr) {
             m_question.reset();
             m_field->input().clear();
@@ -169,7 +169,7 @@ void EntryPanel::choose(PartId part, std::uint8_t depth) {
 }
 
 double EntryPanel::expected_mm(const Target& target) const {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     const BorePartView* part = findPart(view, target.part);
     if (part != nullptr && target.depth < part->predicted.size() && part->predicted[target.depth]) {
         return part->predicted[target.depth]->diameter_mm;
@@ -178,7 +178,7 @@ double EntryPanel::expected_mm(const Target& target) const {
 }
 
 void EntryPanel::showTarget() {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     if (m_target) {
         const BorePartView* part = findPart(view, m_target->part);
         const QString name = part != nullptr && m_target->depth < view.depths.size()
@@ -224,7 +224,7 @@ void EntryPanel::showWords() {
 }
 
 QString EntryPanel::whyNoTarget() const {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     if (!view.storeProblem.empty()) {
         return sentenceText(view.storeProblem, m_look.units());
     }
@@ -237,7 +237,7 @@ QString EntryPanel::message() const {
 }
 
 QString EntryPanel::place(const BoreEntry& entry) const {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     const BorePartView* part = findPart(view, entry.part);
     return part != nullptr && entry.depth < view.depths.size() ? placeName(part->number, view.depths[entry.depth])
                                                                : QString();
@@ -292,7 +292,7 @@ void EntryPanel::commit() {
 }
 
 void EntryPanel::submit(const BoreEntry& entry) {
-    const EntryCheck verdict = m_desk.check(entry);
+    const EntryCheck verdict = m_service.check(entry);
     switch (verdict.verdict) {
         case EntryVerdict::Refuse:
             say(
@@ -349,7 +349,7 @@ void EntryPanel::confirm() {
 void EntryPanel::store(const BoreEntry& entry) {
     m_pending = true;
     say([this, entry] { return tr("%1: being stored …").arg(place(entry)); });
-    m_desk.enter(entry, [panel = QPointer<EntryPanel>(this), entry](const Result<void>& result) {
+    m_service.enter(entry, [panel = QPointer<EntryPanel>(this), entry](const Result<void>& result) {
         if (panel) {
             panel->stored(entry, result);
         }
@@ -389,7 +389,7 @@ void EntryPanel::readGauge() {
     if (!m_target || m_pending) {
         return;
     }
-    const std::optional<double> reading_mm = m_desk.gaugeReading_mm(m_target->part, m_target->depth);
+    const std::optional<double> reading_mm = m_service.gaugeReading_mm(m_target->part, m_target->depth);
     if (!reading_mm) {
         m_gauge->reconsider();
         return;

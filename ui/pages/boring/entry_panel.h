@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/entry/diameter_field.h"
 #include "ui/entry/gauge_reading.h"
 #include "ui/widgets/action_button.h"
@@ -32,9 +32,9 @@ class EntryPanel : public Card {
         std::function<void(std::function<void()> action)> withOperator;
     };
 
-    EntryPanel(Look& look, BoringDesk& desk, Signing signing, QWidget* parent = nullptr);
+    EntryPanel(Look& look, BoringService& service, Signing signing, QWidget* parent = nullptr);
 
-    /// The desk has a new view.
+    /// The service has a new view.
     void refreshView();
     /// Enter this part and depth next, instead of the oldest that waits.
     void choose(PartId part, std::uint8_t depth);
@@ -84,7 +84,7 @@ class EntryPanel : public Card {
     [[nodiscard]] double expected_mm(const Target& target) const;
 
     Look& m_look;
-    BoringDesk& m_desk;
+    BoringService& m_service;
     Signing m_signing;
     QLabel* m_prompt;
     DiameterField* m_field;

@@ -35,7 +35,7 @@ EstimateStrips::EstimateStrips(Look& look, QWidget* parent) : FaceWidget(look, p
     refresh();
 }
 
-void EstimateStrips::setView(const BoringDeskView& view) {
+void EstimateStrips::setView(const BoringServiceView& view) {
     for (auto& strip : m_strips) {
         strip.clear();
     }
@@ -187,7 +187,7 @@ EstimatePanel::EstimatePanel(Look& look, QWidget* parent)
     retranslate();
 }
 
-void EstimatePanel::setView(const BoringDeskView& view) {
+void EstimatePanel::setView(const BoringServiceView& view) {
     if (m_estimator != view.estimator) {
         m_estimator = view.estimator;
         retranslate();

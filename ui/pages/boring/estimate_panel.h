@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/face_widget.h"
 
@@ -16,7 +16,7 @@ class EstimateStrips : public FaceWidget {
     Q_OBJECT
  public:
     explicit EstimateStrips(Look& look, QWidget* parent = nullptr);
-    void setView(const BoringDeskView& view);
+    void setView(const BoringServiceView& view);
     /// The newest value as shown: 0 α̂, 1 β̂, 2 Ĉ (tests).
     [[nodiscard]] QString text(std::size_t strip) const;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -45,7 +45,7 @@ class EstimatePanel : public Card {
     Q_OBJECT
  public:
     explicit EstimatePanel(Look& look, QWidget* parent = nullptr);
-    void setView(const BoringDeskView& view);
+    void setView(const BoringServiceView& view);
 
  protected:
     void changeEvent(QEvent* event) override;

@@ -64,7 +64,7 @@ void FeedPanel::retranslate() {
     m_chart->setAccessibleName(tr("Feed along the bore: schedule, last part, live cut"));
 }
 
-void FeedPanel::setView(const BoringDeskView& view) {
+void FeedPanel::setView(const BoringServiceView& view) {
     m_next = view.nextSchedule;
     m_known.clear();
     m_lastFeed = {};

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
 #include "ui/widgets/card.h"
@@ -21,7 +21,7 @@ class FeedPanel : public Card {
  public:
     explicit FeedPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const BoringDeskView& view);
+    void setView(const BoringServiceView& view);
     void setStatus(const Status& status);
     void addSamples(std::span<const Sample> samples);
 

@@ -254,7 +254,7 @@ void LotForm::refresh() {
 }
 
 void LotForm::fillTable() {
-    const BoringDeskView& view = m_context.services.boringDesk->view();
+    const BoringServiceView& view = m_context.services.boringService->view();
     const std::uint32_t cut = view.parts.empty() ? 0 : view.parts.back().number;
     QString state = view.lotClosed ? tr("It is closed.") : lotFull(view) ? tr("It is full.") : tr("It goes on.");
     m_now->setText(tr("Now: %1, lot %2, %3 of %4 parts cut, recipe revision %5. %6", "part type, lot, counts, state")
@@ -339,7 +339,7 @@ QString LotForm::whyNoClose() const {
     if (const QString why = whyNoChange(); !why.isEmpty()) {
         return why;
     }
-    const BoringDeskView& view = m_context.services.boringDesk->view();
+    const BoringServiceView& view = m_context.services.boringService->view();
     if (view.lotClosed) {
         return tr("it is closed");
     }

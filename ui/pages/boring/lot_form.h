@@ -4,7 +4,7 @@
 #include <QPointer>
 #include <vector>
 
-#include "engine/api/boring_lots.h"
+#include "ui/services/boring_lots.h"
 #include "ui/shell/page.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
@@ -25,7 +25,7 @@ namespace kerf::ui {
 class LotForm : public FaceWidget {
     Q_OBJECT
  public:
-    /// Opens the sheet. @pre context.services.boringLots and boringDesk are there
+    /// Opens the sheet. @pre context.services.boringLots and boringService are there
     static LotForm* open(const PageContext& context);
 
     /// Part type of the lot to be opened (one that has just been made).

@@ -11,8 +11,8 @@ namespace {
 enum Role { PartRole = Qt::UserRole, DepthRole, MeasurementRole };
 }
 
-MeasurementList::MeasurementList(Look& look, const BoringDesk& desk, QWidget* parent)
-    : QTableWidget(parent), m_look(look), m_desk(desk) {
+MeasurementList::MeasurementList(Look& look, const BoringService& service, QWidget* parent)
+    : QTableWidget(parent), m_look(look), m_service(service) {
     setObjectName(QStringLiteral("boringMeasurementList"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
@@ -42,7 +42,7 @@ MeasurementList::MeasurementList(Look& look, const BoringDesk& desk, QWidget* pa
 }
 
 void MeasurementList::refreshView() {
-    const BoringDeskView& view = m_desk.view();
+    const BoringServiceView& view = m_service.view();
     const int depths = static_cast<int>(view.depths.size());
     setColumnCount(depths + 1);
     QStringList titles{tr("part")};

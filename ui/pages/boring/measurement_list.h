@@ -3,7 +3,7 @@
 
 #include <QTableWidget>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/theme/look.h"
 
 namespace kerf::ui {
@@ -13,7 +13,7 @@ namespace kerf::ui {
 class MeasurementList : public QTableWidget {
     Q_OBJECT
  public:
-    MeasurementList(Look& look, const BoringDesk& desk, QWidget* parent = nullptr);
+    MeasurementList(Look& look, const BoringService& service, QWidget* parent = nullptr);
     void refreshView();
 
  signals:
@@ -22,7 +22,7 @@ class MeasurementList : public QTableWidget {
 
  private:
     Look& m_look;
-    const BoringDesk& m_desk;
+    const BoringService& m_service;
 };
 
 }  // namespace kerf::ui

@@ -89,7 +89,7 @@ void NextPartPanel::retranslate() {
     showLoop();
 }
 
-void NextPartPanel::setView(const BoringDeskView& view) {
+void NextPartPanel::setView(const BoringServiceView& view) {
     m_view = view;
     showNext();
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "engine/api/status.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
@@ -27,9 +27,9 @@ class NextPartPanel : public Card {
  public:
     explicit NextPartPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const BoringDeskView& view);
+    void setView(const BoringServiceView& view);
     void setLoop(const LoopStatus& loop);
-    /// An answer of the desk is awaited: no second accept meanwhile.
+    /// An answer of the service is awaited: no second accept meanwhile.
     void setBusy(bool busy);
     /// A full or closed lot then offers the next one.
     void setLotsThere(bool there);
@@ -63,7 +63,7 @@ class NextPartPanel : public Card {
     QButtonGroup* m_modes;
     QHBoxLayout* m_modeRow;
     std::array<QPushButton*, 3> m_modeButtons{};
-    BoringDeskView m_view{};
+    BoringServiceView m_view{};
     LoopStatus m_loop{};
     QString m_whyNoMode{};
     bool m_lotsThere{false};

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/api/boring_lots.h"
+#include "ui/services/boring_lots.h"
 #include "ui/shell/page.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"

@@ -17,19 +17,19 @@ constexpr ParamSpec kEnd{"milling.blank_end_mm", KERF_TEXT("Blank ends at"), "mm
 
 }  // namespace
 
-MillingBlankForm* MillingBlankForm::open(SheetHost& host, Look& look, MillingDesk& desk, Author author,
+MillingBlankForm* MillingBlankForm::open(SheetHost& host, Look& look, MillingService& service, Author author,
                                          const QString& file) {
     Sheet* sheet = host.open({});
-    auto* form = new MillingBlankForm(look, desk, std::move(author), file, sheet);
+    auto* form = new MillingBlankForm(look, service, std::move(author), file, sheet);
     sheet->body()->addWidget(form);
     form->show();
     form->m_begin->edit()->setFocus();
     return form;
 }
 
-MillingBlankForm::MillingBlankForm(Look& look, MillingDesk& desk, Author author, const QString& file, Sheet* sheet)
+MillingBlankForm::MillingBlankForm(Look& look, MillingService& service, Author author, const QString& file, Sheet* sheet)
     : FaceWidget(look, sheet),
-      m_desk(desk),
+      m_service(service),
       m_author(std::move(author)),
       m_sheet(sheet),
       m_chart(new Chart(look, this)),
@@ -68,9 +68,9 @@ MillingBlankForm::MillingBlankForm(Look& look, MillingDesk& desk, Author author,
     sheet->addButton(m_cancel, {});
     sheet->addButton(
         m_use, [this] { use(); }, false);
-    m_source = desk.view().blankSource;
+    m_source = service.view().blankSource;
     m_end->setValue(kEnd.fallback);
-    take(desk.view().blank);
+    take(service.view().blank);
     refresh();
 }
 
@@ -119,7 +119,7 @@ bool MillingBlankForm::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MillingBlankForm::refresh() {
-    m_sheet->setTitle(tr("Blank profile of %1").arg(QString::fromStdString(m_desk.view().partType)));
+    m_sheet->setTitle(tr("Blank profile of %1").arg(QString::fromStdString(m_service.view().partType)));
     m_sheet->setText(tr("Height of the blank over the finished wall, step by step along the path."));
     m_chart->setXAxis(tr("path"), "mm");
     m_chart->setYAxis(tr("height"), "mm");
@@ -180,7 +180,7 @@ void MillingBlankForm::removeStep() {
 }
 
 void MillingBlankForm::importFile() {
-    const Result<MillingBlank> blank = m_desk.readBlank(m_file->text().trimmed().toStdString());
+    const Result<MillingBlank> blank = m_service.readBlank(m_file->text().trimmed().toStdString());
     if (!blank) {
         m_message->setText(sentenceText(blank.error(), look().units()));
         return;
@@ -208,17 +208,17 @@ QString MillingBlankForm::whyNotUse() const {
     if (!end_mm) {
         return m_end->whyInvalid();
     }
-    const Result<MillingBlank> blank = m_desk.blankOf(m_steps, *end_mm);
+    const Result<MillingBlank> blank = m_service.blankOf(m_steps, *end_mm);
     return blank ? QString() : sentenceText(blank.error(), look().units());
 }
 
 void MillingBlankForm::use() {
-    const Result<MillingBlank> blank = m_desk.blankOf(m_steps, m_end->value().value_or(0.0));
+    const Result<MillingBlank> blank = m_service.blankOf(m_steps, m_end->value().value_or(0.0));
     if (!blank) {
         return;
     }
     const QPointer<MillingBlankForm> self(this);
-    m_desk.saveBlank(*blank, m_source, m_author(), [self](const Result<void>& result) {
+    m_service.saveBlank(*blank, m_source, m_author(), [self](const Result<void>& result) {
         MillingBlankForm* form = self.data();
         if (form == nullptr) {
             return;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "ui/charts/chart.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/widgets/action_button.h"
@@ -22,14 +22,14 @@ class MillingBlankForm : public FaceWidget {
     Q_OBJECT
  public:
     using Author = std::function<std::string()>;
-    static MillingBlankForm* open(SheetHost& host, Look& look, MillingDesk& desk, Author author, const QString& file);
+    static MillingBlankForm* open(SheetHost& host, Look& look, MillingService& service, Author author, const QString& file);
 
  protected:
     void refresh() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-    MillingBlankForm(Look& look, MillingDesk& desk, Author author, const QString& file, Sheet* sheet);
+    MillingBlankForm(Look& look, MillingService& service, Author author, const QString& file, Sheet* sheet);
     void build();
     void addStep();
     void removeStep();
@@ -39,7 +39,7 @@ class MillingBlankForm : public FaceWidget {
     void take(const MillingBlank& blank);
     [[nodiscard]] QString whyNotUse() const;
 
-    MillingDesk& m_desk;
+    MillingService& m_service;
     Author m_author;
     Sheet* m_sheet;
     Chart* m_chart;

@@ -147,7 +147,7 @@ void MillingControlPanel::retranslate() {
     showLoop();
 }
 
-void MillingControlPanel::setView(const MillingDeskView& view) {
+void MillingControlPanel::setView(const MillingServiceView& view) {
     m_view = view;
     setTitle(view.partType.empty() ? tr("Milling") : QString::fromStdString(view.partType));
     m_start->reconsider();

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
@@ -23,7 +23,7 @@ class MillingControlPanel : public Card {
  public:
     explicit MillingControlPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const MillingDeskView& view);
+    void setView(const MillingServiceView& view);
     void setStatus(const Status& status, const Capabilities& capabilities);
 
  signals:
@@ -63,7 +63,7 @@ class MillingControlPanel : public Card {
     QButtonGroup* m_modes;
     QHBoxLayout* m_modeRow;
     std::array<QPushButton*, 3> m_modeButtons{};
-    MillingDeskView m_view{};
+    MillingServiceView m_view{};
     Status m_status{};
     Capability m_cycleStart{};
     std::optional<bool> m_advising{};  ///< as the label says

@@ -38,7 +38,7 @@ void fillRow(QTableWidget& table, int row, const MillingCutView& view, const Uni
 
 }  // namespace
 
-void openMillingCutLog(SheetHost& host, Look& look, const MillingDesk& desk) {
+void openMillingCutLog(SheetHost& host, Look& look, const MillingService& service) {
     const UnitSystem& units = look.units();
     Sheet* sheet =
         host.open(MillingCutLog::tr("Last cuts"),
@@ -64,7 +64,7 @@ void openMillingCutLog(SheetHost& host, Look& look, const MillingDesk& desk) {
     table->setHorizontalHeaderLabels(titles);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
-    const std::vector<MillingCutView>& cuts = desk.view().cuts;
+    const std::vector<MillingCutView>& cuts = service.view().cuts;
     table->setRowCount(static_cast<int>(cuts.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
         fillRow(*table, row, cuts[cuts.size() - 1 - static_cast<std::size_t>(row)], units);

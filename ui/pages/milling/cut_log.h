@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "ui/dialogs/sheet.h"
 
 namespace kerf::ui {
 
 /// The last cuts, newest first: law, mode, programmed against controlled time, peak and where, waviness.
 /// Object names: millingCutLog (QTableWidget), millingCutLogClose.
-void openMillingCutLog(SheetHost& host, Look& look, const MillingDesk& desk);
+void openMillingCutLog(SheetHost& host, Look& look, const MillingService& service);
 
 }  // namespace kerf::ui

@@ -4,7 +4,7 @@
 #include <QElapsedTimer>
 #include <span>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/live_plot.h"
 #include "ui/widgets/card.h"

@@ -13,9 +13,9 @@
 namespace kerf::ui {
 
 MillingPage::MillingPage(const PageContext& page, QWidget* parent)
-    : Page(page, parent), m_desk(page.services.millingDesk) {
+    : Page(page, parent), m_service(page.services.millingService) {
     m_columns = new QHBoxLayout(this);
-    if (m_desk == nullptr) {
+    if (m_service == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
         m_columns->addWidget(m_missing, 1);
@@ -49,20 +49,20 @@ void MillingPage::build() {
     };
     const auto author = [this] { return context().session.author(); };
     m_setup = add("millingSetup", [this, author] {
-        context().withOperator([this, author] { MillingSetupForm::open(context().sheets, look(), *m_desk, author); });
+        context().withOperator([this, author] { MillingSetupForm::open(context().sheets, look(), *m_service, author); });
     });
     m_blank = add("millingBlank", [this, author] {
         context().withOperator([this, author] {
-            MillingBlankForm::open(context().sheets, look(), *m_desk, author,
+            MillingBlankForm::open(context().sheets, look(), *m_service, author,
                                    QDir::homePath() + QStringLiteral("/blank.csv"));
         });
     });
-    m_log = add("millingLog", [this] { openMillingCutLog(context().sheets, look(), *m_desk); });
+    m_log = add("millingLog", [this] { openMillingCutLog(context().sheets, look(), *m_service); });
     m_newTool = add("millingNewTool", [this] { context().withOperator([this] { askNewTool(); }); });
     m_setup->setPredicate([this] { return whyNotChange(); });
     m_blank->setPredicate([this] { return whyNotChange(); });
     m_newTool->setPredicate([this] { return whyNotChange(); });
-    m_log->setPredicate([this] { return m_desk->view().cuts.empty() ? tr("Nothing cut yet.") : QString(); });
+    m_log->setPredicate([this] { return m_service->view().cuts.empty() ? tr("Nothing cut yet.") : QString(); });
     m_left->addWidget(m_live, 5);
     m_left->addLayout(m_lower, 4);
     m_left->addWidget(m_note);
@@ -84,7 +84,7 @@ void MillingPage::build() {
     });
     connect(&client, &EngineClient::statusChanged, this, &MillingPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, this, &MillingPage::onSamples);
-    m_subscription = m_desk->onChanged([this] { onDeskChanged(); });
+    m_subscription = m_service->onChanged([this] { onServiceChanged(); });
 }
 
 void MillingPage::refresh() {
@@ -103,7 +103,7 @@ void MillingPage::refresh() {
         m_blank->setText(tr("Blank profile"));
         m_log->setText(tr("Cut log"));
         m_newTool->setText(tr("New tool"));
-        onDeskChanged();
+        onServiceChanged();
         onStatus(context().client.status());
     }
     Page::refresh();
@@ -111,13 +111,13 @@ void MillingPage::refresh() {
 
 void MillingPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
-    if (m_desk != nullptr) {
-        onDeskChanged();
+    if (m_service != nullptr) {
+        onServiceChanged();
     }
 }
 
-void MillingPage::onDeskChanged() {
-    const MillingDeskView& view = m_desk->view();
+void MillingPage::onServiceChanged() {
+    const MillingServiceView& view = m_service->view();
     m_live->setSetup(view.setup);
     m_wall->setView(view);
     m_tool->setView(view);
@@ -156,14 +156,14 @@ QString MillingPage::whyNotChange() const {
     if (context().client.status().milling.cutting) {
         return tr("A part is being cut.");
     }
-    return m_desk->view().busy ? tr("being stored") : QString();
+    return m_service->view().busy ? tr("being stored") : QString();
 }
 
 void MillingPage::askNewTool() {
     context().sheets.ask(tr("New tool?"), tr("Wear and stiffness of the tool are learnt anew from the next cut on."),
                          tr("No"), tr("New tool"), [this] {
                              const QPointer<MillingPage> self(this);
-                             m_desk->newTool(context().session.author(), [self](const Result<void>& result) {
+                             m_service->newTool(context().session.author(), [self](const Result<void>& result) {
                                  MillingPage* there = self.data();
                                  if (there != nullptr && !result) {
                                      there->context().notify(sentenceText(result.error(), there->look().units()));

@@ -14,7 +14,7 @@ namespace kerf::ui {
 
 /// The milling loop: force and feed as they run, the wall they leave, the tool's wear, and what may be told the loop.
 ///
-/// Shows what Status and MillingDesk say and passes on what is touched; decides nothing.
+/// Shows what Status and MillingService say and passes on what is touched; decides nothing.
 ///
 /// Object names, stable for tests:
 ///   millingPage, millingNote (what could not be stored)
@@ -38,14 +38,14 @@ class MillingPage : public Page {
 
  private:
     void build();
-    void onDeskChanged();
+    void onServiceChanged();
     void onStatus(const Status& status);
     void onSamples(std::span<const Sample> samples);
     void askNewTool();
     [[nodiscard]] QString whyNotChange() const;
 
-    MillingDesk* m_desk;
-    std::unique_ptr<MillingDesk::Subscription> m_subscription;
+    MillingService* m_service;
+    std::unique_ptr<Subscription> m_subscription;
     QLabel* m_missing{nullptr};
     MillingLivePanel* m_live{nullptr};
     MillingWallPanel* m_wall{nullptr};

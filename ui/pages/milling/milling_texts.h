@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "ui/units/unit_system.h"
 
 namespace kerf::ui {

@@ -20,17 +20,17 @@ constexpr int kColumns = 2;
 
 }  // namespace
 
-MillingSetupForm* MillingSetupForm::open(SheetHost& host, Look& look, MillingDesk& desk, Author author) {
+MillingSetupForm* MillingSetupForm::open(SheetHost& host, Look& look, MillingService& service, Author author) {
     Sheet* sheet = host.open({});
-    auto* form = new MillingSetupForm(look, desk, std::move(author), sheet);
+    auto* form = new MillingSetupForm(look, service, std::move(author), sheet);
     sheet->body()->addWidget(form);
     form->show();
     return form;
 }
 
-MillingSetupForm::MillingSetupForm(Look& look, MillingDesk& desk, Author author, Sheet* sheet)
+MillingSetupForm::MillingSetupForm(Look& look, MillingService& service, Author author, Sheet* sheet)
     : FaceWidget(look, sheet),
-      m_desk(desk),
+      m_service(service),
       m_author(std::move(author)),
       m_sheet(sheet),
       m_nameLabel(makeLabel(TextRole::Body, this)),
@@ -56,7 +56,7 @@ MillingSetupForm::MillingSetupForm(Look& look, MillingDesk& desk, Author author,
     m_open->setObjectName(QStringLiteral("millingSetupOpen"));
     m_save->setObjectName(QStringLiteral("millingSetupSave"));
     build();
-    const MillingDeskView& view = m_desk.view();
+    const MillingServiceView& view = m_service.view();
     m_name->setText(QString::fromStdString(view.partType));
     for (const std::string& type : view.partTypes) {
         m_types->addItem(QString::fromStdString(type));
@@ -69,7 +69,7 @@ MillingSetupForm::MillingSetupForm(Look& look, MillingDesk& desk, Author author,
     });
     connect(m_name, &QLineEdit::textEdited, this, [this] { m_open->reconsider(); });
     m_open->setPredicate([this]() -> QString {
-        const MillingDeskView& now = m_desk.view();
+        const MillingServiceView& now = m_service.view();
         if (name() == now.partType) {
             return tr("This part type is open.");
         }
@@ -104,13 +104,13 @@ void MillingSetupForm::build() {
         new QGridLayout(m_pages->widget(i));
     }
     column->addLayout(m_groupRow);
-    const auto fields = m_desk.fields();
+    const auto fields = m_service.fields();
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const int group = std::min(kGroups - 1, static_cast<int>(i / kPerGroup));
         const int place = static_cast<int>(i) - group * static_cast<int>(kPerGroup);
         auto* field = new ValueField(look(), fields[i].spec, m_pages->widget(group));
         field->setObjectName(QStringLiteral("millingField%1").arg(i));
-        field->setValue(fields[i].get(m_desk.view().setup));
+        field->setValue(fields[i].get(m_service.view().setup));
         field->edit()->installEventFilter(this);
         connect(field, &ValueField::edited, this, [this] { m_message->clear(); });
         auto* grid = static_cast<QGridLayout*>(m_pages->widget(group)->layout());
@@ -143,7 +143,7 @@ bool MillingSetupForm::eventFilter(QObject* watched, QEvent* event) {
 
 void MillingSetupForm::showHint(std::size_t index) {
     m_hinted = index;
-    const ParamSpec& spec = m_desk.fields()[index].spec;
+    const ParamSpec& spec = m_service.fields()[index].spec;
     const UnitSystem& units = look().units();
     m_hint->setText(tr("%1: %2 to %3; default %4, %5.", "label, lowest, highest, default, source")
                         .arg(engineText(spec.label), units.number(spec.min, spec.unit, spec.decimals),
@@ -184,8 +184,8 @@ std::string MillingSetupForm::name() const {
 }
 
 std::optional<MillingSetup> MillingSetupForm::typed() {
-    MillingSetup setup = m_desk.view().setup;
-    const auto fields = m_desk.fields();
+    MillingSetup setup = m_service.view().setup;
+    const auto fields = m_service.fields();
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         const std::optional<double> value = m_fields[i]->value();
         if (!value) {
@@ -198,7 +198,7 @@ std::optional<MillingSetup> MillingSetupForm::typed() {
         }
         fields[i].set(setup, *value);
     }
-    if (const auto why = m_desk.whyUnusable(setup)) {
+    if (const auto why = m_service.whyUnusable(setup)) {
         m_message->setText(sentenceText(*why, look().units()));
         return std::nullopt;
     }
@@ -210,27 +210,27 @@ void MillingSetupForm::save() {
     if (!setup) {
         return;
     }
-    if (name() == m_desk.view().partType) {
-        m_desk.saveSetup(*setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
+    if (name() == m_service.view().partType) {
+        m_service.saveSetup(*setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
         return;
     }
     m_setup = *setup;
-    m_desk.choosePartType(name(), m_author(), whenDone(&MillingSetupForm::chosen));
+    m_service.choosePartType(name(), m_author(), whenDone(&MillingSetupForm::chosen));
 }
 
 void MillingSetupForm::chosen(const Result<void>& result) {
     if (result) {
-        m_desk.saveSetup(m_setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
+        m_service.saveSetup(m_setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
     } else {
         finish(result);
     }
 }
 
 void MillingSetupForm::openType() {
-    m_desk.choosePartType(name(), m_author(), whenDone(&MillingSetupForm::finish));
+    m_service.choosePartType(name(), m_author(), whenDone(&MillingSetupForm::finish));
 }
 
-MillingDesk::Done MillingSetupForm::whenDone(void (MillingSetupForm::*then)(const Result<void>&)) {
+MillingService::Done MillingSetupForm::whenDone(void (MillingSetupForm::*then)(const Result<void>&)) {
     return [self = QPointer<MillingSetupForm>(this), then](const Result<void>& result) {
         MillingSetupForm* form = self.data();
         if (form != nullptr) {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
@@ -20,32 +20,32 @@ namespace kerf::ui {
 /// Save keeps them under the name in the box (a new name makes a part type), Open goes to that part type as stored.
 ///
 /// Object names: millingPartType (name), millingPartTypes (stored ones), millingGroup0…2,
-/// millingField0…16 in the order of MillingDesk::fields(), millingSetupHint, millingSetupMessage, millingSetupCancel,
+/// millingField0…16 in the order of MillingService::fields(), millingSetupHint, millingSetupMessage, millingSetupCancel,
 /// millingSetupOpen, millingSetupSave
 class MillingSetupForm : public FaceWidget {
     Q_OBJECT
  public:
     using Author = std::function<std::string()>;
-    static MillingSetupForm* open(SheetHost& host, Look& look, MillingDesk& desk, Author author);
+    static MillingSetupForm* open(SheetHost& host, Look& look, MillingService& service, Author author);
 
  protected:
     void refresh() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-    MillingSetupForm(Look& look, MillingDesk& desk, Author author, Sheet* sheet);
+    MillingSetupForm(Look& look, MillingService& service, Author author, Sheet* sheet);
     void build();
     void showHint(std::size_t field);
     void save();
     void openType();
     void chosen(const Result<void>& result);
     void finish(const Result<void>& result);
-    /// The answer of the desk, if the form is still there then.
-    [[nodiscard]] MillingDesk::Done whenDone(void (MillingSetupForm::*then)(const Result<void>&));
+    /// The answer of the service, if the form is still there then.
+    [[nodiscard]] MillingService::Done whenDone(void (MillingSetupForm::*then)(const Result<void>&));
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::optional<MillingSetup> typed();
 
-    MillingDesk& m_desk;
+    MillingService& m_service;
     Author m_author;
     Sheet* m_sheet;
     QLabel* m_nameLabel;

@@ -61,7 +61,7 @@ void MillingToolPanel::retranslate() {
     showWords();
 }
 
-void MillingToolPanel::setView(const MillingDeskView& view) {
+void MillingToolPanel::setView(const MillingServiceView& view) {
     m_view = view;
     showTrend();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
 #include "ui/widgets/card.h"
@@ -18,7 +18,7 @@ class MillingToolPanel : public Card {
  public:
     explicit MillingToolPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const MillingDeskView& view);
+    void setView(const MillingServiceView& view);
     void setStatus(const Status& status);
 
     [[nodiscard]] Chart* chart() const { return m_chart; }
@@ -37,7 +37,7 @@ class MillingToolPanel : public Card {
     QLabel* m_words;
     Chart::BandId m_band;
     Chart::CurveId m_mean;
-    MillingDeskView m_view{};
+    MillingServiceView m_view{};
     MillingStatus m_status{};
 };
 

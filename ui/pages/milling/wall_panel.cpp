@@ -52,7 +52,7 @@ void MillingWallPanel::retranslate() {
     showNote();
 }
 
-void MillingWallPanel::setView(const MillingDeskView& view) {
+void MillingWallPanel::setView(const MillingServiceView& view) {
     m_view = view;
     if (view.setup.revision != 0 && (view.setup.from_mm != m_from_mm || view.setup.to_mm != m_to_mm)) {
         m_from_mm = view.setup.from_mm;

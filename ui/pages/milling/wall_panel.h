@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "engine/api/milling_desk.h"
+#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
 #include "ui/widgets/card.h"
@@ -21,7 +21,7 @@ class MillingWallPanel : public Card {
  public:
     explicit MillingWallPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const MillingDeskView& view);
+    void setView(const MillingServiceView& view);
     void setStatus(const Status& status);
     void addSamples(std::span<const Sample> samples, bool blind);
 
@@ -45,7 +45,7 @@ class MillingWallPanel : public Card {
     QLabel* m_note;
     Chart::CurveId m_before;
     Chart::CurveId m_now;
-    MillingDeskView m_view{};
+    MillingServiceView m_view{};
     double m_from_mm{0.0};
     double m_to_mm{0.0};
     double m_waviness_um{0.0};

@@ -28,7 +28,7 @@ constexpr int kTypingPause_ms = 250;
 PartsPage::PartsPage(const PageContext& page, QWidget* parent)
     : Page(page, parent),
       m_reader(page.services.parts),
-      m_desk(page.services.boringDesk),
+      m_service(page.services.boringService),
       m_columns(new QHBoxLayout(this)) {
     if (m_reader == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
@@ -50,7 +50,7 @@ void PartsPage::build() {
     m_table = new QTableView(this);
     m_model = new PartsModel(*m_reader, this);
     m_detail = new PartDetailPanel(
-        look(), [this] { return m_desk == nullptr ? tr("no lot is open") : QString(); }, this);
+        look(), [this] { return m_service == nullptr ? tr("no lot is open") : QString(); }, this);
     m_exporter = new PartExport(this);
     m_tools = new QHBoxLayout;
     m_search->setObjectName(QStringLiteral("partsSearch"));
@@ -120,8 +120,8 @@ void PartsPage::build() {
         m_export->reconsider();
         context().notify(tr("Nothing exported: %1").arg(sentenceText(why, look().units())));
     });
-    if (m_desk != nullptr) {
-        m_subscription = m_desk->onChanged([this] {
+    if (m_service != nullptr) {
+        m_subscription = m_service->onChanged([this] {
             m_behind = true;
             if (isVisible()) {
                 update();
@@ -345,7 +345,7 @@ void PartsPage::choose(PartId id) {
 }
 
 void PartsPage::openForm(const MeasurementRow& row, bool takeOut) {
-    if (m_desk == nullptr || !m_detail->part()) {
+    if (m_service == nullptr || !m_detail->part()) {
         return;
     }
     MeasurementSubject subject;
@@ -356,7 +356,7 @@ void PartsPage::openForm(const MeasurementRow& row, bool takeOut) {
     subject.diameter_mm = row.diameter_mm.value_or(0.0);
     subject.expected_mm = subject.diameter_mm;
     MeasurementForm::open(
-        context().sheets, look(), *m_desk, [this] { return context().session.author(); }, subject,
+        context().sheets, look(), *m_service, [this] { return context().session.author(); }, subject,
         takeOut ? MeasurementForm::Start::Void : MeasurementForm::Start::Correct,
         [this](const QString& sentence) {
             context().notify(sentence);

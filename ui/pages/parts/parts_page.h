@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "engine/api/boring_desk.h"
+#include "ui/services/boring_service.h"
 #include "ui/models/parts_model.h"
 #include "ui/pages/parts/part_detail_panel.h"
 #include "ui/pages/parts/part_export.h"
@@ -52,8 +52,8 @@ class PartsPage : public Page {
     [[nodiscard]] QString whyNoExport() const;
 
     PartReader* m_reader;
-    BoringDesk* m_desk;
-    std::unique_ptr<BoringDesk::Subscription> m_subscription;
+    BoringService* m_service;
+    std::unique_ptr<Subscription> m_subscription;
     QLabel* m_missing{nullptr};
     QLineEdit* m_search{nullptr};
     QPushButton* m_thisLot{nullptr};

@@ -48,7 +48,7 @@ void ContourChart::retranslate() {
     show();
 }
 
-void ContourChart::setView(const TappingDeskView& view) {
+void ContourChart::setView(const TappingServiceView& view) {
     m_depth_rev = view.choice.depth_rev;
     m_engage_rev = view.engage_rev;
     m_allowed_um = view.thread.allowedPp_um;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/charts/chart.h"
 
 namespace kerf::ui {
@@ -14,7 +14,7 @@ class ContourChart : public Chart {
  public:
     explicit ContourChart(Look& look, QWidget* parent = nullptr);
 
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     void retranslate();
     /// What a touch does, for the card's header; empty without curves.
     [[nodiscard]] QString key() const;

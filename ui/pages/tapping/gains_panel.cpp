@@ -21,7 +21,7 @@ constexpr double kPercent = 100.0;
 constexpr double kAirRatio = 1.3;    ///< beyond the marks of the safe bar
 constexpr double kDriftAlarm = 0.5;  ///< TappingStatus::driftShare that asks for a new tune
 
-double margin_dB(const TappingDeskView& view) {
+double margin_dB(const TappingServiceView& view) {
     return kOneDecade_dB * std::log10(view.criticalZKp_perS / std::max(view.inForce.zKp_perS, 1e-9));
 }
 
@@ -32,7 +32,7 @@ SafeBar::SafeBar(Look& look, QWidget* parent) : FaceWidget(look, parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void SafeBar::setView(const TappingDeskView& view) {
+void SafeBar::setView(const TappingServiceView& view) {
     m_view = view;
     update();
 }
@@ -168,7 +168,7 @@ void GainsPanel::retranslate() {
     showLoop();
 }
 
-void GainsPanel::setView(const TappingDeskView& view) {
+void GainsPanel::setView(const TappingServiceView& view) {
     m_view = view;
     showView();
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/api/status.h"
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/face_widget.h"
 
@@ -20,14 +20,14 @@ class SafeBar : public FaceWidget {
     Q_OBJECT
  public:
     explicit SafeBar(Look& look, QWidget* parent = nullptr);
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
     void paintEvent(QPaintEvent* event) override;
 
  private:
-    TappingDeskView m_view{};
+    TappingServiceView m_view{};
 };
 
 /// Gains before, now and proposed in the machine's own units, the safe set with its margin, the proposal's reason, and
@@ -37,7 +37,7 @@ class GainsPanel : public Card {
  public:
     explicit GainsPanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     void setStatus(const Status& status);
 
  signals:
@@ -67,7 +67,7 @@ class GainsPanel : public Card {
     QButtonGroup* m_modes;
     QHBoxLayout* m_modeRow;
     std::array<QPushButton*, 3> m_modeButtons{};
-    TappingDeskView m_view{};
+    TappingServiceView m_view{};
     LoopStatus m_loop{};
     TappingStatus m_tapping{};
 };

@@ -31,19 +31,19 @@ double numberOf(const std::string& name) {
 
 }  // namespace
 
-JobForm* JobForm::open(SheetHost& host, Look& look, TappingDesk& desk) {
+JobForm* JobForm::open(SheetHost& host, Look& look, TappingService& service) {
     Sheet* sheet = host.open({});
-    auto* form = new JobForm(*sheet, look, desk);
+    auto* form = new JobForm(*sheet, look, service);
     sheet->body()->addWidget(form);
     return form;
 }
 
-JobForm::JobForm(Sheet& sheet, Look& look, TappingDesk& desk)
+JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service)
     : FaceWidget(look, &sheet),
       m_sheet(sheet),
-      m_desk(desk),
-      m_choice(desk.view().choice),
-      m_coarse(desk.view().revision == 0 || desk.view().thread.coarse),
+      m_service(service),
+      m_choice(service.view().choice),
+      m_coarse(service.view().revision == 0 || service.view().thread.coarse),
       m_coarseButton(new QPushButton(this)),
       m_fineButton(new QPushButton(this)),
       m_threads(new QGridLayout),
@@ -138,7 +138,7 @@ void JobForm::showThreads() {
     m_coarseButton->setChecked(m_coarse);
     m_fineButton->setChecked(!m_coarse);
     std::size_t place = 0;
-    for (const TapThreadView& thread : m_desk.threads()) {
+    for (const TapThreadView& thread : m_service.threads()) {
         if (thread.name == m_choice.thread) {
             m_thread->setText(tr("%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its "
                                  "upper limit.")
@@ -174,7 +174,7 @@ void JobForm::apply() {
     m_choice.gear = static_cast<std::uint8_t>(std::lround(*m_fields[kGear]->value()));
     m_choice.partType = std::to_string(std::lround(*m_fields[kPart]->value()));
     m_choice.tap = std::to_string(std::lround(*m_fields[kTap]->value()));
-    if (const auto loaded = m_desk.load(m_choice); !loaded) {
+    if (const auto loaded = m_service.load(m_choice); !loaded) {
         m_message->setText(sentenceText(loaded.error(), look().units()));
         return;
     }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
@@ -15,18 +15,18 @@ namespace kerf::ui {
 class JobForm : public FaceWidget {
     Q_OBJECT
  public:
-    static JobForm* open(SheetHost& host, Look& look, TappingDesk& desk);
+    static JobForm* open(SheetHost& host, Look& look, TappingService& service);
 
  protected:
     void refresh() override;
 
  private:
-    JobForm(Sheet& sheet, Look& look, TappingDesk& desk);
+    JobForm(Sheet& sheet, Look& look, TappingService& service);
     void showThreads();
     void apply();
 
     Sheet& m_sheet;
-    TappingDesk& m_desk;
+    TappingService& m_service;
     TapChoice m_choice;
     bool m_coarse{true};
     QPushButton* m_coarseButton;

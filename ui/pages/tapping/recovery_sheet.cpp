@@ -11,17 +11,17 @@ namespace {
 constexpr double kDegreesPerTurn = 360.0;
 }
 
-RecoverySheet* RecoverySheet::open(SheetHost& host, Look& look, TappingDesk& desk, EngineClient& client) {
+RecoverySheet* RecoverySheet::open(SheetHost& host, Look& look, TappingService& service, EngineClient& client) {
     Sheet* sheet = host.open({});
-    auto* content = new RecoverySheet(*sheet, look, desk, client);
+    auto* content = new RecoverySheet(*sheet, look, service, client);
     sheet->body()->addWidget(content);
     return content;
 }
 
-RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingDesk& desk, EngineClient& client)
+RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client)
     : FaceWidget(look, &sheet),
       m_sheet(sheet),
-      m_desk(desk),
+      m_service(service),
       m_client(client),
       m_where(makeLabel(TextRole::Body, this, true)),
       m_what(makeLabel(TextRole::Body, this, true)),
@@ -45,7 +45,7 @@ RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingDesk& desk, Engine
         m_turn,
         [this] {
             m_asked = true;
-            m_desk.recover();
+            m_service.recover();
         },
         false);
     connect(&client, &EngineClient::statusChanged, this, &RecoverySheet::onStatus);
@@ -96,7 +96,7 @@ void RecoverySheet::show() {
                        "follows it at %2 per revolution until the tap is out. No other axis moves. Do not jog Z or the "
                        "spindle alone: it breaks the tap.")
                         .arg(UnitSystem::fixed(tapping.stoppedSpindle_rev, 2),
-                             units.withUnit(m_desk.view().thread.pitch_mm, "mm", 3)));
+                             units.withUnit(m_service.view().thread.pitch_mm, "mm", 3)));
     switch (m_step) {
         case Step::Ready: {
             const QString why = whyNotTurn();

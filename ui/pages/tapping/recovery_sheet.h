@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/engine_client.h"
 #include "ui/widgets/action_button.h"
@@ -14,20 +14,20 @@ class RecoverySheet : public FaceWidget {
     Q_OBJECT
  public:
     /// Opens its sheet on `host`.
-    static RecoverySheet* open(SheetHost& host, Look& look, TappingDesk& desk, EngineClient& client);
+    static RecoverySheet* open(SheetHost& host, Look& look, TappingService& service, EngineClient& client);
 
  protected:
     void refresh() override;
 
  private:
     enum class Step { Ready, Turning, Out };
-    RecoverySheet(Sheet& sheet, Look& look, TappingDesk& desk, EngineClient& client);
+    RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client);
     void onStatus(const Status& status);
     void show();
     [[nodiscard]] QString whyNotTurn() const;
 
     Sheet& m_sheet;
-    TappingDesk& m_desk;
+    TappingService& m_service;
     EngineClient& m_client;
     QLabel* m_where;
     QLabel* m_what;

@@ -29,7 +29,7 @@ void SpeedChart::retranslate() {
     setAccessibleName(tr("Sync error against time per hole, by speed"));
 }
 
-void SpeedChart::setView(const TappingDeskView& view) {
+void SpeedChart::setView(const TappingServiceView& view) {
     m_points = view.speeds;
     m_allowed_um = view.thread.allowedPp_um;
     std::vector<QPointF> tuned;

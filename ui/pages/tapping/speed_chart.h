@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/charts/chart.h"
 
 namespace kerf::ui {
@@ -12,7 +12,7 @@ class SpeedChart : public Chart {
  public:
     explicit SpeedChart(Look& look, QWidget* parent = nullptr);
 
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     void retranslate();
 
  signals:

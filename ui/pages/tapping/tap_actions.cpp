@@ -43,7 +43,7 @@ TapActions::TapActions(Look& look, const EngineApi& engine, QWidget* parent)
     connect(m_abort, &QPushButton::clicked, this, &TapActions::abortRequested);
     connect(m_recover, &QPushButton::clicked, this, &TapActions::recoveryRequested);
     connect(m_automatic, &QPushButton::clicked, this, [this](bool checked) {
-        m_automatic->setChecked(m_view.automatic);  // the desk says what is in force
+        m_automatic->setChecked(m_view.automatic);  // the service says what is in force
         emit automaticRequested(checked);
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
@@ -80,7 +80,7 @@ void TapActions::retranslate() {
     reconsider();
 }
 
-void TapActions::setView(const TappingDeskView& view) {
+void TapActions::setView(const TappingServiceView& view) {
     m_view = view;
     reconsider();
 }

@@ -5,7 +5,7 @@
 
 #include "engine/api/engine_api.h"
 #include "engine/api/status.h"
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
@@ -19,7 +19,7 @@ class TapActions : public Card {
  public:
     TapActions(Look& look, const EngineApi& engine, QWidget* parent = nullptr);
 
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     void setStatus(const Status& status);
 
  signals:
@@ -61,7 +61,7 @@ class TapActions : public Card {
     QPushButton* m_automatic;
     ActionButton* m_abort;
     ActionButton* m_recover;
-    TappingDeskView m_view{};
+    TappingServiceView m_view{};
     Status m_status{};
 };
 

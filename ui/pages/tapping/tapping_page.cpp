@@ -17,9 +17,9 @@ constexpr int kTextPeriod_ms = 200;
 }
 
 TappingPage::TappingPage(const PageContext& page, QWidget* parent)
-    : Page(page, parent), m_desk(page.services.tappingDesk) {
+    : Page(page, parent), m_service(page.services.tappingService) {
     m_rows = new QVBoxLayout(this);
-    if (m_desk == nullptr) {
+    if (m_service == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
         m_rows->addWidget(m_missing, 1);
@@ -80,25 +80,25 @@ void TappingPage::connectActions() {
     connect(m_gains, &GainsPanel::modeRequested, this, [this](LoopMode mode) {
         context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});
     });
-    connect(m_actions, &TapActions::jobRequested, this, [this] { JobForm::open(context().sheets, look(), *m_desk); });
+    connect(m_actions, &TapActions::jobRequested, this, [this] { JobForm::open(context().sheets, look(), *m_service); });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
-        context().withOperator([this] { tell(m_desk->begin(context().session.author(), m_desk->view().automatic)); });
+        context().withOperator([this] { tell(m_service->begin(context().session.author(), m_service->view().automatic)); });
     });
     connect(m_actions, &TapActions::tapRequested, this,
             [this] { context().client.sendAction(StartPart{ProcessId::Tapping}); });
-    connect(m_actions, &TapActions::oneMoreRequested, this, [this] { m_desk->oneMore(); });
+    connect(m_actions, &TapActions::oneMoreRequested, this, [this] { m_service->oneMore(); });
     connect(m_actions, &TapActions::acceptRequested, this,
-            [this] { context().withOperator([this] { m_desk->accept(context().session.author()); }); });
+            [this] { context().withOperator([this] { m_service->accept(context().session.author()); }); });
     connect(m_actions, &TapActions::rollBackRequested, this,
-            [this] { context().withOperator([this] { m_desk->rollBack(context().session.author()); }); });
+            [this] { context().withOperator([this] { m_service->rollBack(context().session.author()); }); });
     connect(m_actions, &TapActions::automaticRequested, this,
-            [this](bool automatic) { m_desk->setAutomatic(automatic); });
-    connect(m_actions, &TapActions::abortRequested, this, [this] { m_desk->abort(); });
+            [this](bool automatic) { m_service->setAutomatic(automatic); });
+    connect(m_actions, &TapActions::abortRequested, this, [this] { m_service->abort(); });
     connect(m_actions, &TapActions::recoveryRequested, this,
-            [this] { RecoverySheet::open(context().sheets, look(), *m_desk, context().client); });
+            [this] { RecoverySheet::open(context().sheets, look(), *m_service, context().client); });
     connect(m_speeds, &SpeedChart::picked, this, [this](const TapChoice& choice) {
-        context().sheets.ask(tr("Load this point?"), choiceText(choice, m_desk->view().thread), tr("Cancel"),
-                             tr("Load"), [this, choice] { tell(m_desk->load(choice)); });
+        context().sheets.ask(tr("Load this point?"), choiceText(choice, m_service->view().thread), tr("Cancel"),
+                             tr("Load"), [this, choice] { tell(m_service->load(choice)); });
     });
     connect(&context().client, &EngineClient::statusChanged, this, &TappingPage::onStatus);
 }
@@ -133,14 +133,14 @@ void TappingPage::refresh() {
 
 void TappingPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
-    if (m_desk != nullptr) {
+    if (m_service != nullptr) {
         m_sinceText.invalidate();
         onStatus(context().client.status());
     }
 }
 
 void TappingPage::showView() {
-    const TappingDeskView& view = m_desk->view();
+    const TappingServiceView& view = m_service->view();
     m_shown = view.revision;
     m_contour->setView(view);
     m_key->setText(m_contour->key());
@@ -160,10 +160,10 @@ TappingPage::Situation TappingPage::situation(const Status& status) {
 }
 
 void TappingPage::onStatus(const Status& status) {
-    if (m_desk == nullptr || (!isVisible() && m_shown)) {
+    if (m_service == nullptr || (!isVisible() && m_shown)) {
         return;
     }
-    const bool news = m_shown != m_desk->view().revision;
+    const bool news = m_shown != m_service->view().revision;
     if (news) {
         showView();
     }
@@ -181,7 +181,7 @@ void TappingPage::onStatus(const Status& status) {
 void TappingPage::showNote(const Status& status) {
     const UnitSystem& units = look().units();
     const TappingStatus& tapping = status.tapping;
-    const TappingDeskView& view = m_desk->view();
+    const TappingServiceView& view = m_service->view();
     const bool turns = tapping.phase == TapPhase::Tapping || tapping.phase == TapPhase::Retracting;
     m_live->setText(
         turns

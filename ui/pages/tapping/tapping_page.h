@@ -5,7 +5,7 @@
 #include <optional>
 #include <tuple>
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/pages/tapping/contour_chart.h"
 #include "ui/pages/tapping/gains_panel.h"
 #include "ui/pages/tapping/speed_chart.h"
@@ -18,7 +18,7 @@ namespace kerf::ui {
 /// The tapping loop: contour error of first and last tap against the thread's tolerance, figures per trial, gains with
 /// their safe set, the next proposal with its reason, error against time per hole.
 ///
-/// Shows what TappingDesk and Status say and passes on what is touched; decides nothing.
+/// Shows what TappingService and Status say and passes on what is touched; decides nothing.
 ///
 /// Object names, stable for tests:
 ///   tappingPage, tappingNote, tappingLive
@@ -48,7 +48,7 @@ class TappingPage : public Page {
     void showNote(const Status& status);
     void tell(const Result<void>& result);
 
-    TappingDesk* m_desk;
+    TappingService* m_service;
     QLabel* m_missing{nullptr};
     Card* m_contourCard{nullptr};
     ContourChart* m_contour{nullptr};

@@ -28,7 +28,7 @@ QString choiceText(const TapChoice& choice, const TapThreadView& thread) {
         .arg(choice.gear);
 }
 
-QString stateText(const TappingDeskView& view) {
+QString stateText(const TappingServiceView& view) {
     const auto trials = static_cast<int>(view.trials.size());
     switch (view.state) {
         case TuningState::None:
@@ -58,7 +58,7 @@ QString errorText(double error_um, const UnitSystem& units) {
     return units.withUnit(error_um, "um", decimalsFor(error_um));
 }
 
-QString sourceText(const TappingDeskView& view) {
+QString sourceText(const TappingServiceView& view) {
     switch (view.source) {
         case GainsSource::Machine:
             return TappingTexts::tr("The machine's own gains: nothing is stored for this job.");
@@ -73,7 +73,7 @@ QString sourceText(const TappingDeskView& view) {
     return {};
 }
 
-QString proofText(const TappingDeskView& view, const UnitSystem& units) {
+QString proofText(const TappingServiceView& view, const UnitSystem& units) {
     if (!view.proof) {
         return {};
     }

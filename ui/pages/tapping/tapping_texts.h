@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "engine/api/status.h"
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/units/unit_system.h"
 
 namespace kerf::ui {
@@ -16,15 +16,15 @@ inline constexpr int kGainDecimals = 2;
 [[nodiscard]] QString threadText(const TapThreadView& thread);
 /// "M8 × 1.25, 3000 rpm, 22 rev, gear 1".
 [[nodiscard]] QString choiceText(const TapChoice& choice, const TapThreadView& thread);
-[[nodiscard]] QString stateText(const TappingDeskView& view);
+[[nodiscard]] QString stateText(const TappingServiceView& view);
 /// "12.3 µm", with as many decimals as the size has room for.
 [[nodiscard]] QString errorText(double error_um, const UnitSystem& units);
 /// Three figures: "220", "26.6", "0.42".
 [[nodiscard]] int decimalsFor(double value);
 /// Where the gains in force come from, one sentence.
-[[nodiscard]] QString sourceText(const TappingDeskView& view);
+[[nodiscard]] QString sourceText(const TappingServiceView& view);
 /// Before and after in one line; empty without a proof.
-[[nodiscard]] QString proofText(const TappingDeskView& view, const UnitSystem& units);
+[[nodiscard]] QString proofText(const TappingServiceView& view, const UnitSystem& units);
 /// Why the machine cannot begin a move now; empty when it can.
 [[nodiscard]] QString machineObstacle(const Status& status);
 

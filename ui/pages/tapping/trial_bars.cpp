@@ -20,7 +20,7 @@ TrialBars::TrialBars(Look& look, Figure figure, QWidget* parent) : FaceWidget(lo
     refresh();
 }
 
-void TrialBars::setView(const TappingDeskView& view) {
+void TrialBars::setView(const TappingServiceView& view) {
     m_view = view;
     rebuild();
 }

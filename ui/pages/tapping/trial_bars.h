@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/api/tapping_desk.h"
+#include "ui/services/tapping_service.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {
@@ -16,7 +16,7 @@ class TrialBars : public FaceWidget {
     enum class Figure { Saec, EngagedPp };
     TrialBars(Look& look, Figure figure, QWidget* parent = nullptr);
 
-    void setView(const TappingDeskView& view);
+    void setView(const TappingServiceView& view);
     /// As drawn (tests).
     [[nodiscard]] QStringList values() const;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -37,7 +37,7 @@ class TrialBars : public FaceWidget {
     void rebuild();
 
     Figure m_figure;
-    TappingDeskView m_view{};
+    TappingServiceView m_view{};
     std::vector<Bar> m_bars;
 };
 

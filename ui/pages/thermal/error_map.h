@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/api/thermal_desk.h"
+#include "ui/services/thermal_service.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {

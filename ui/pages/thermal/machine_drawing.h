@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/api/status.h"
-#include "engine/api/thermal_desk.h"
+#include "ui/services/thermal_service.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {

@@ -28,9 +28,9 @@ bool hasNews(const ThermalStatus& now, const ThermalStatus& before) {
 }  // namespace
 
 ThermalPage::ThermalPage(const PageContext& page, QWidget* parent)
-    : Page(page, parent), m_desk(page.services.thermalDesk) {
+    : Page(page, parent), m_service(page.services.thermalService) {
     m_rows = new QVBoxLayout(this);
-    if (m_desk == nullptr) {
+    if (m_service == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
         m_rows->addWidget(m_missing, 1);
@@ -67,7 +67,7 @@ void ThermalPage::build() {
     m_drawingCard->body()->addWidget(m_drawing, 1);
     m_drawingCard->body()->addWidget(m_touchedText);
     m_drawingCard->body()->addWidget(m_trend);
-    m_sheets = std::make_unique<ThermalSheets>(context(), *m_desk);
+    m_sheets = std::make_unique<ThermalSheets>(context(), *m_service);
 
     m_middle = new QHBoxLayout;
     m_middle->addWidget(m_chartCard, 3);
@@ -142,12 +142,12 @@ void ThermalPage::refresh() {
 
 void ThermalPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
-    if (m_desk != nullptr) onStatus(context().client.status());
+    if (m_service != nullptr) onStatus(context().client.status());
 }
 
 void ThermalPage::onStatus(const Status& status) {
     if (!isVisible()) return;
-    const bool news = m_desk->view().revision != m_shownRevision || hasNews(status.thermal, m_status.thermal);
+    const bool news = m_service->view().revision != m_shownRevision || hasNews(status.thermal, m_status.thermal);
     m_status = status;
     m_offsets->setStatus(status.thermal, status.loops[static_cast<std::size_t>(ProcessId::Thermal)]);
     m_drawing->setStatus(status.thermal);
@@ -162,7 +162,7 @@ void ThermalPage::onStatus(const Status& status) {
 }
 
 void ThermalPage::showView() {
-    const ThermalDeskView& view = m_desk->view();
+    const ThermalServiceView& view = m_service->view();
     m_drawing->setSensors(view.sensors);
     if (view.revision == m_shownRevision) return;
     m_shownRevision = view.revision;
@@ -193,7 +193,7 @@ void ThermalPage::showView() {
 }
 
 void ThermalPage::showHealth() {
-    const ThermalDeskView& view = m_desk->view();
+    const ThermalServiceView& view = m_service->view();
     const ThermalStatus& status = m_status.thermal;
     QStringList sick;
     int unread = 0;
@@ -219,14 +219,14 @@ void ThermalPage::showHealth() {
 }
 
 void ThermalPage::showTouched() {
-    const ThermalDeskView& view = m_desk->view();
+    const ThermalServiceView& view = m_service->view();
     const bool known = m_touched && *m_touched < view.sensors.size() && *m_touched < m_status.thermal.count;
     m_trend->setVisible(known);
     if (!known) {
         m_touchedText->setText(tr("Touch a point to read it."));
         return;
     }
-    const auto course = m_desk->temperatures(*m_touched);
+    const auto course = m_service->temperatures(*m_touched);
     std::vector<double> values;
     double before_degC = course.empty() ? 0.0 : course.front().second;
     for (const auto& [minutes, temp_degC] : course) {
@@ -249,7 +249,7 @@ void ThermalPage::warmUp() {
         context().client.sendAction(StopWarmUp{});
         return;
     }
-    const ThermalSetup& setup = m_desk->view().setup;
+    const ThermalSetup& setup = m_service->view().setup;
     context().sheets.ask(
         tr("Warm up the spindle?"),
         tr("The spindle turns at %1 for %2. Take care that nothing is in its way.")

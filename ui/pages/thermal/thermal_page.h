@@ -17,7 +17,7 @@ namespace kerf::ui {
 /// The thermal loop: offsets with their interval, prediction against measurement, temperatures on the machine; sheets
 /// for warm-up, measurement, models, history, sensors, error map and limits.
 ///
-/// Shows what ThermalDesk and Status say and passes on what is touched; decides nothing.
+/// Shows what ThermalService and Status say and passes on what is touched; decides nothing.
 ///
 /// Object names, stable for tests:
 ///   thermalPage; thermalOffsets: thermalDriftX…Z, thermalShiftX…Z, thermalReady, thermalLoopReason,
@@ -43,7 +43,7 @@ class ThermalPage : public Page {
     void warmUp();
     ActionButton* addButton(const char* name, std::function<void()> action);
 
-    ThermalDesk* m_desk;
+    ThermalService* m_service;
     QLabel* m_missing{nullptr};
     OffsetPanel* m_offsets{nullptr};
     Card* m_chartCard{nullptr};

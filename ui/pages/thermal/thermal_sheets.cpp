@@ -71,18 +71,18 @@ void ThermalSheets::openModel() {
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     sheet->body()->addWidget(table, 1);
     ActionButton* back = named(m_context.look, "thermalRollBack", tr("Back to the model before"));
-    back->setPredicate([this] { return m_desk.view().canRollBack ? QString() : tr("there is no model before this"); });
+    back->setPredicate([this] { return m_service.view().canRollBack ? QString() : tr("there is no model before this"); });
     sheet->addButton(
-        back, [this] { withAuthor([this](const std::string& author) { return m_desk.rollBack(author); }); }, false);
+        back, [this] { withAuthor([this](const std::string& author) { return m_service.rollBack(author); }); }, false);
     ActionButton* train = named(m_context.look, "thermalTrainOpen", tr("Train a new one"));
     sheet->addButton(
         train, [this] { openTrain(); }, false);
     follow([this, table, back] {
-        const ThermalModelCard& card = m_desk.view().live;
+        const ThermalModelCard& card = m_service.view().live;
         const UnitSystem& units = m_context.look.units();
         back->reconsider();
         if (card.revision == 0) {
-            const bool training = m_desk.view().training.state == TrainingState::Running;
+            const bool training = m_service.view().training.state == TrainingState::Running;
             setTableRow(table, 0, {tr("model"), training ? tr("the first one is being trained") : tr("none yet")});
             return;
         }
@@ -119,7 +119,7 @@ void ThermalSheets::openModel() {
 
 void ThermalSheets::showDays(QTableWidget* table) {
     int row = 0;
-    for (const ThermalDayView& day : m_desk.view().days) {
+    for (const ThermalDayView& day : m_service.view().days) {
         const bool chosen = m_chosenDays.contains(day.id);
         setTableRow(table, row,
                     {chosen ? QStringLiteral("✓") : QStringLiteral("–"), QString::fromStdString(day.label),
@@ -133,11 +133,11 @@ void ThermalSheets::showDays(QTableWidget* table) {
 }
 
 void ThermalSheets::openTrain() {
-    m_desk.findDays();
+    m_service.findDays();
     Sheet* sheet =
         open(tr("Train a model"), tr("Touch the days to train on. Several days of different work make a model "
                                      "that also holds on days it has not seen. History files belong in %1.")
-                                      .arg(QString::fromStdString(m_desk.view().dayFolder)));
+                                      .arg(QString::fromStdString(m_service.view().dayFolder)));
     Look& look = m_context.look;
     QTableWidget* days = makeThermalTable(look, "thermalDays", {tr("use"), tr("day"), tr("from")}, sheet);
     days->setMinimumHeight(3 * look.metrics().touch());
@@ -156,25 +156,25 @@ void ThermalSheets::openTrain() {
     ActionButton* cancel = named(look, "thermalTrainCancel", tr("Cancel training"));
     ActionButton* train = named(look, "thermalTrainAuto", tr("Train and compare"));
     ActionButton* live = named(look, "thermalGoLive", tr("Go live"));
-    const auto running = [this] { return m_desk.view().training.state == TrainingState::Running; };
+    const auto running = [this] { return m_service.view().training.state == TrainingState::Running; };
     cancel->setPredicate([running] { return running() ? QString() : tr("nothing is being trained"); });
     train->setPredicate([this, running] {
         return running() ? tr("a model is being trained") : m_chosenDays.empty() ? tr("choose days first") : QString();
     });
     live->setPredicate(
-        [this] { return m_desk.view().training.state == TrainingState::Ready ? QString() : tr("train one first"); });
+        [this] { return m_service.view().training.state == TrainingState::Ready ? QString() : tr("train one first"); });
     sheet->addButton(
-        cancel, [this] { m_desk.cancelTraining(); }, false);
+        cancel, [this] { m_service.cancelTraining(); }, false);
     sheet->addButton(
         train,
         [this] {
-            tell(m_desk.train("auto", {m_chosenDays.begin(), m_chosenDays.end()}));
+            tell(m_service.train("auto", {m_chosenDays.begin(), m_chosenDays.end()}));
         },
         false);
     sheet->addButton(
-        live, [this] { withAuthor([this](const std::string& author) { return m_desk.goLive(author); }); }, false);
+        live, [this] { withAuthor([this](const std::string& author) { return m_service.goLive(author); }); }, false);
     const auto update = [this, days, compared, state, cancel, train, live] {
-        const ThermalTrainingView& training = m_desk.view().training;
+        const ThermalTrainingView& training = m_service.view().training;
         const UnitSystem& units = m_context.look.units();
         showDays(days);
         for (ActionButton* button : {cancel, train, live})
@@ -208,7 +208,7 @@ void ThermalSheets::openTrain() {
         compared->setVisible(row > 0);
     };
     QObject::connect(days, &QTableWidget::cellClicked, sheet, [this, update](int row, int) {
-        const auto& list = m_desk.view().days;
+        const auto& list = m_service.view().days;
         if (row < 0 || static_cast<std::size_t>(row) >= list.size()) return;
         const std::string& id = list[static_cast<std::size_t>(row)].id;
         if (m_chosenDays.erase(id) == 0) m_chosenDays.insert(id);
@@ -258,7 +258,7 @@ void ThermalSheets::openMeasure() {
         session,
         [this] {
             withAuthor([this](const std::string& author) {
-                return m_desk.view().session.recording ? m_desk.endSession(author) : m_desk.beginSession(author);
+                return m_service.view().session.recording ? m_service.endSession(author) : m_service.beginSession(author);
             });
         },
         false);
@@ -269,7 +269,7 @@ void ThermalSheets::openMeasure() {
     follow([this, steps, table, reference, session, adopt, measure] {
         const ThermalStatus& s = m_status.thermal;
         const UnitSystem& units = m_context.look.units();
-        const ThermalSessionView& view = m_desk.view().session;
+        const ThermalSessionView& view = m_service.view().session;
         session->setText(view.recording ? tr("End the session") : tr("Record a session"));
         for (ActionButton* button : {reference, session, adopt, measure})
             button->reconsider();
@@ -326,7 +326,7 @@ void ThermalSheets::openHistory() {
     follow([this, shifts, gaps] {
         const UnitSystem& units = m_context.look.units();
         int row = 0;
-        for (const ThermalShiftRow& one : m_desk.view().shifts) {
+        for (const ThermalShiftRow& one : m_service.view().shifts) {
             if (row >= kShownRows) break;
             setTableRow(shifts, row++,
                         {timeOf(one.utc_ms), threeText(one.shift_um, units, 0),
@@ -335,7 +335,7 @@ void ThermalSheets::openHistory() {
         if (row == 0) setTableRow(shifts, row++, {{}, tr("Each change of the shift appears here."), {}});
         shifts->setRowCount(row);
         row = 0;
-        for (const ThermalGapRow& one : m_desk.view().gaps) {
+        for (const ThermalGapRow& one : m_service.view().gaps) {
             if (row >= kShownRows) break;
             setTableRow(
                 gaps, row++,
@@ -354,7 +354,7 @@ void ThermalSheets::openSensors() {
     sheet->body()->addWidget(table, 1);
     follow([this, table] {
         const ThermalStatus& s = m_status.thermal;
-        const auto& sensors = m_desk.view().sensors;
+        const auto& sensors = m_service.view().sensors;
         std::vector<std::size_t> order;
         const auto rank = [&](std::size_t k) {
             return isSick(s.couple[k])                   ? 0
@@ -384,8 +384,8 @@ void ThermalSheets::openMap() {
         open(tr("Error over the work space"),
              tr("From the machine's measured error elements, against the corner X0 Y0 of the table; the darker "
                 "the larger. Independent of the drift with time."));
-    const double middle_mm = m_desk.errorMap(0.0, true).range_mm[2].second / 2.0;
-    const ThermalErrorMap map = m_desk.errorMap(middle_mm, true);
+    const double middle_mm = m_service.errorMap(0.0, true).range_mm[2].second / 2.0;
+    const ThermalErrorMap map = m_service.errorMap(middle_mm, true);
     if (!map.known) {
         QLabel* none = makeLabel(TextRole::Body, sheet, true);
         none->setText(tr("The error elements of this machine have not been measured."));
@@ -400,7 +400,7 @@ void ThermalSheets::openMap() {
         row->addWidget(one, 1);
     }
     sheet->body()->addLayout(row, 1);
-    const ThermalErrorMap first = m_desk.errorMap(middle_mm, false);
+    const ThermalErrorMap first = m_service.errorMap(middle_mm, false);
     double apart_um = 0.0;
     for (std::size_t k = 0; k < map.error_um.size(); ++k) {
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -425,7 +425,7 @@ void ThermalSheets::openLimits() {
     static constexpr std::array kNames{"thermalAllowed", "thermalPeriod",    "thermalMaxShift",
                                        "thermalMaxStep", "thermalWarmSpeed", "thermalWarmMinutes"};
     Sheet* sheet = open(tr("Limits and warm-up"), {});
-    const ThermalSetup now = m_desk.view().setup;
+    const ThermalSetup now = m_service.view().setup;
     const std::array values{now.allowed_um,       now.period_min,      now.maxShift_um,
                             now.maxStep_umPerMin, now.warmUpSpeed_rpm, now.warmUp_min};
     std::array<ValueField*, kSpecs.size()> fields{};
@@ -454,7 +454,7 @@ void ThermalSheets::openLimits() {
                                  &next.maxStep_umPerMin, &next.warmUpSpeed_rpm, &next.warmUp_min};
         for (std::size_t i = 0; i < targets.size(); ++i)
             *targets[i] = fields[i]->value().value_or(*targets[i]);
-        withAuthor([this, next](const std::string& author) { return m_desk.changeSetup(next, author); });
+        withAuthor([this, next](const std::string& author) { return m_service.changeSetup(next, author); });
     });
 }
 

@@ -7,14 +7,14 @@
 #include <set>
 #include <string>
 
-#include "engine/api/thermal_desk.h"
+#include "ui/services/thermal_service.h"
 #include "ui/shell/page.h"
 
 class QTableWidget;
 
 namespace kerf::ui {
 
-/// The thermal page's sheets. One is open at a time and follows status and desk.
+/// The thermal page's sheets. One is open at a time and follows status and service.
 ///
 /// Object names:
 ///   model: thermalCard (table), thermalTrainOpen, thermalRollBack
@@ -27,7 +27,7 @@ namespace kerf::ui {
 class ThermalSheets {
     Q_DECLARE_TR_FUNCTIONS(ThermalSheets)
  public:
-    ThermalSheets(const PageContext& context, ThermalDesk& desk) : m_context(context), m_desk(desk) {}
+    ThermalSheets(const PageContext& context, ThermalService& service) : m_context(context), m_service(service) {}
 
     void openModel();
     void openTrain();
@@ -48,7 +48,7 @@ class ThermalSheets {
     void showDays(QTableWidget* table);
 
     PageContext m_context;
-    ThermalDesk& m_desk;
+    ThermalService& m_service;
     QPointer<Sheet> m_sheet;
     std::function<void()> m_update;
     std::set<std::string> m_chosenDays;

@@ -133,8 +133,8 @@ KeyFigure thermalFigure(const Services& services, const Status& status) {
         figure.value = thermal.drift_um[largest];
         figure.half95 = thermal.half_um[largest];
     }
-    if (services.thermalDesk != nullptr) {
-        for (const ThermalCoursePoint& point : services.thermalDesk->view().course) {
+    if (services.thermalService != nullptr) {
+        for (const ThermalCoursePoint& point : services.thermalService->view().course) {
             figure.course.push_back(static_cast<double>(point.drift_um[largest]));
         }
     }

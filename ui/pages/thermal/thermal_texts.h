@@ -7,7 +7,7 @@
 #include <span>
 
 #include "engine/api/status.h"
-#include "engine/api/thermal_desk.h"
+#include "ui/services/thermal_service.h"
 #include "ui/shell/page.h"
 #include "ui/theme/look.h"
 

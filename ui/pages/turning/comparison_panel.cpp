@@ -64,7 +64,7 @@ void ComparisonPanel::retranslate() {
     show();
 }
 
-void ComparisonPanel::setView(const TurningDeskView& view) {
+void ComparisonPanel::setView(const TurningServiceView& view) {
     m_comparison = view.comparison;
     m_parts = view.parts.size();
     m_archive->reconsider();

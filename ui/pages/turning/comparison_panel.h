@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
@@ -17,7 +17,7 @@ class ComparisonPanel : public Card {
     Q_OBJECT
  public:
     explicit ComparisonPanel(Look& look, QWidget* parent = nullptr);
-    void setView(const TurningDeskView& view);
+    void setView(const TurningServiceView& view);
 
  signals:
     void archiveWanted();

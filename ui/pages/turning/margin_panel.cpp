@@ -109,7 +109,7 @@ void MarginPanel::retranslate() {
     showMargins();
 }
 
-void MarginPanel::setView(const TurningDeskView& view) {
+void MarginPanel::setView(const TurningServiceView& view) {
     m_margins = view.margins;
     m_authority_um = view.setup.trimAuthority_um;
     showMargins();

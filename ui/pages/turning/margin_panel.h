@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/api/status.h"
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number_display.h"
 
@@ -32,7 +32,7 @@ class MarginPanel : public Card {
     Q_OBJECT
  public:
     explicit MarginPanel(Look& look, QWidget* parent = nullptr);
-    void setView(const TurningDeskView& view);
+    void setView(const TurningServiceView& view);
     void setStatus(const Status& status);
 
  protected:

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/charts/chart.h"
 
 namespace kerf::ui {

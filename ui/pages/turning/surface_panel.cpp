@@ -73,7 +73,7 @@ void SurfacePanel::retranslate() {
     showBlind();
 }
 
-void SurfacePanel::setView(const TurningDeskView& view) {
+void SurfacePanel::setView(const TurningServiceView& view) {
     m_spectrum->setSpectrum(view.live);
     m_blindView = view.blind;
     m_archived.clear();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/api/status.h"
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/pages/turning/spectrum_chart.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
@@ -17,7 +17,7 @@ class SurfacePanel : public Card {
  public:
     explicit SurfacePanel(Look& look, QWidget* parent = nullptr);
 
-    void setView(const TurningDeskView& view);
+    void setView(const TurningServiceView& view);
     void setStatus(const Status& status);
     [[nodiscard]] SpectrumChart* spectrum() const { return m_spectrum; }
 

@@ -17,17 +17,17 @@ constexpr int kRowsShown = 3;
 constexpr double kPercent = 100.0;
 }  // namespace
 
-TurningArchive* TurningArchive::open(SheetHost& host, Look& look, const TurningDesk& desk) {
+TurningArchive* TurningArchive::open(SheetHost& host, Look& look, const TurningService& service) {
     Sheet* sheet = host.open({});
-    auto* archive = new TurningArchive(look, desk, sheet);
+    auto* archive = new TurningArchive(look, service, sheet);
     sheet->body()->addWidget(archive);
     archive->show();
     return archive;
 }
 
-TurningArchive::TurningArchive(Look& look, const TurningDesk& desk, Sheet* sheet)
+TurningArchive::TurningArchive(Look& look, const TurningService& service, Sheet* sheet)
     : FaceWidget(look, sheet),
-      m_desk(desk),
+      m_service(service),
       m_sheet(sheet),
       m_table(new QTableWidget(this)),
       m_text(makeLabel(TextRole::Small, this, true)),
@@ -110,7 +110,7 @@ void TurningArchive::fill() {
     m_table->setColumnCount(static_cast<int>(titles.size()));
     m_table->setHorizontalHeaderLabels(titles);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    const auto& parts = m_desk.view().parts;
+    const auto& parts = m_service.view().parts;
     m_table->setRowCount(static_cast<int>(parts.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const TurningPartView& part = parts[parts.size() - 1 - static_cast<std::size_t>(row)];
@@ -162,7 +162,7 @@ QString TurningArchive::textOf(const TurningPartView& part) const {
 }
 
 void TurningArchive::showPart(int row) {
-    const auto& parts = m_desk.view().parts;
+    const auto& parts = m_service.view().parts;
     if (row < 0 || row >= static_cast<int>(parts.size())) {
         return;
     }

@@ -3,7 +3,7 @@
 
 #include <QPointer>
 
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/pages/turning/spectrum_chart.h"
 
@@ -19,18 +19,18 @@ namespace kerf::ui {
 class TurningArchive : public FaceWidget {
     Q_OBJECT
  public:
-    static TurningArchive* open(SheetHost& host, Look& look, const TurningDesk& desk);
+    static TurningArchive* open(SheetHost& host, Look& look, const TurningService& service);
 
  protected:
     void refresh() override;
 
  private:
-    TurningArchive(Look& look, const TurningDesk& desk, Sheet* sheet);
+    TurningArchive(Look& look, const TurningService& service, Sheet* sheet);
     void fill();
     void showPart(int row);
     [[nodiscard]] QString textOf(const TurningPartView& part) const;
 
-    const TurningDesk& m_desk;
+    const TurningService& m_service;
     QPointer<Sheet> m_sheet;
     QTableWidget* m_table;
     QLabel* m_text;

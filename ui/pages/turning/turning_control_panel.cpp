@@ -108,7 +108,7 @@ void TurningControlPanel::retranslate() {
     setView(m_view);
 }
 
-void TurningControlPanel::setView(const TurningDeskView& view) {
+void TurningControlPanel::setView(const TurningServiceView& view) {
     m_view.setup = view.setup;
     m_view.overlap = view.overlap;
     m_view.controller = view.controller;

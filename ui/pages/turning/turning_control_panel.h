@@ -5,7 +5,7 @@
 
 #include "engine/api/engine_api.h"
 #include "engine/api/status.h"
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
@@ -22,7 +22,7 @@ class TurningControlPanel : public Card {
  public:
     TurningControlPanel(Look& look, const EngineApi& engine, QWidget* parent = nullptr);
 
-    void setView(const TurningDeskView& view);
+    void setView(const TurningServiceView& view);
     void setStatus(const Status& status);
     /// A change is on its way to the disk.
     void setBusy(bool busy);
@@ -56,7 +56,7 @@ class TurningControlPanel : public Card {
     QLabel* m_setup;
     ActionButton* m_start;
     QPushButton* m_change;
-    TurningDeskView m_view{};
+    TurningServiceView m_view{};
     LoopStatus m_loop{};
     ProgramState m_program{ProgramState::Idle};
     ProcessId m_programProcess{ProcessId::Turning};

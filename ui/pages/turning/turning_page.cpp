@@ -21,9 +21,9 @@
 namespace kerf::ui {
 
 TurningPage::TurningPage(const PageContext& page, QWidget* parent)
-    : Page(page, parent), m_desk(page.services.turningDesk) {
+    : Page(page, parent), m_service(page.services.turningService) {
     m_rows = new QVBoxLayout(this);
-    if (m_desk == nullptr) {
+    if (m_service == nullptr) {
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
         m_rows->addWidget(m_missing, 1);
@@ -65,19 +65,19 @@ void TurningPage::build() {
         context().withOperator([this, controller] { setController(controller); });
     });
     connect(m_control, &TurningControlPanel::setupRequested, this,
-            [this] { context().withOperator([this] { openSetup(m_desk->view().setup); }); });
+            [this] { context().withOperator([this] { openSetup(m_service->view().setup); }); });
     connect(m_surface, &SurfacePanel::speedWanted, this, [this](double speed_rpm) {
         context().withOperator([this, speed_rpm] {
-            TurningSetup setup = m_desk->view().setup;
+            TurningSetup setup = m_service->view().setup;
             setup.spindleSpeed_rpm = speed_rpm;
             openSetup(setup);
         });
     });
     connect(m_comparison, &ComparisonPanel::archiveWanted, this,
-            [this] { TurningArchive::open(context().sheets, look(), *m_desk); });
+            [this] { TurningArchive::open(context().sheets, look(), *m_service); });
     connect(&client, &EngineClient::statusChanged, this, &TurningPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, m_force, &ForcePanel::addSamples);
-    m_subscription = m_desk->onChanged([this] { onDeskChanged(); });
+    m_subscription = m_service->onChanged([this] { onServiceChanged(); });
 }
 
 void TurningPage::refresh() {
@@ -96,7 +96,7 @@ void TurningPage::refresh() {
         m_control->setFixedWidth(look().metrics().sideWidth());
         m_force->retranslate();
         m_behind = true;
-        onDeskChanged();
+        onServiceChanged();
     }
     Page::refresh();
 }
@@ -104,19 +104,19 @@ void TurningPage::refresh() {
 void TurningPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
     if (m_behind) {
-        onDeskChanged();
+        onServiceChanged();
     }
 }
 
-void TurningPage::onDeskChanged() {
-    if (m_desk == nullptr) {
+void TurningPage::onServiceChanged() {
+    if (m_service == nullptr) {
         return;
     }
     m_behind = !isVisible();
     if (m_behind && m_shownRevision != 0) {
         return;
     }
-    const TurningDeskView& view = m_desk->view();
+    const TurningServiceView& view = m_service->view();
     m_shownRevision = view.revision;
     m_surface->setView(view);
     m_control->setView(view);
@@ -137,13 +137,13 @@ void TurningPage::onStatus(const Status& status) {
 
 void TurningPage::openSetup(const TurningSetup& setup) {
     TurningSetupForm::open(
-        context().sheets, look(), *m_desk, [this] { return context().session.author(); }, setup, context().notify);
+        context().sheets, look(), *m_service, [this] { return context().session.author(); }, setup, context().notify);
 }
 
 void TurningPage::setController(TurningController controller) {
     m_control->setBusy(true);
     const QPointer<TurningPage> self(this);
-    m_desk->setController(controller, context().session.author(), [self](const Result<void>& result) {
+    m_service->setController(controller, context().session.author(), [self](const Result<void>& result) {
         TurningPage* page = self.data();
         if (page == nullptr) {
             return;

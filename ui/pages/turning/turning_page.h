@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/shell/page.h"
 
 class QHBoxLayout;
@@ -22,7 +22,7 @@ class TurningControlPanel;
 /// Diamond turning: force live, depth from the force, predicted surface with its spectrum, identified process, margins
 /// and trim, comparison without and with the loop, archive, setup.
 ///
-/// Shows what TurningDesk and Status say and passes on what is touched; decides nothing.
+/// Shows what TurningService and Status say and passes on what is touched; decides nothing.
 ///
 /// Object names, stable for tests:
 ///   turningPage
@@ -49,13 +49,13 @@ class TurningPage : public Page {
 
  private:
     void build();
-    void onDeskChanged();
+    void onServiceChanged();
     void onStatus(const Status& status);
     void openSetup(const TurningSetup& setup);
     void setController(TurningController controller);
 
-    TurningDesk* m_desk;
-    std::unique_ptr<TurningDesk::Subscription> m_subscription;
+    TurningService* m_service;
+    std::unique_ptr<Subscription> m_subscription;
     ForcePanel* m_force{nullptr};
     SurfacePanel* m_surface{nullptr};
     TurningControlPanel* m_control{nullptr};

@@ -16,20 +16,20 @@ constexpr std::size_t kFeed = 2;
 constexpr std::size_t kRadius = 3;
 }  // namespace
 
-TurningSetupForm* TurningSetupForm::open(SheetHost& host, Look& look, TurningDesk& desk, Author author,
+TurningSetupForm* TurningSetupForm::open(SheetHost& host, Look& look, TurningService& service, Author author,
                                          const TurningSetup& setup, OnDone onDone) {
     Sheet* sheet = host.open({});
-    auto* form = new TurningSetupForm(look, desk, std::move(author), setup, std::move(onDone), sheet);
+    auto* form = new TurningSetupForm(look, service, std::move(author), setup, std::move(onDone), sheet);
     sheet->body()->addWidget(form);
     form->show();
     form->takeFocus();
     return form;
 }
 
-TurningSetupForm::TurningSetupForm(Look& look, TurningDesk& desk, Author author, const TurningSetup& setup,
+TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author author, const TurningSetup& setup,
                                    OnDone onDone, Sheet* sheet)
     : FaceWidget(look, sheet),
-      m_desk(desk),
+      m_service(service),
       m_author(std::move(author)),
       m_setup(setup),
       m_onDone(std::move(onDone)),
@@ -64,11 +64,11 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningDesk& desk, Author author,
 
     auto* cut = new QWidget(this);
     m_cutGrid = new QGridLayout(cut);
-    const auto specs = m_desk.setupSpecs();
+    const auto specs = m_service.setupSpecs();
     for (std::size_t i = 0; i < specs.size(); ++i) {
         ValueField* field =
             makeField(specs[i], QStringLiteral("turningField%1").arg(i), m_cutGrid, static_cast<int>(i), 2);
-        field->setValue(m_desk.setupValue(m_setup, i));
+        field->setValue(m_service.setupValue(m_setup, i));
         m_fields.push_back(field);
     }
     m_cutGrid->addWidget(m_overlap, 3, 1);
@@ -76,7 +76,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningDesk& desk, Author author,
     m_toneGrid = new QGridLayout(tones);
     for (std::size_t j = 0; j < kTurningTones; ++j) {
         ValueField* field =
-            makeField(m_desk.toneSpec(), QStringLiteral("turningTone%1").arg(j), m_toneGrid, static_cast<int>(j), 2);
+            makeField(m_service.toneSpec(), QStringLiteral("turningTone%1").arg(j), m_toneGrid, static_cast<int>(j), 2);
         if (j < m_setup.knownToneCount) {
             field->setValue(m_setup.knownTones_Hz[j]);
         }
@@ -152,7 +152,7 @@ TurningSetup TurningSetupForm::typed() const {
     TurningSetup setup = m_setup;
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         if (const auto value = m_fields[i]->value()) {
-            m_desk.changeSetup(setup, i, *value);
+            m_service.changeSetup(setup, i, *value);
         }
     }
     setup.knownTones_Hz = {};
@@ -179,7 +179,7 @@ QString TurningSetupForm::whyNot() const {
             return tr("a tone is out of range");
         }
     }
-    const auto why = m_desk.whyUnusable(typed());
+    const auto why = m_service.whyUnusable(typed());
     return why ? sentenceText(*why, look().units()) : QString();
 }
 
@@ -189,7 +189,7 @@ void TurningSetupForm::reconsider() {
     const auto feed = m_fields[kFeed]->value();
     QString text;
     if (radius && depth && feed) {
-        const auto overlap = m_desk.overlap(*radius, *depth, *feed);
+        const auto overlap = m_service.overlap(*radius, *depth, *feed);
         text = overlap ? tr("Overlap factor %1").arg(UnitSystem::fixed(*overlap, 4))
                        : sentenceText(overlap.error(), look().units());
     }
@@ -203,7 +203,7 @@ void TurningSetupForm::reconsider() {
 void TurningSetupForm::apply() {
     m_pending = true;
     const QPointer<TurningSetupForm> self(this);
-    m_desk.loadSetup(typed(), m_author(), [self](const Result<void>& result) {
+    m_service.loadSetup(typed(), m_author(), [self](const Result<void>& result) {
         if (TurningSetupForm* form = self.data(); form != nullptr) {
             form->answered(result);
         }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/api/turning_desk.h"
+#include "ui/services/turning_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
@@ -31,14 +31,14 @@ class TurningSetupForm : public FaceWidget {
     using OnDone = std::function<void(const QString& sentence)>;
 
     /// @param setup what the fields begin with
-    static TurningSetupForm* open(SheetHost& host, Look& look, TurningDesk& desk, Author author,
+    static TurningSetupForm* open(SheetHost& host, Look& look, TurningService& service, Author author,
                                   const TurningSetup& setup, OnDone onDone);
 
  protected:
     void refresh() override;
 
  private:
-    TurningSetupForm(Look& look, TurningDesk& desk, Author author, const TurningSetup& setup, OnDone onDone,
+    TurningSetupForm(Look& look, TurningService& service, Author author, const TurningSetup& setup, OnDone onDone,
                      Sheet* sheet);
     void reconsider();
     void apply();
@@ -48,7 +48,7 @@ class TurningSetupForm : public FaceWidget {
     [[nodiscard]] QString whyNot() const;
     ValueField* makeField(const ParamSpec& spec, const QString& name, QGridLayout* grid, int place, int columns);
 
-    TurningDesk& m_desk;
+    TurningService& m_service;
     Author m_author;
     TurningSetup m_setup;
     OnDone m_onDone;

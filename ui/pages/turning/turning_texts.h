@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "engine/api/turning_types.h"
+#include "engine/process/turning/turning_types.h"
 #include "ui/units/unit_system.h"
 
 namespace kerf::ui {

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/boring/boring_lots.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kLotsLooked = 1000;
+
+void answer(const BoringLots::Done& done, const Result<void>& result) {
+    if (done) {
+        done(result);
+    }
+}
+
+std::optional<Sentence> whyNoWords(const std::string& author, const std::string& reason) {
+    if (author.empty()) {
+        return Sentence(KERF_TEXT("Sign on first: this change needs a name."));
+    }
+    if (reason.empty()) {
+        return Sentence(KERF_TEXT("This change needs a reason."));
+    }
+    return std::nullopt;
+}
+
+bool blank(const std::string& text) {
+    return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+}  // namespace
+
+StoredBoringLots::StoredBoringLots(const StoredBoringService::Links& links, LotReader& reader, BoringLotRequest first,
+                                   std::function<void()> lotOpened)
+    : m_links(links), m_reader(reader), m_first(std::move(first)), m_lotOpened(std::move(lotOpened)) {}
+
+Result<std::vector<LotRow>> StoredBoringLots::rows() {
+    auto all = m_reader.lots(std::nullopt, kLotsLooked);
+    if (all) {
+        std::erase_if(*all, [this](const LotRow& lot) {
+            return lot.process != ProcessId::Boring || lot.machineName != m_first.machineName;
+        });
+    }
+    return all;
+}
+
+void StoredBoringLots::start(Done done) {
+    const auto active = m_reader.activeLot(ProcessId::Boring);
+    const auto known = rows();
+    if (!active || !known) {
+        return answer(done, tl::unexpected(active ? known.error() : active.error()));
+    }
+    const auto current = std::ranges::find_if(*known, [&](const LotRow& lot) { return lot.id == *active; });
+    if (current != known->end()) {
+        return answer(done, openService(current->id));
+    }
+    const auto newest = std::ranges::find_if(*known, [](const LotRow& lot) { return !lot.closedUtc_ms; });
+    if (newest != known->end()) {
+        return activate(newest->id, m_first.author, std::move(done));
+    }
+    const auto opened = [this, alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<LotId>& lot) {
+        if (alive.lock()) {
+            answer(done, lot ? openService(*lot) : Result<void>(tl::unexpected(lot.error())));
+        }
+    };
+    openBoringLot(m_links.writer, m_first, opened);
+}
+
+Result<void> StoredBoringLots::openService(LotId lot) {
+    StoredBoringService::Links links = m_links;
+    links.firstRevision = m_service.open() ? m_service.view().revision : 0;
+    auto service = StoredBoringService::open(links, m_reader, lot);
+    if (!service) {
+        return tl::unexpected(service.error());
+    }
+    m_current = lot;
+    m_service.replace(std::move(*service));
+    if (m_lotOpened) {
+        m_lotOpened();
+    }
+    m_service.notify();
+    return {};
+}
+
+std::optional<Sentence> StoredBoringLots::whyUnusable(const BoringRecipeForm& form) const {
+    if (form.values.size() != boringRecipeSpecs().size()) {
+        return Sentence(KERF_TEXT("A recipe needs %1 numbers."),
+                        SentenceArg(static_cast<double>(boringRecipeSpecs().size()), 0));
+    }
+    return whyInvalid(recipeOf(form));
+}
+
+Result<std::vector<BoringPartTypeView>> StoredBoringLots::partTypes() {
+    const auto types = m_reader.partTypes(ProcessId::Boring);
+    if (!types) {
+        return tl::unexpected(types.error());
+    }
+    std::vector<BoringPartTypeView> shown;
+    for (const PartTypeRow& type : *types) {
+        shown.push_back({type.id, type.name});
+    }
+    return shown;
+}
+
+Result<std::vector<BoringRecipeView>> StoredBoringLots::recipes(PartTypeId partType) {
+    const auto revisions = m_reader.recipes(partType);
+    if (!revisions) {
+        return tl::unexpected(revisions.error());
+    }
+    std::vector<BoringRecipeView> shown;
+    for (const RecipeRevision& row : *revisions) {
+        const auto recipe = recipeFromJson(row.parametersJson);
+        if (!recipe) {
+            return tl::unexpected(recipe.error());
+        }
+        shown.push_back(
+            {row.revision, row.restoredFrom, row.author, row.reason, row.createdUtc_ms, recipeForm(*recipe)});
+    }
+    return shown;
+}
+
+Result<std::vector<BoringLotView>> StoredBoringLots::lots() {
+    const auto known = rows();
+    if (!known) {
+        return tl::unexpected(known.error());
+    }
+    std::vector<BoringLotView> shown;
+    for (const LotRow& lot : *known) {
+        shown.push_back({lot.id, lot.partType, lot.partTypeName, lot.name, lot.size, lot.estimator, lot.openedUtc_ms,
+                         lot.closedUtc_ms.has_value(), lot.id == m_current});
+    }
+    return shown;
+}
+
+std::vector<BoringRecipeChange> StoredBoringLots::compare(const BoringRecipeForm& before,
+                                                          const BoringRecipeForm& after) const {
+    return recipeChanges(recipeOf(before), recipeOf(after));
+}
+
+std::optional<Sentence> StoredBoringLots::whyNoOther() const {
+    const Status& status = m_links.engine.status();
+    const bool running = status.program == ProgramState::Running || status.program == ProgramState::Paused;
+    if (running && status.programProcess == ProcessId::Boring) {
+        return Sentence(KERF_TEXT("A part of this lot is being bored; change the lot when it is finished."));
+    }
+    if (!m_links.writer.problem().empty()) {
+        return m_links.writer.problem();  // finished parts still wait to be stored in the lot they belong to
+    }
+    return std::nullopt;
+}
+
+Result<EnsureLot> StoredBoringLots::ensureLot(const BoringLotOrder& order) {
+    if (order.author.empty()) {
+        return fail(KERF_TEXT("Sign on first: this change needs a name."));
+    }
+    if (blank(order.name)) {
+        return fail(KERF_TEXT("A lot needs a name or number."));
+    }
+    if (order.size > kMostParts) {
+        return fail(KERF_TEXT("A lot has at most %1 parts."), SentenceArg(kMostParts, 0));
+    }
+    if (!boring::estimatorOf(order.estimator)) {
+        return fail(KERF_TEXT("The lot asks for an estimator that this program does not have."));
+    }
+    const auto machines = m_reader.machines();
+    const auto known = rows();
+    const auto recipes = m_reader.recipes(order.partType);
+    if (!machines || !known || !recipes) {
+        return tl::unexpected(!machines ? machines.error() : !known ? known.error() : recipes.error());
+    }
+    const auto machine = std::ranges::find(*machines, m_first.machineName, &MachineRow::name);
+    if (machine == machines->end() || recipes->empty()) {
+        return fail(KERF_TEXT("There is no such part type."));
+    }
+    const auto same = [&](const LotRow& lot) { return lot.partType == order.partType && lot.name == order.name; };
+    if (std::ranges::any_of(*known, same)) {
+        return fail(KERF_TEXT("There is a lot of this name for the part type already; give another name."));
+    }
+    return EnsureLot{machine->id, order.partType,  recipes->front().id, order.name,
+                     order.size,  order.estimator, order.author};
+}
+
+void StoredBoringLots::open(const BoringLotOrder& order, Done done) {
+    if (const auto why = whyNoOther()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    const auto lot = ensureLot(order);
+    if (!lot) {
+        return answer(done, tl::unexpected(lot.error()));
+    }
+    m_links.writer.submit(*lot, [this, alive = std::weak_ptr(m_alive), author = order.author,
+                                 done = std::move(done)](const Result<Receipt>& receipt) {
+        if (!alive.lock()) {
+            return;
+        }
+        if (!receipt) {
+            return answer(done, tl::unexpected(receipt.error()));
+        }
+        activate(receipt->id, author, done);
+    });
+}
+
+void StoredBoringLots::choose(LotId lot, const std::string& author, Done done) {
+    if (lot == m_current) {
+        return answer(done, {});
+    }
+    if (author.empty()) {
+        return answer(done, fail(KERF_TEXT("Sign on first: this change needs a name.")));
+    }
+    if (const auto why = whyNoOther()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    activate(lot, author, std::move(done));
+}
+
+// A part that begins between the question and the answer is stored where the writer then stands, with the schedule it
+// was really cut with: the estimate stays right.
+void StoredBoringLots::activate(LotId lot, const std::string& author, Done done) {
+    m_links.writer.submit(
+        SetActiveLot{ProcessId::Boring, lot, author},
+        [this, lot, alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+            if (alive.lock()) {
+                answer(done, receipt ? openService(lot) : Result<void>(tl::unexpected(receipt.error())));
+            }
+        });
+}
+
+void StoredBoringLots::close(const std::string& author, const std::string& reason, Done done) {
+    if (const auto why = whyNoWords(author, reason)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (const auto why = whyNoOther()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    submit(CloseLot{*m_current, author, reason}, [this, lot = *m_current, done = std::move(done)](const auto& closed) {
+        answer(done, closed && lot == m_current ? openService(lot) : closed);
+    });
+}
+
+void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
+                                   PartTypeDone done) {
+    const auto refuse = [&done](const Sentence& why) { done(tl::unexpected(why)); };
+    const auto known = m_reader.partTypes(ProcessId::Boring);
+    if (!known) {
+        return refuse(known.error());
+    }
+    if (author.empty()) {
+        return refuse(Sentence(KERF_TEXT("Sign on first: this change needs a name.")));
+    }
+    if (blank(name)) {
+        return refuse(Sentence(KERF_TEXT("A part type needs a name.")));
+    }
+    if (std::ranges::any_of(*known, [&](const PartTypeRow& type) { return type.name == name; })) {
+        return refuse(Sentence(KERF_TEXT("There is a part type of this name already; give another name.")));
+    }
+    if (const auto why = whyUnusable(form)) {
+        return refuse(*why);
+    }
+    m_links.writer.submit(EnsurePartType{ProcessId::Boring, name, recipeJson(recipeOf(form)), author},
+                          [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+                              if (alive.lock()) {
+                                  done(receipt ? Result<PartTypeId>(receipt->id) : tl::unexpected(receipt.error()));
+                              }
+                          });
+}
+
+void StoredBoringLots::saveRecipe(PartTypeId partType, const BoringRecipeForm& form, const std::string& author,
+                                  const std::string& reason, Done done) {
+    if (const auto why = whyNoWords(author, reason)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (const auto why = whyUnusable(form)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    submit(SaveRecipe{partType, recipeJson(recipeOf(form)), author, reason, {}}, std::move(done));
+}
+
+void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision, const std::string& author,
+                                     const std::string& reason, Done done) {
+    if (const auto why = whyNoWords(author, reason)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    submit(RestoreRecipe{partType, revision, author, reason}, std::move(done));
+}
+
+void StoredBoringLots::submit(StoreCommand command, Done done) {
+    m_links.writer.submit(
+        std::move(command), [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+            if (alive.lock()) {
+                answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+            }
+        });
+}
+
+}  // namespace kerf

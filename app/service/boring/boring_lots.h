@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/service/boring/current_boring_service.h"
+#include "ui/services/boring_lots.h"
+
+namespace kerf {
+
+/// The lots of one machine on the database, and the service of the current one.
+class StoredBoringLots final : public BoringLots {
+ public:
+    /// `first`: the machine, and the lot that is made when the machine has none. Links, reader and `lotOpened` (called
+    /// whenever another lot is current) must outlive it.
+    StoredBoringLots(const StoredBoringService::Links& links, LotReader& reader, BoringLotRequest first,
+                     std::function<void()> lotOpened = {});
+
+    /// Goes on with the lot that was current when the console ended; else with the newest open one; else makes the
+    /// first.
+    void start(Done done);
+    [[nodiscard]] CurrentBoringService& service() noexcept { return m_service; }
+    /// A few times per second.
+    void poll() { m_service.poll(); }
+
+    [[nodiscard]] std::span<const ParamSpec> recipeSpecs() const override { return boringRecipeSpecs(); }
+    [[nodiscard]] BoringRecipeForm standardRecipe() const override { return recipeForm(BoringRecipe{}); }
+    [[nodiscard]] std::optional<Sentence> whyUnusable(const BoringRecipeForm& form) const override;
+    [[nodiscard]] Result<std::vector<BoringPartTypeView>> partTypes() override;
+    [[nodiscard]] Result<std::vector<BoringRecipeView>> recipes(PartTypeId partType) override;
+    [[nodiscard]] Result<std::vector<BoringLotView>> lots() override;
+    [[nodiscard]] std::vector<BoringRecipeChange> compare(const BoringRecipeForm& before,
+                                                          const BoringRecipeForm& after) const override;
+    [[nodiscard]] std::optional<Sentence> whyNoOther() const override;
+    void open(const BoringLotOrder& order, Done done) override;
+    void choose(LotId lot, const std::string& author, Done done) override;
+    void close(const std::string& author, const std::string& reason, Done done) override;
+    void addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
+                     PartTypeDone done) override;
+    void saveRecipe(PartTypeId partType, const BoringRecipeForm& form, const std::string& author,
+                    const std::string& reason, Done done) override;
+    void restoreRecipe(PartTypeId partType, std::uint32_t revision, const std::string& author,
+                       const std::string& reason, Done done) override;
+
+ private:
+    /// Boring lots of this machine, newest first.
+    [[nodiscard]] Result<std::vector<LotRow>> rows();
+    [[nodiscard]] Result<EnsureLot> ensureLot(const BoringLotOrder& order);
+    void activate(LotId lot, const std::string& author, Done done);
+    [[nodiscard]] Result<void> openService(LotId lot);
+    void submit(StoreCommand command, Done done);
+
+    StoredBoringService::Links m_links;
+    LotReader& m_reader;
+    BoringLotRequest m_first;
+    std::function<void()> m_lotOpened;
+    std::optional<LotId> m_current{};
+    CurrentBoringService m_service{};
+    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
+};
+
+}  // namespace kerf

@@ -1,0 +1,531 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/boring/boring_service.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/process/boring/boring_alarms.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kPartsShown = 25;
+constexpr double kTwoSided95 = 1.959963984540054;
+constexpr const char* kControlAuthor = "control";
+constexpr const char* kUndone = "undone";
+
+Sentence signOnFirst() {
+    return Sentence(KERF_TEXT("Sign on first: a measurement needs a name."));
+}
+
+void answer(const BoringService::Done& done, const Result<void>& result) {
+    if (done) {
+        done(result);
+    }
+}
+
+}  // namespace
+
+void openBoringLot(StoreWriter& writer, const BoringLotRequest& request,
+                   std::function<void(const Result<LotId>&)> done) {
+    using Answer = const Result<Receipt>&;
+    const auto failed = [done](Answer receipt) { done(tl::unexpected(receipt.error())); };
+    writer.submit(EnsureMachine{request.machineName, request.machineKind}, [&writer, request, done,
+                                                                            failed](Answer machine) {
+        if (!machine) {
+            return failed(machine);
+        }
+        const EnsurePartType type{ProcessId::Boring, request.partTypeName, recipeJson(request.recipe), request.author};
+        writer.submit(type, [&writer, request, done, failed, machineId = machine->id](Answer partType) {
+            if (!partType) {
+                return failed(partType);
+            }
+            const EnsureLot lot{machineId,       partType->id,    partType->second,
+                                request.lotName, request.lotSize, boring::estimatorKey(request.estimator),
+                                request.author};
+            writer.submit(lot, [&writer, request, done, failed](Answer opened) {
+                if (!opened) {
+                    return failed(opened);
+                }
+                writer.submit(SetActiveLot{ProcessId::Boring, opened->id, request.author},
+                              [done, failed, id = opened->id](Answer active) { active ? done(id) : failed(active); });
+            });
+        });
+    });
+}
+
+Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Links& links, LotReader& reader, LotId lot) {
+    const auto history = reader.history(lot);
+    if (!history) {
+        return tl::unexpected(history.error());
+    }
+    if (!*history) {
+        return fail(KERF_TEXT("There is no such lot."));
+    }
+    const auto recipe = recipeFromJson((*history)->recipe.parametersJson);
+    if (!recipe) {
+        return tl::unexpected(recipe.error());
+    }
+    const auto kind = boring::estimatorOf((*history)->lot.estimator);
+    if (!kind) {
+        return fail(KERF_TEXT("The lot asks for an estimator that this program does not have."));
+    }
+    return std::unique_ptr<StoredBoringService>(new StoredBoringService(links, **history, *recipe, *kind));
+}
+
+StoredBoringService::StoredBoringService(const Links& links, const LotHistory& history, BoringRecipe recipe,
+                                   boring::EstimatorKind kind)
+    : m_links(links),
+      m_lot(history.lot),
+      m_recipeRevision(history.recipe.revision),
+      m_kind(kind),
+      m_records(std::move(recipe), kind) {
+    m_view.revision = links.firstRevision;
+    restore(history);
+    m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
+    m_problemSubscription = m_links.writer.onProblemChanged([this] {
+        rebuild();
+        m_listeners.tell();
+    });
+    compareWithStored(history);
+    proposeFirst();
+    rebuild();
+    send();
+}
+
+void StoredBoringService::restore(const LotHistory& history) {
+    for (const PartDetail& detail : history.parts) {
+        ServicePart part;
+        part.id = detail.part.id;
+        part.number = detail.part.number;
+        part.complete = detail.part.complete;
+        part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
+        part.feed = detail.feed;
+        m_records.addPart(part);
+    }
+    m_records.restoreRows(history.measurements);
+    for (const ScheduleRow& row : history.schedules) {
+        if (row.schedule.revision == 0) {
+            continue;  // cut before a schedule was loaded
+        }
+        if (!row.predictionJson.empty()) {
+            m_predictions[row.schedule.revision] = predictionsFromJson(row.predictionJson);
+        }
+        m_next = row.schedule;
+        if (!row.acceptedBy.empty()) {
+            m_accepted = row.schedule;
+        }
+    }
+}
+
+void StoredBoringService::compareWithStored(const LotHistory& history) {
+    const bool stateSame = history.lastState ? history.lastState->stateJson == stateJson(m_records.tracker().state())
+                                             : m_records.tracker().steps().empty();
+    const bool scheduleSame = m_next.revision == 0 || sameLaw(m_next, m_records.advice().schedule);
+    if (!stateSame || !scheduleSame) {
+        m_restartFinding =
+            Sentence(KERF_TEXT("Lot %1 was computed again from its measurements and differs from the stored state."),
+                     SentenceArg(m_lot.name));
+        const AlarmSpec& spec = boring_alarm::kRestartDiffers;
+        m_links.writer.submit(RaiseAlarm{spec.code, spec.priority, m_restartFinding}, {});
+    }
+}
+
+void StoredBoringService::proposeFirst() {
+    BoringSchedule schedule = m_records.advice().schedule;
+    if (m_next.revision != 0 && sameLaw(schedule, m_next)) {
+        return;
+    }
+    schedule.revision = m_next.revision + 1;
+    ScheduleRow row = scheduleRow(m_records, schedule);
+    const bool first = m_records.tracker().steps().empty();  // the recipe's own feed: nothing to decide
+    if (first) {
+        row.acceptedBy = kControlAuthor;
+    }
+    adopt(schedule, m_records.predictionFor(schedule), !row.acceptedBy.empty());
+    m_links.writer.submit(StoreSchedule{row}, [this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (alive.lock() && !receipt) {
+            m_storeProblem = receipt.error();
+            rebuild();
+            m_listeners.tell();
+        }
+    });
+}
+
+LoopMode StoredBoringService::mode() const {
+    return m_links.mode ? m_links.mode()
+                        : m_links.engine.status().loops[static_cast<std::size_t>(ProcessId::Boring)].mode;
+}
+
+EntryCheck StoredBoringService::check(const BoreEntry& entry) const {
+    if (entry.depth < m_records.recipe().depths.size() && m_records.measured(entry.part, entry.depth) != nullptr) {
+        return {EntryVerdict::Refuse, Sentence(KERF_TEXT("This bore has a value already; correct that one instead."))};
+    }
+    return m_records.check(entry.part, entry.depth, entry.diameter_mm);
+}
+
+Result<MeasurementRow> StoredBoringService::entryRow(const BoreEntry& entry) const {
+    if (entry.author.empty()) {
+        return tl::unexpected(signOnFirst());
+    }
+    const EntryCheck verdict = check(entry);
+    if (verdict.verdict == EntryVerdict::Refuse || (verdict.verdict == EntryVerdict::Ask && !entry.confirmed)) {
+        return tl::unexpected(verdict.reason);
+    }
+    MeasurementRow row;
+    row.part = entry.part;
+    row.station = entry.depth;
+    row.position_mm = m_records.recipe().depths[entry.depth].overhang_mm;
+    row.diameter_mm = entry.diameter_mm;
+    row.source = entry.fromGauge ? MeasurementSource::Gauge : MeasurementSource::Keypad;
+    row.confirmed = verdict.verdict == EntryVerdict::Ask;
+    row.author = entry.author;
+    return row;
+}
+
+void StoredBoringService::enter(const BoreEntry& entry, Done done) {
+    queue({[this, entry] { return entryRow(entry); }, std::move(done)});
+}
+
+void StoredBoringService::correct(MeasurementId id, double diameter_mm, const std::string& author,
+                               const std::string& reason, Done done) {
+    queue({[=, this]() -> Result<MeasurementRow> {
+               const MeasurementRow* old = m_records.standing(id);
+               if (old == nullptr) {
+                   return fail(
+                       KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
+               }
+               if (author.empty()) {
+                   return tl::unexpected(signOnFirst());
+               }
+               if (reason.empty()) {
+                   return fail(KERF_TEXT("A correction needs a reason."));
+               }
+               const EntryCheck verdict = m_records.check(old->part, old->station, diameter_mm);
+               if (verdict.verdict == EntryVerdict::Refuse) {
+                   return tl::unexpected(verdict.reason);
+               }
+               MeasurementRow row = *old;
+               row.kind = MeasurementKind::Correction;
+               row.replaces = id;
+               row.diameter_mm = diameter_mm;
+               row.source = MeasurementSource::Keypad;
+               row.confirmed = true;  // a reason was given
+               row.author = author;
+               row.reason = reason;
+               return row;
+           },
+           std::move(done)});
+}
+
+void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason,
+                                       Done done) {
+    queue({[=, this]() -> Result<MeasurementRow> {
+               const MeasurementRow* old = m_records.standing(id);
+               if (old == nullptr) {
+                   return fail(
+                       KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
+               }
+               if (author.empty()) {
+                   return tl::unexpected(signOnFirst());
+               }
+               if (reason.empty()) {
+                   return fail(KERF_TEXT("A correction needs a reason."));
+               }
+               MeasurementRow row = *old;
+               row.kind = MeasurementKind::Void;
+               row.replaces = id;
+               row.diameter_mm.reset();
+               row.confirmed = false;
+               row.author = author;
+               row.reason = reason;
+               return row;
+           },
+           std::move(done)});
+}
+
+void StoredBoringService::undoLast(const std::string& author, Done done) {
+    if (m_busy || !m_waiting.empty()) {
+        return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
+    }
+    const auto newest = m_records.newestStanding();
+    if (!newest) {
+        return answer(done, fail(KERF_TEXT("There is no measurement to undo.")));
+    }
+    voidMeasurement(*newest, author, kUndone, std::move(done));
+}
+
+void StoredBoringService::queue(Change change) {
+    m_waiting.push_back(std::move(change));
+    runNext();
+}
+
+void StoredBoringService::runNext() {
+    while (!m_busy && !m_waiting.empty()) {
+        const Change change = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        const Result<MeasurementRow> row = change.row();
+        if (row) {
+            submit(*row, change.done);
+        } else {
+            answer(change.done, tl::unexpected(row.error()));
+        }
+    }
+}
+
+void StoredBoringService::submit(const MeasurementRow& newRow, Done done) {
+    MeasurementRow row = newRow;
+    row.id = 0;  // not stored yet
+    LotRecords tried = m_records;
+    tried.addRow(row);
+    AcceptMeasurement command;
+    command.measurement = row;
+    command.states = tried.changedStates(m_records.tracker());
+    BoringSchedule schedule = tried.advice().schedule;
+    schedule.revision = m_next.revision + 1;
+    const bool changed = !sameLaw(schedule, m_next);
+    const bool accepted = mode() == LoopMode::Control || tried.tracker().steps().empty();
+    Predictions predictions = tried.predictionFor(schedule);
+    if (changed) {
+        command.nextSchedule = scheduleRow(tried, schedule);
+        command.nextSchedule->acceptedBy = accepted ? kControlAuthor : "";
+    }
+    m_busy = true;
+    m_links.writer.submit(std::move(command),
+                          [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+                              if (!alive.lock()) {
+                                  return;
+                              }
+                              m_busy = false;
+                              m_storeProblem = receipt ? Sentence() : receipt.error();
+                              if (receipt) {
+                                  MeasurementRow stored = row;
+                                  stored.id = receipt->id;
+                                  m_records.addRow(stored);
+                                  if (changed) {
+                                      adopt(schedule, predictions, accepted);
+                                  }
+                              }
+                              rebuild();
+                              send();
+                              answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+                              m_listeners.tell();
+                              runNext();
+                          });
+}
+
+ScheduleRow StoredBoringService::scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const {
+    ScheduleRow row;
+    row.lot = m_lot.id;
+    row.schedule = schedule;
+    row.predictionJson = predictionsJson(records.predictionFor(schedule));
+    row.reason = records.reason().english();
+    return row;
+}
+
+void StoredBoringService::adopt(const BoringSchedule& schedule, const Predictions& predictions, bool accepted) {
+    m_next = schedule;
+    m_predictions[schedule.revision] = predictions;
+    if (accepted) {
+        m_accepted = schedule;
+    }
+}
+
+void StoredBoringService::acceptSchedule(const std::string& author, Done done) {
+    if (author.empty()) {
+        return answer(done, tl::unexpected(signOnFirst()));
+    }
+    if (m_busy || m_accepting) {
+        return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
+    }
+    if (m_accepted && m_accepted->revision == m_next.revision) {
+        return answer(done, {});
+    }
+    m_accepting = true;
+    const auto stored = [this, done, schedule = m_next,
+                         alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (!alive.lock()) {
+            return;
+        }
+        m_accepting = false;
+        m_storeProblem = receipt ? Sentence() : receipt.error();
+        if (receipt) {
+            m_accepted = schedule;
+        }
+        rebuild();
+        send();
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+        m_listeners.tell();
+    };
+    m_links.writer.submit(AcceptSchedule{m_lot.id, m_next.revision, author}, stored);
+}
+
+void StoredBoringService::send() {
+    if (!m_retired && m_accepted && m_accepted->revision != m_sentRevision) {
+        Command command;
+        command.action = LoadBoringSchedule{*m_accepted};
+        if (m_links.engine.send(command)) {
+            m_sentRevision = m_accepted->revision;  // else its ring is full: poll() tries again
+        }
+    }
+}
+
+void StoredBoringService::poll() {
+    send();
+    const bool waiting = !m_accepted || m_accepted->revision != m_next.revision;
+    if (!m_retired && waiting && !m_busy && !m_accepting && mode() == LoopMode::Control) {
+        acceptSchedule(kControlAuthor, {});
+    }
+}
+
+void StoredBoringService::retire() {
+    m_retired = true;
+    m_partsSubscription.reset();
+}
+
+void StoredBoringService::partStored(const StoredPart& stored) {
+    if (stored.lot != m_lot.id || stored.record.process != ProcessId::Boring || m_records.part(stored.id) != nullptr) {
+        return;
+    }
+    m_records.addPart({stored.id, stored.number, stored.record.complete, stored.record.partSequence,
+                       stored.record.schedule, stored.record.feed});
+    rebuild();
+    m_listeners.tell();
+}
+
+std::optional<double> StoredBoringService::gaugeReading_mm(PartId id, std::uint8_t depth) {
+    const ServicePart* part = m_records.part(id);
+    if (part == nullptr || depth >= m_records.recipe().depths.size() || !m_links.gauge) {
+        return std::nullopt;
+    }
+    return m_links.gauge(*part, m_records.recipe(), m_records.recipe().depths[depth].overhang_mm);
+}
+
+std::unique_ptr<Subscription> StoredBoringService::onChanged(std::function<void()> changed) {
+    return m_listeners.add(std::move(changed));
+}
+
+void StoredBoringService::rebuild() {
+    const BoringRecipe& recipe = m_records.recipe();
+    BoringServiceView view;
+    view.revision = m_view.revision + 1;
+    view.partType = m_lot.partTypeName;
+    view.lot = m_lot.name;
+    view.lotSize = m_lot.size;
+    view.lotClosed = m_lot.closedUtc_ms.has_value();
+    view.recipeRevision = m_recipeRevision;
+    view.targetDiameter_mm = recipe.targetDiameter_mm;
+    view.lowerTolerance_mm = recipe.lowerTolerance_mm;
+    view.upperTolerance_mm = recipe.upperTolerance_mm;
+    view.depths = recipe.depths;
+    view.estimator = boring::estimatorKey(m_kind);
+    view.storeProblem = m_storeProblem.empty() ? m_links.writer.problem() : m_storeProblem;
+    for (const auto& step : m_records.tracker().steps()) {
+        const boring::Estimate estimate = boring::estimateOf(step.after);
+        if (!estimate.ready) {
+            continue;
+        }
+        const auto& p = estimate.covariance;
+        view.estimates.push_back(
+            {step.visit.part,
+             {estimate.law.lnC, estimate.law.alpha, estimate.law.beta},
+             {kTwoSided95 * std::sqrt(std::max(0.0, p[0])), kTwoSided95 * std::sqrt(std::max(0.0, p[3])),
+              kTwoSided95 * std::sqrt(std::max(0.0, p[5]))}});
+    }
+    const boring::FeedAdvice advice = m_records.advice();
+    view.nextSchedule = m_next;
+    view.nextPrediction = m_predictions[m_next.revision];
+    view.nextLimited = advice.limited;
+    view.nextReason = advice.limited ? advice.reason : m_records.reason();
+    view.scheduleAccepted = m_accepted && m_accepted->revision == m_next.revision;
+    m_view = std::move(view);
+    fillParts();
+    fillCapability();
+}
+
+void StoredBoringService::fillCapability() {
+    for (std::uint8_t depth = 0; depth < m_view.depths.size(); ++depth) {
+        double sum = 0.0;
+        double squares = 0.0;
+        std::uint32_t count = 0;
+        for (const BorePartView& part : m_view.parts) {
+            if (const MeasurementRow* row = m_records.measured(part.id, depth)) {
+                const double off_mm = *row->diameter_mm - m_view.targetDiameter_mm;  // small numbers: no cancellation
+                sum += off_mm;
+                squares += off_mm * off_mm;
+                ++count;
+            }
+        }
+        if (count < CapabilityView::kFewestParts) {
+            continue;
+        }
+        const double mean_mm = sum / count;
+        const double variance_mm2 = (squares - sum * mean_mm) / (count - 1.0);
+        const double room_mm = std::min(m_view.upperTolerance_mm - m_view.targetDiameter_mm - mean_mm,
+                                        m_view.targetDiameter_mm + mean_mm - m_view.lowerTolerance_mm);
+        if (variance_mm2 <= 0.0) {
+            continue;
+        }
+        const double cpk = room_mm / (3.0 * std::sqrt(variance_mm2));
+        if (!m_view.capability || cpk < m_view.capability->cpk) {
+            m_view.capability = CapabilityView{cpk, depth, count};
+        }
+    }
+}
+
+void StoredBoringService::fillParts() {
+    const auto& all = m_records.parts();
+    const std::size_t first = all.size() > kPartsShown ? all.size() - kPartsShown : 0;
+    for (std::size_t i = first; i < all.size(); ++i) {
+        const ServicePart& part = all[i];
+        BorePartView shown;
+        shown.id = part.id;
+        shown.number = part.number;
+        shown.cut = part.complete;
+        shown.schedule = part.schedule;
+        shown.feed = part.feed;
+        for (const MeasurementRow& row : m_records.rows()) {
+            if (row.part != part.id || row.kind == MeasurementKind::Void) {
+                continue;
+            }
+            const bool standing = m_records.standing(row.id) != nullptr;
+            const bool replacedByValue = std::ranges::any_of(m_records.rows(), [&](const MeasurementRow& later) {
+                return later.replaces == row.id && later.kind == MeasurementKind::Correction;
+            });
+            if (!replacedByValue) {
+                shown.measurements.push_back({row.id, row.station, row.diameter_mm.value_or(0.0), !standing,
+                                              row.kind == MeasurementKind::Correction});
+            }
+        }
+        shown.complete = part.complete;
+        for (std::uint8_t depth = 0; depth < m_view.depths.size() && part.complete; ++depth) {
+            if (m_records.measured(part.id, depth) == nullptr) {
+                shown.complete = false;
+                if (!m_view.awaiting) {
+                    m_view.awaiting = part.id;
+                    m_view.awaitingDepth = depth;
+                }
+            }
+        }
+        if (const auto predicted = m_predictions.find(part.schedule.revision); predicted != m_predictions.end()) {
+            shown.predicted = predicted->second;
+        }
+        shown.predicted.resize(m_view.depths.size());
+        for (const auto& step : m_records.tracker().steps()) {
+            if (step.visit.part == part.number && step.perturbed()) {
+                shown.perturbed = true;
+                shown.perturbedReason =
+                    m_kind == boring::EstimatorKind::Kalman
+                        ? Sentence(
+                              KERF_TEXT("The bores differ from their prediction by more than chance: T² %1, limit %2."),
+                              SentenceArg(step.statistic(), 1),
+                              SentenceArg(boring::changeThreshold(step.visit.count), 1))
+                        : Sentence(
+                              KERF_TEXT("Three measurements in a row lie more than 3σ off the target deflection."));
+            }
+        }
+        m_view.parts.push_back(std::move(shown));
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/milling/milling_json.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "engine/process/milling/milling_setup.h"
+
+namespace kerf {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<const char*, kMillingLawCount> kLawKeys{"constant", "pi", "model", "preview"};
+constexpr const char* kPosition = "x_mm";
+constexpr const char* kHeight = "height_mm";
+
+MillingLaw lawOf(const std::string& key) {
+    for (std::size_t i = 0; i < kMillingLawCount; ++i) {
+        if (key == kLawKeys[i]) {
+            return static_cast<MillingLaw>(i);
+        }
+    }
+    return MillingLaw::Model;
+}
+
+const char* keyOf(MillingLaw law) {
+    return kLawKeys[static_cast<std::size_t>(law)];
+}
+
+tl::unexpected<Sentence> unreadable() {
+    return fail(KERF_TEXT("What was stored for milling cannot be read."));
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r";
+    const std::size_t first = text.find_first_not_of(kSpace);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+        pieces.push_back(trimmed(text.substr(0, end)));
+        text.remove_prefix(end + 1);
+    }
+    pieces.push_back(trimmed(text));
+    return pieces;
+}
+
+struct CsvRow {
+    int line{0};
+    double position_mm{0.0};
+    double height_mm{0.0};
+};
+
+Result<double> number(std::string_view text, int line, const char* column) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+        return fail(KERF_TEXT("Line %1, column %2: “%3” is not a number."), SentenceArg(line, 0),
+                    SentenceArg(std::string_view(column)), SentenceArg(text));
+    }
+    return value;
+}
+
+Result<std::vector<CsvRow>> rowsOf(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) {
+        text.remove_prefix(kByteOrderMark.size());
+    }
+    std::vector<CsvRow> rows;
+    bool headed = false;
+    int line = 0;
+    for (const std::string_view row : split(text, '\n')) {
+        ++line;
+        if (row.empty() || row.front() == '#') {
+            continue;
+        }
+        const std::vector<std::string_view> cells = split(row, ',');
+        if (!headed) {
+            if (cells.size() != 2 || cells[0] != kPosition || cells[1] != kHeight) {
+                return fail(KERF_TEXT("Line %1: the first line must name the columns x_mm,height_mm."),
+                            SentenceArg(line, 0));
+            }
+            headed = true;
+            continue;
+        }
+        if (cells.size() != 2) {
+            return fail(KERF_TEXT("Line %1: %2 columns, expected are 2: x_mm,height_mm."), SentenceArg(line, 0),
+                        SentenceArg(static_cast<double>(cells.size()), 0));
+        }
+        const Result<double> position_mm = number(cells[0], line, kPosition);
+        if (!position_mm) {
+            return tl::unexpected(position_mm.error());
+        }
+        const Result<double> height_mm = number(cells[1], line, kHeight);
+        if (!height_mm) {
+            return tl::unexpected(height_mm.error());
+        }
+        rows.push_back({line, *position_mm, *height_mm});
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string millingSetupJson(const MillingSetup& setup) {
+    ordered_json json;
+    for (const MillingField& field : milling::setupFields()) {
+        json[field.spec.key] = field.get(setup);
+    }
+    json["milling.law"] = keyOf(setup.law);
+    return json.dump();
+}
+
+Result<MillingSetup> millingSetupFromJson(const std::string& text) {
+    MillingSetup setup;
+    setup.revision = 1;
+    try {
+        const auto json = nlohmann::json::parse(text);
+        for (const MillingField& field : milling::setupFields()) {
+            field.set(setup, json.value(field.spec.key, field.spec.fallback));
+        }
+        setup.law = lawOf(json.value("milling.law", std::string(keyOf(MillingLaw::Model))));
+    } catch (const nlohmann::json::exception&) {
+        return unreadable();
+    }
+    if (const auto why = milling::whyUnusable(setup)) {
+        return tl::unexpected(*why);
+    }
+    return setup;
+}
+
+std::string millingBlankJson(const NamedBlank& named) {
+    ordered_json json;
+    json["begin_mm"] = ordered_json::array();
+    json["height_mm"] = ordered_json::array();
+    for (std::size_t i = 0; i < named.blank.count; ++i) {
+        json["begin_mm"].push_back(named.blank.begin_mm[i]);
+        json["height_mm"].push_back(named.blank.height_mm[i]);
+    }
+    json["end_mm"] = named.blank.end_mm;
+    json["source"] = named.source;
+    return json.dump();
+}
+
+Result<NamedBlank> millingBlankFromJson(const std::string& text) {
+    NamedBlank named;
+    try {
+        const auto json = nlohmann::json::parse(text);
+        const auto begin_mm = json.at("begin_mm").get<std::vector<double>>();
+        const auto height_mm = json.at("height_mm").get<std::vector<double>>();
+        if (begin_mm.size() != height_mm.size() || begin_mm.size() > MillingBlank::kMaxSteps) {
+            return unreadable();
+        }
+        named.blank.count = static_cast<std::uint16_t>(begin_mm.size());
+        std::copy(begin_mm.begin(), begin_mm.end(), named.blank.begin_mm.begin());
+        std::copy(height_mm.begin(), height_mm.end(), named.blank.height_mm.begin());
+        named.blank.end_mm = json.at("end_mm").get<double>();
+        named.source = json.value("source", std::string());
+    } catch (const nlohmann::json::exception&) {
+        return unreadable();
+    }
+    if (const auto why = milling::whyUnusable(named.blank)) {
+        return tl::unexpected(*why);
+    }
+    return named;
+}
+
+std::string millingToolJson(const MillingToolRecord& record) {
+    const MillingToolState& tool = record.tool;
+    ordered_json json;
+    json["learnt"] = record.learnt;
+    json["since_part"] = record.since;
+    json["last_part"] = record.lastPart;
+    json["law"] = keyOf(record.law);
+    json["advised"] = record.advised;
+    json["parts"] = tool.parts;
+    json["first_stiffness"] = tool.firstStiffness;
+    json["last_stiffness"] = tool.lastStiffness;
+    json["sum_rise"] = tool.sumRise;
+    json["sum_index_rise"] = tool.sumIndexRise;
+    json["kx_log_weight"] = tool.kxLogWeight;
+    return json.dump();
+}
+
+Result<MillingToolRecord> millingToolFromJson(const std::string& text) {
+    MillingToolRecord record;
+    try {
+        const auto json = nlohmann::json::parse(text);
+        record.learnt = json.at("learnt").get<bool>();
+        record.since = json.at("since_part").get<std::uint32_t>();
+        record.lastPart = json.at("last_part").get<std::uint32_t>();
+        record.law = lawOf(json.at("law").get<std::string>());
+        record.advised = json.at("advised").get<bool>();
+        record.tool.parts = json.at("parts").get<std::uint32_t>();
+        record.tool.firstStiffness = json.at("first_stiffness").get<double>();
+        record.tool.lastStiffness = json.at("last_stiffness").get<double>();
+        record.tool.sumRise = json.at("sum_rise").get<double>();
+        record.tool.sumIndexRise = json.at("sum_index_rise").get<double>();
+        record.tool.kxLogWeight = json.at("kx_log_weight").get<std::array<double, kMillingKxFilters>>();
+    } catch (const nlohmann::json::exception&) {
+        return unreadable();
+    }
+    return record;
+}
+
+Result<MillingBlank> millingBlankFromCsv(std::string_view text) {
+    constexpr double kMaxHeight_mm = 50.0;
+    const Result<std::vector<CsvRow>> rows = rowsOf(text);
+    if (!rows) {
+        return tl::unexpected(rows.error());
+    }
+    if (rows->size() < 2 || rows->size() > MillingBlank::kMaxSteps + 1) {
+        return fail(KERF_TEXT("%1 rows; a blank profile needs from 2 to %2, the last one ends the blank."),
+                    SentenceArg(static_cast<double>(rows->size()), 0),
+                    SentenceArg(static_cast<double>(MillingBlank::kMaxSteps + 1), 0));
+    }
+    MillingBlank blank;
+    blank.count = static_cast<std::uint16_t>(rows->size() - 1);
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        const CsvRow& row = (*rows)[i];
+        if (i > 0 && !(row.position_mm > (*rows)[i - 1].position_mm)) {
+            return fail(KERF_TEXT("Line %1, column x_mm: %2 mm must lie beyond the step before, %3 mm."),
+                        SentenceArg(row.line, 0), SentenceArg(row.position_mm, 3),
+                        SentenceArg((*rows)[i - 1].position_mm, 3));
+        }
+        if (!(row.height_mm >= 0.0 && row.height_mm <= kMaxHeight_mm)) {
+            return fail(KERF_TEXT("Line %1, column height_mm: %2 mm must be from 0 to %3 mm."),
+                        SentenceArg(row.line, 0), SentenceArg(row.height_mm, 3), SentenceArg(kMaxHeight_mm, 0));
+        }
+        if (i < blank.count) {
+            blank.begin_mm[i] = row.position_mm;
+            blank.height_mm[i] = row.height_mm;
+        }
+    }
+    blank.end_mm = rows->back().position_mm;
+    if (const auto why = milling::whyUnusable(blank)) {
+        return tl::unexpected(*why);
+    }
+    return blank;
+}
+
+}  // namespace kerf

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/process/milling/milling_types.h"
+#include "engine/core/result.h"
+
+/// What the milling room keeps, as text: JSON in the store, CSV for a blank profile from elsewhere. Numbers come back
+/// to the last digit; bad text gives one sentence and no value.
+namespace kerf {
+
+[[nodiscard]] std::string millingSetupJson(const MillingSetup& setup);
+/// Keys that are absent keep their default; revision stays 1.
+[[nodiscard]] Result<MillingSetup> millingSetupFromJson(const std::string& text);
+
+/// A blank profile and the file it came from.
+struct NamedBlank {
+    MillingBlank blank{};
+    std::string source{};
+};
+[[nodiscard]] std::string millingBlankJson(const NamedBlank& blank);
+[[nodiscard]] Result<NamedBlank> millingBlankFromJson(const std::string& text);
+
+/// What is kept after each cut: the tool as learnt, and of the cut what its stored figures do not say.
+struct MillingToolRecord {
+    MillingToolState tool{};
+    bool learnt{false};                 ///< false: a new tool, nothing learnt yet
+    std::uint32_t since{0};             ///< number of the last part cut with the tool before
+    std::uint32_t lastPart{0};          ///< newest part that `tool` knows
+    MillingLaw law{MillingLaw::Model};  ///< of that part
+    bool advised{false};
+};
+[[nodiscard]] std::string millingToolJson(const MillingToolRecord& record);
+[[nodiscard]] Result<MillingToolRecord> millingToolFromJson(const std::string& text);
+
+/// x_mm,height_mm: each row begins a step; the last row's position ends the blank (as `kerf milling` reads it). Empty
+/// lines and lines that begin with # are skipped. The sentence names line and column.
+[[nodiscard]] Result<MillingBlank> millingBlankFromCsv(std::string_view text);
+
+}  // namespace kerf

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/milling/milling_service.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "engine/process/milling/cut_record.h"
+#include "engine/process/milling/milling_setup.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kCutsShown = 25;
+constexpr std::uint32_t kPartTypesRead = 500;
+constexpr std::size_t kLargestFile = 1U << 20U;
+constexpr const char* kAtTheMachine = "changed while cutting";
+
+void answer(const MillingService::Done& done, const Result<void>& result) {
+    if (done) {
+        done(result);
+    }
+}
+
+template <class Action>
+bool send(EngineApi& engine, const Action& action) {
+    Command command;
+    command.action = action;
+    return engine.send(command).has_value();
+}
+
+Sentence signOnFirst() {
+    return Sentence(KERF_TEXT("Sign on first: a change needs a name."));
+}
+
+/// The cut as its stored figures tell it; law and mode are not among them.
+MillingCut cutOf(const std::vector<PartFigure>& figures) {
+    MillingCut cut;
+    const auto value = [&](std::string_view key) {
+        const auto found = std::ranges::find(figures, key, &PartFigure::key);
+        return found == figures.end() ? 0.0 : found->value;
+    };
+    cut.reference_N = value("reference_N");
+    cut.waviness_um = value("waviness_um");
+    cut.meanForce_N = value("force_mean_N");
+    cut.peakForce_N = value("force_peak_N");
+    cut.peakAt_mm = value("force_peak_at_mm");
+    cut.overReference_s = value("over_reference_s");
+    cut.cutTime_s = value("cut_time_s");
+    cut.plannedTime_s = value("planned_time_s");
+    cut.controlledTime_s = value("controlled_time_s");
+    cut.stiffnessMean = value("stiffness");
+    cut.stiffnessHalf95 = value("stiffness_half95");
+    cut.stops = static_cast<std::uint32_t>(value("stops"));
+    return cut;
+}
+
+}  // namespace
+
+StoredMillingService::StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts)
+    : m_links(std::move(links)) {
+    restore(records, parts);
+    m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
+    use(m_type);
+    poll();
+}
+
+template <class Value>
+Value StoredMillingService::keep(const Result<Value>& value, const Value& fallback) {
+    if (!value) {
+        m_problem = value.error();
+        return fallback;
+    }
+    return *value;
+}
+
+void StoredMillingService::restore(RoomRecordReader& records, PartReader& parts) {
+    restorePartTypes(records);
+    restoreTool(records, parts);
+}
+
+void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
+    PartType first;
+    first.setup.revision = 1;
+    const auto read = [&](const char* kind) {
+        return keep(records.roomRecords(ProcessId::Milling, kind, {}, kPartTypesRead), std::vector<RoomRecordRow>{});
+    };
+    const auto chosen = read("part_type");
+    if (!chosen.empty()) {
+        m_type = chosen.front().subject;
+    }
+    m_types[m_type] = first;
+    const auto setups = read("setup");
+    for (auto row = setups.rbegin(); row != setups.rend(); ++row) {  // the newest wins
+        m_types.try_emplace(row->subject, first).first->second.setup =
+            keep(millingSetupFromJson(row->bodyJson), first.setup);
+    }
+    const auto blanks = read("blank");
+    for (auto row = blanks.rbegin(); row != blanks.rend(); ++row) {
+        m_types.try_emplace(row->subject, first).first->second.blank =
+            keep(millingBlankFromJson(row->bodyJson), NamedBlank{});
+    }
+}
+
+void StoredMillingService::restoreTool(RoomRecordReader& records, PartReader& parts) {
+    std::map<std::uint32_t, MillingToolRecord> perPart;
+    const auto rows =
+        keep(records.roomRecords(ProcessId::Milling, "tool", {}, 2 * kCutsShown), std::vector<RoomRecordRow>{});
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+        m_tool = keep(millingToolFromJson(row->bodyJson), m_tool);
+        perPart[m_tool.lastPart] = m_tool;
+    }
+    PartQuery query;
+    query.process = ProcessId::Milling;
+    query.limit = kCutsShown;
+    const auto stored = keep(parts.parts(query), std::vector<PartRow>{});
+    milling::WearTrend wear;
+    wear.restore(m_tool.tool);
+    for (auto row = stored.rbegin(); row != stored.rend(); ++row) {
+        MillingCutView cut{row->number, row->complete, false, cutOf(row->figures)};
+        if (const auto known = perPart.find(row->number); known != perPart.end()) {
+            cut.cut.law = known->second.law;
+            cut.cut.advised = known->second.advised;
+        }
+        if (row->number > m_tool.lastPart) {  // stored, but the console ended before it could note the tool
+            if (cut.complete && cut.cut.stiffnessMean != 0.0) {
+                wear.addPart(cut.cut.stiffnessMean);
+            }
+            m_tool.lastPart = row->number;
+        }
+        m_cuts.push_back(cut);
+    }
+    wear.save(m_tool.tool);
+    m_toolOwed = m_tool.learnt;
+    if (m_links.toolChanged && m_tool.tool.parts > 0) {
+        m_links.toolChanged(m_tool.tool.parts);
+    }
+}
+
+std::span<const MillingField> StoredMillingService::fields() const {
+    return milling::setupFields();
+}
+
+std::optional<Sentence> StoredMillingService::whyUnusable(const MillingSetup& setup) const {
+    MillingSetup checked = setup;
+    checked.revision = std::max(1U, checked.revision);
+    return milling::whyUnusable(checked);
+}
+
+Result<MillingBlank> StoredMillingService::blankOf(std::span<const MillingBlankStep> steps, double end_mm) const {
+    if (steps.size() > MillingBlank::kMaxSteps) {
+        return fail(KERF_TEXT("A blank profile needs from 1 to %1 steps."),
+                    SentenceArg(static_cast<double>(MillingBlank::kMaxSteps), 0));
+    }
+    MillingBlank blank;
+    blank.count = static_cast<std::uint16_t>(steps.size());
+    blank.end_mm = steps.empty() ? 0.0 : end_mm;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        blank.begin_mm[i] = steps[i].begin_mm;
+        blank.height_mm[i] = steps[i].height_mm;
+    }
+    if (const auto why = milling::whyUnusable(blank)) {
+        return tl::unexpected(*why);
+    }
+    return blank;
+}
+
+Result<MillingBlank> StoredMillingService::readBlank(const std::string& file) const {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (!in || !(text << in.rdbuf())) {
+        return fail(KERF_TEXT("The file cannot be read. Check its name and folder."));
+    }
+    if (text.view().size() > kLargestFile) {
+        return fail(KERF_TEXT("The file is too large for a blank profile."));
+    }
+    return millingBlankFromCsv(text.view());
+}
+
+void StoredMillingService::store(const std::string& kind, const std::string& subject, const std::string& body,
+                              const std::string& author, const std::string& reason, Done done,
+                              std::function<void()> then) {
+    if (author.empty()) {
+        return answer(done, tl::unexpected(signOnFirst()));
+    }
+    ++m_busy;
+    rebuild();
+    m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
+                          [this, done = std::move(done), then = std::move(then),
+                           alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+                              if (!alive.lock()) {
+                                  return;
+                              }
+                              --m_busy;
+                              m_problem = receipt ? Sentence() : receipt.error();
+                              if (receipt && then) {
+                                  then();
+                              }
+                              rebuild();
+                              answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+                          });
+}
+
+std::optional<Sentence> StoredMillingService::whyBusy() const {
+    if (m_links.engine.status().milling.cutting) {
+        return Sentence(KERF_TEXT("A part is being cut: law and reference can be changed now, the rest after it."));
+    }
+    return std::nullopt;
+}
+
+void StoredMillingService::saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
+                                  Done done) {
+    if (const auto why = whyBusy()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (const auto why = whyUnusable(setup)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    store("setup", m_type, millingSetupJson(setup), author, reason, std::move(done), [this, setup, type = m_type] {
+        m_types[type].setup = setup;
+        use(m_type);
+    });
+}
+
+void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
+                                  Done done) {
+    if (const auto why = whyBusy()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (const auto why = milling::whyUnusable(blank)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    const NamedBlank named{blank, source};
+    store("blank", m_type, millingBlankJson(named), author, {}, std::move(done), [this, named, type = m_type] {
+        m_types[type].blank = named;
+        use(m_type);
+    });
+}
+
+void StoredMillingService::choosePartType(const std::string& name, const std::string& author, Done done) {
+    if (const auto why = whyBusy()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (name.empty()) {
+        return answer(done, fail(KERF_TEXT("A part type needs a name.")));
+    }
+    store("part_type", name, "{}", author, {}, std::move(done), [this, name] {
+        PartType like;
+        like.setup = m_types[m_type].setup;
+        m_types.try_emplace(name, like);
+        m_type = name;
+        use(name);
+    });
+}
+
+void StoredMillingService::newTool(const std::string& author, Done done) {
+    if (const auto why = whyBusy()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    MillingToolRecord fresh;
+    fresh.since = m_tool.lastPart;
+    fresh.lastPart = m_tool.lastPart;
+    store("tool", {}, millingToolJson(fresh), author, "new tool", std::move(done), [this, fresh] {
+        m_tool = fresh;
+        m_toolOwed = false;
+        (void)send(m_links.engine, NewMillingTool{});
+        if (m_links.toolChanged) {
+            m_links.toolChanged(0);
+        }
+    });
+}
+
+void StoredMillingService::partStored(const StoredPart& part) {
+    if (part.record.process != ProcessId::Milling) {
+        return;
+    }
+    m_cuts.push_back({part.number, part.record.complete, true, part.record.milling});
+    while (m_cuts.size() > kCutsShown) {
+        m_cuts.pop_front();
+    }
+    m_tool.tool = m_links.engine.status().milling.tool;
+    m_tool.learnt = true;
+    m_tool.lastPart = part.number;
+    m_tool.law = part.record.milling.law;
+    m_tool.advised = part.record.milling.advised;
+    store("tool", {}, millingToolJson(m_tool), "Kerf", {}, {}, {});
+}
+
+void StoredMillingService::use(const std::string& partType) {
+    const PartType& type = m_types[partType];
+    m_setup = type.setup;
+    m_blank = type.blank.blank;
+    m_setup.revision = ++m_revision;
+    m_blank.revision = m_revision;
+    if (m_setup.law == MillingLaw::Preview && m_blank.count == 0) {
+        m_setup.law = MillingLaw::Model;
+    }
+    (void)send(m_links.engine, LoadMillingBlank{m_blank});
+    (void)send(m_links.engine, LoadMillingSetup{m_setup});
+    rebuild();
+}
+
+void StoredMillingService::poll() {
+    const Status& status = m_links.engine.status();
+    const MillingStatus& now = status.milling;
+    if (m_toolOwed && !now.cutting) {
+        (void)send(m_links.engine, RestoreMillingTool{m_tool.tool});
+        m_toolOwed = false;
+    }
+    if (status.cycle == 0 || now.cutting) {
+        if (now.setup != m_setup.revision) {
+            return;
+        }
+    } else if (now.blank != m_blank.revision) {
+        (void)send(m_links.engine, LoadMillingBlank{m_blank});
+        return;
+    } else if (now.setup != m_setup.revision) {
+        (void)send(m_links.engine, LoadMillingSetup{m_setup});
+        return;
+    }
+    if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
+        return;
+    }
+    m_setup.law = now.law;
+    m_setup.reference_N = now.reference_N;
+    m_types[m_type].setup = m_setup;
+    store("setup", m_type, millingSetupJson(m_setup), m_links.author(), kAtTheMachine, {}, {});
+}
+
+void StoredMillingService::rebuild() {
+    m_view.partType = m_type;
+    m_view.partTypes.clear();
+    for (const auto& [name, type] : m_types) {
+        m_view.partTypes.push_back(name);
+    }
+    m_view.setup = m_setup;
+    m_view.blank = m_blank;
+    m_view.blankSource = m_types[m_type].blank.source;
+    m_view.cuts.assign(m_cuts.begin(), m_cuts.end());
+    for (MillingCutView& cut : m_view.cuts) {
+        cut.withThisTool = cut.number > m_tool.since;
+    }
+    m_view.busy = m_busy > 0;
+    m_view.problem = m_problem.empty() ? m_links.writer.problem() : m_problem;
+    ++m_view.revision;
+    m_listeners.tell();
+}
+
+}  // namespace kerf

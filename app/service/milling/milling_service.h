@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "engine/core/listeners.h"
+#include "app/service/milling/milling_json.h"
+#include "db/api/part_reader.h"
+#include "db/api/room_records.h"
+#include "db/api/store_writer.h"
+#include "engine/api/engine_api.h"
+#include "ui/services/milling_service.h"
+
+namespace kerf {
+
+/// The milling service on the database: part types with setup and blank, the tool, the log of cuts. Stores first, then
+/// hands the engine what it is to use; a law or reference changed while cutting is stored behind it. After a restart
+/// setup, blank, tool and log are what they were. GUI thread only.
+///
+/// Room records: "part_type" (subject: its name) when one is chosen, "setup" and "blank" of a part type, "tool" after
+/// each cut. Cuts the console did not live to see are added to the tool's wear from their stored figures.
+class StoredMillingService final : public MillingService {
+ public:
+    struct Links {
+        StoreWriter& writer;
+        EngineApi& engine;
+        std::function<std::string()> author;  ///< who changes law and reference on the page
+        /// A new tool is in the spindle, or `parts` have been cut with the one that is (simulated machines). May be
+        /// empty.
+        std::function<void(std::uint32_t parts)> toolChanged{};
+    };
+    static constexpr const char* kFirstPartType = "Rail";
+
+    /// Reads what is kept and hands it to the engine. What cannot be read is said in view().problem; the defaults hold.
+    StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts);
+
+    [[nodiscard]] const MillingServiceView& view() const override { return m_view; }
+    [[nodiscard]] std::span<const MillingField> fields() const override;
+    [[nodiscard]] std::optional<Sentence> whyUnusable(const MillingSetup& setup) const override;
+    [[nodiscard]] Result<MillingBlank> blankOf(std::span<const MillingBlankStep> steps, double end_mm) const override;
+    [[nodiscard]] Result<MillingBlank> readBlank(const std::string& file) const override;
+    void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
+    void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
+    void choosePartType(const std::string& name, const std::string& author, Done done) override;
+    void newTool(const std::string& author, Done done) override;
+    [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override {
+        return m_listeners.add(std::move(changed));
+    }
+
+    /// A few times per second: what the engine has not taken is sent again, what was changed at the machine is stored.
+    void poll();
+
+ private:
+    struct PartType {
+        MillingSetup setup{};
+        NamedBlank blank{};
+    };
+    void restore(RoomRecordReader& records, PartReader& parts);
+    void restorePartTypes(RoomRecordReader& records);
+    void restoreTool(RoomRecordReader& records, PartReader& parts);
+    template <class Value>
+    [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback);
+    void partStored(const StoredPart& part);
+    void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
+               const std::string& reason, Done done, std::function<void()> then);
+    void use(const std::string& partType);
+    void rebuild();
+    [[nodiscard]] std::optional<Sentence> whyBusy() const;
+
+    Links m_links;
+    Listeners<> m_listeners;
+    MillingServiceView m_view{};
+    std::map<std::string, PartType> m_types;
+    std::string m_type{kFirstPartType};
+    std::uint32_t m_revision{0};  ///< of setups and blanks handed to the engine
+    MillingSetup m_setup{};       ///< as handed over, with its revision
+    MillingBlank m_blank{};
+    MillingToolRecord m_tool{};
+    bool m_toolOwed{false};  ///< the engine has yet to be told
+    std::deque<MillingCutView> m_cuts;
+    Sentence m_problem{};
+    int m_busy{0};
+    std::shared_ptr<int> m_alive{std::make_shared<int>(0)};
+    std::unique_ptr<Subscription> m_partsSubscription;
+};
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/services/tapping_service.h"
+#include "engine/process/tapping/z_servo_model.h"
+
+namespace kerf::tapping {
+
+/// Settings that somebody accepted for one choice, with the proof why. The newest one for a choice counts; going back
+/// is one more of them.
+struct StoredTuning {
+    TapChoice choice{};
+    TapSettings settings{};  ///< accepted: in force for this choice
+    TapSettings own{};       ///< the machine's gains before anything was tuned
+    TuningProof proof{};
+    double hole_s{0.0};
+    TapCurve first{};  ///< E_r before and after, thinned for the chart
+    TapCurve last{};
+};
+
+/// Gains carry over within this share of the speed; the trim only to the same speed and depth.
+inline constexpr double kSpeedRange = 0.1;
+
+/// How a stored tuning serves a choice. A trim is a function of time: it needs speed and depth to be the same.
+[[nodiscard]] GainsSource serves(const StoredTuning& tuning, const TapChoice& choice);
+
+/// Every so many samples of a curve that at most `most` are left; its end stays.
+[[nodiscard]] TapCurve thinned(const TapCurve& curve, std::size_t most);
+
+}  // namespace kerf::tapping

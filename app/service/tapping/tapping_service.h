@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/api/engine_api.h"
+#include "app/service/tapping/stored_tuning.h"
+#include "engine/process/tapping/tuning_session.h"
+
+namespace kerf {
+
+/// The tapping service over tuning sessions on one engine. GUI thread; asking the tuner takes some milliseconds.
+///
+/// It knows nothing of a database: tunings of earlier runs come in, accepted ones go out.
+class StoredTappingService final : public TappingService {
+ public:
+    struct Params {
+        tapping::DriveParams assumed{};  ///< servo constants the tuner starts from, and the drive's ramp and tail
+        double abortOverAllowed{10.0};   ///< abort limit over the allowed peak-to-peak: an untuned drive must pass
+        int maxTaps{8};
+        std::vector<tapping::StoredTuning> known{};                 ///< oldest first
+        std::function<void(const tapping::StoredTuning&)> store{};  ///< an accepted tuning; may be empty
+    };
+    /// Engine and exchange outlive the service.
+    StoredTappingService(EngineApi& engine, TapExchange& exchange, Params params);
+
+    [[nodiscard]] const TappingServiceView& view() const override { return m_view; }
+    [[nodiscard]] const std::vector<TapThreadView>& threads() const override { return m_threads; }
+    [[nodiscard]] Result<void> load(const TapChoice& choice) override;
+    [[nodiscard]] Result<void> begin(const std::string& author, bool automatic) override;
+    void setAutomatic(bool automatic) override;
+    void oneMore() override;
+    void accept(const std::string& author) override;
+    void rollBack(const std::string& author) override;
+    void abort() override;
+    void recover() override;
+    void poll() override;
+
+    /// Answer of the store: empty when the tuning is on the disk.
+    void setStoreProblem(const Sentence& why);
+
+ private:
+    [[nodiscard]] bool busy() const;
+    [[nodiscard]] std::optional<Sentence> whyNotNow();
+    [[nodiscard]] std::optional<Sentence> whyNot(const TapChoice& choice);
+    [[nodiscard]] TappingJob jobFor(const TapChoice& choice);
+    [[nodiscard]] const tapping::StoredTuning* newestFor(const TapChoice& choice, GainsSource& how) const;
+    [[nodiscard]] tapping::TapSettings machinesOwn();
+    void send(const decltype(Command::action)& action);
+    void showStored();
+    void watchProduction();
+    void rebuild();
+    void decided(const std::string& author, bool rolledBack);
+
+    EngineApi& m_engine;
+    TapExchange& m_exchange;
+    Params m_params;
+    std::vector<TapThreadView> m_threads{};
+    std::unique_ptr<TuningSession> m_session{};
+    std::optional<tapping::TapSettings> m_own{};  ///< the machine's, before anything was tuned
+    tapping::TapSettings m_inForce{};
+    tapping::TapSettings m_before{};  ///< of the tuning
+    TuningSession::State m_shownState{TuningSession::State::Air};
+    std::size_t m_shownTrials{0};
+    std::uint32_t m_jobs{0};
+    std::uint32_t m_seenTaps{0};
+    std::vector<std::uint32_t> m_sent{};
+    std::string m_author{};
+    TappingServiceView m_view{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/thermal/thermal_records.h"
+
+#include <nlohmann/json.hpp>
+
+namespace kerf::thermal_records {
+namespace {
+
+using nlohmann::json;
+using PerAxis = std::array<double, kAxisCount>;
+
+/// Runs `read` on the parsed text; anything missing or of another type gives nothing.
+template <class Read>
+auto reading(const std::string& text, Read read) -> decltype(read(json{})) {
+    const json body = json::parse(text, nullptr, false);
+    if (body.is_discarded()) {
+        return {};
+    }
+    try {
+        return read(body);
+    } catch (const json::exception&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+std::string shiftsToJson(const std::vector<ThermalShiftRow>& rows) {
+    json list = json::array();
+    for (const ThermalShiftRow& row : rows) {
+        list.push_back(
+            {{"utc_ms", row.utc_ms}, {"t_min", row.minutes}, {"shift_um", row.shift_um}, {"drift_um", row.drift_um}});
+    }
+    return json{{"shifts", list}}.dump();
+}
+
+std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text) {
+    return reading(text, [](const json& body) {
+        std::vector<ThermalShiftRow> rows;
+        for (const json& one : body.at("shifts")) {
+            rows.push_back({one.at("utc_ms").get<std::int64_t>(), one.at("t_min").get<double>(),
+                            one.at("shift_um").get<PerAxis>(), one.at("drift_um").get<PerAxis>()});
+        }
+        return rows;
+    });
+}
+
+std::string gapToJson(const ThermalGapRow& row) {
+    return json{{"utc_ms", row.utc_ms},
+                {"measured_um", row.measured_um},
+                {"predicted_um", row.predicted_um},
+                {"half_um", row.half_um},
+                {"prediction_known", row.predictionKnown}}
+        .dump();
+}
+
+std::optional<ThermalGapRow> gapFromJson(const std::string& text) {
+    return reading(text, [](const json& body) {
+        return std::optional(ThermalGapRow{body.at("utc_ms").get<std::int64_t>(), body.at("measured_um").get<PerAxis>(),
+                                           body.at("predicted_um").get<PerAxis>(), body.at("half_um").get<PerAxis>(),
+                                           body.at("prediction_known").get<bool>()});
+    });
+}
+
+std::string zeroToJson(const PerAxis& zero_um) {
+    return json{{"zero_um", zero_um}}.dump();
+}
+
+std::optional<PerAxis> zeroFromJson(const std::string& text) {
+    return reading(text, [](const json& body) { return std::optional(body.at("zero_um").get<PerAxis>()); });
+}
+
+std::string setupToJson(const ThermalSetup& setup) {
+    return json{{"revision", setup.revision},
+                {"period_min", setup.period_min},
+                {"allowed_um", setup.allowed_um},
+                {"max_shift_um", setup.maxShift_um},
+                {"max_step_um_per_min", setup.maxStep_umPerMin},
+                {"warm_up_speed_rpm", setup.warmUpSpeed_rpm},
+                {"warm_up_min", setup.warmUp_min}}
+        .dump();
+}
+
+std::optional<ThermalSetup> setupFromJson(const std::string& text) {
+    return reading(text, [](const json& body) {
+        ThermalSetup setup;
+        setup.revision = body.at("revision").get<std::uint32_t>();
+        setup.period_min = body.at("period_min").get<double>();
+        setup.allowed_um = body.at("allowed_um").get<double>();
+        setup.maxShift_um = body.at("max_shift_um").get<double>();
+        setup.maxStep_umPerMin = body.at("max_step_um_per_min").get<double>();
+        setup.warmUpSpeed_rpm = body.at("warm_up_speed_rpm").get<double>();
+        setup.warmUp_min = body.at("warm_up_min").get<double>();
+        return std::optional(setup);
+    });
+}
+
+std::string sessionToJson(const thermal::ThermalHistory& day) {
+    json temps = json::array();
+    json drifts = json::array();
+    for (Eigen::Index row = 0; row < day.rows(); ++row) {
+        json one = json::array();
+        for (const double temp_degC : day.temp_degC.row(row)) {
+            one.push_back(temp_degC);
+        }
+        temps.push_back(std::move(one));
+        drifts.push_back({day.drift_um(row, 0), day.drift_um(row, 1), day.drift_um(row, 2)});
+    }
+    return json{{"label", day.label},         {"sensors", day.sensors}, {"t_min", day.time_min},
+                {"speed_rpm", day.speed_rpm}, {"temp_degC", temps},     {"drift_um", drifts}}
+        .dump();
+}
+
+std::optional<thermal::ThermalHistory> sessionFromJson(const std::string& text) {
+    return reading(text, [](const json& body) -> std::optional<thermal::ThermalHistory> {
+        thermal::ThermalHistory day;
+        day.label = body.at("label").get<std::string>();
+        day.sensors = body.at("sensors").get<std::vector<std::string>>();
+        day.time_min = body.at("t_min").get<std::vector<double>>();
+        day.speed_rpm = body.at("speed_rpm").get<std::vector<double>>();
+        const auto temps = body.at("temp_degC").get<std::vector<std::vector<double>>>();
+        const auto drifts = body.at("drift_um").get<std::vector<PerAxis>>();
+        const std::size_t rows = day.time_min.size();
+        const std::size_t sensors = day.sensors.size();
+        if (temps.size() != rows || drifts.size() != rows || day.speed_rpm.size() != rows) {
+            return std::nullopt;
+        }
+        day.temp_degC.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(sensors));
+        day.present = thermal::PresentMask::Constant(day.temp_degC.rows(), day.temp_degC.cols(), true);
+        day.drift_um.resize(static_cast<Eigen::Index>(rows), 3);
+        for (std::size_t row = 0; row < rows; ++row) {
+            if (temps[row].size() != sensors) {
+                return std::nullopt;
+            }
+            for (std::size_t k = 0; k < sensors; ++k) {
+                day.temp_degC(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) = temps[row][k];
+            }
+            day.drift_um.row(static_cast<Eigen::Index>(row)) =
+                Eigen::RowVector3d(drifts[row][0], drifts[row][1], drifts[row][2]);
+        }
+        return day;
+    });
+}
+
+}  // namespace kerf::thermal_records

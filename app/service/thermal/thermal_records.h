@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/services/thermal_service.h"
+#include "engine/core/result.h"
+#include "engine/process/thermal/history.h"
+
+/// Bodies of the thermal room's records, JSON with units in the keys. A body that cannot be read gives nothing: it is
+/// of another version or was damaged, and the service goes on without it.
+namespace kerf::thermal_records {
+
+inline constexpr const char* kModel = "model";
+inline constexpr const char* kShifts = "shift";
+inline constexpr const char* kGap = "gap";
+inline constexpr const char* kSession = "session";
+inline constexpr const char* kZero = "gap-zero";
+inline constexpr const char* kSetup = "setup";
+
+[[nodiscard]] std::string shiftsToJson(const std::vector<ThermalShiftRow>& rows);
+[[nodiscard]] std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text);
+[[nodiscard]] std::string gapToJson(const ThermalGapRow& row);
+[[nodiscard]] std::optional<ThermalGapRow> gapFromJson(const std::string& text);
+[[nodiscard]] std::string zeroToJson(const std::array<double, kAxisCount>& zero_um);
+[[nodiscard]] std::optional<std::array<double, kAxisCount>> zeroFromJson(const std::string& text);
+[[nodiscard]] std::string setupToJson(const ThermalSetup& setup);
+[[nodiscard]] std::optional<ThermalSetup> setupFromJson(const std::string& text);
+[[nodiscard]] std::string sessionToJson(const thermal::ThermalHistory& day);
+[[nodiscard]] std::optional<thermal::ThermalHistory> sessionFromJson(const std::string& text);
+
+}  // namespace kerf::thermal_records

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/service/thermal/thermal_trainer.h"
+#include "db/api/room_records.h"
+#include "db/api/store_writer.h"
+#include "engine/api/engine_api.h"
+#include "ui/services/thermal_service.h"
+#include "engine/process/thermal/thermal_exchange.h"
+
+namespace kerf {
+
+/// The thermal service on the database: models, sessions, shifts and gap measurements are room records.
+///
+/// A model is stored first, then offered to the loop. On a simulated machine without a model one is trained on
+/// simulated days of it, so that the loop has something to work with; a real machine starts with none. GUI thread only;
+/// training runs on its own worker.
+class StoredThermalService final : public ThermalService {
+ public:
+    struct Links {
+        EngineApi& engine;
+        StoreWriter& writer;
+        ThermalExchange& exchange;
+        std::string dayFolder{};       ///< history files (CSV) are looked for here
+        std::uint64_t machineSeed{1};  ///< of the simulated machine
+        std::uint64_t daysSeed{1};
+    };
+    /// Loads what was kept and offers the live model. `reader` is used here only; the other links outlive the service.
+    StoredThermalService(const Links& links, RoomRecordReader& reader);
+
+    [[nodiscard]] const ThermalServiceView& view() const override { return m_view; }
+    [[nodiscard]] std::vector<std::pair<double, double>> temperatures(std::size_t sensor) const override;
+    [[nodiscard]] ThermalErrorMap errorMap(double z_mm, bool exact) const override;
+    void findDays() override;
+    [[nodiscard]] Result<void> train(const std::string& kind, const std::vector<std::string>& dayIds) override;
+    void cancelTraining() override { m_trainer.cancel(); }
+    [[nodiscard]] Result<void> goLive(const std::string& author) override;
+    [[nodiscard]] Result<void> rollBack(const std::string& author) override;
+    [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author) override;
+    [[nodiscard]] Result<void> beginSession(const std::string& author) override;
+    [[nodiscard]] Result<void> endSession(const std::string& author) override;
+    void poll() override;
+
+ private:
+    struct KeptModel {
+        thermal::ThermalModel model{};
+        ThermalModelCard card{};
+    };
+    void load(RoomRecordReader& reader);
+    void loadModels(RoomRecordReader& reader);
+    void keep(const char* kind, std::string body, const std::string& author, std::string reason,
+              std::function<void()> stored = {});
+    [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
+    void install(KeptModel model);
+    void takeMinutes();
+    void takeMinute(const ThermalMinute& minute);
+    void takeGap(const ThermalStatus& status);
+    void takeTraining();
+    void writeShifts(bool now);
+    [[nodiscard]] thermal::ThermalHistory sessionDay() const;
+    [[nodiscard]] Result<void> send(const decltype(Command::action)& action);
+    [[nodiscard]] std::vector<std::string> channelNames() const;
+    void changed() { ++m_view.revision; }
+
+    Links m_links;
+    ThermalServiceView m_view{};
+    ThermalTrainer m_trainer{};
+    std::deque<ThermalMinute> m_minutes{};
+    std::vector<ThermalMinute> m_session{};
+    std::uint32_t m_sessionReference{0};
+    std::string m_sessionAuthor{};
+    std::vector<std::pair<std::string, thermal::ThermalHistory>> m_sessions{};  ///< id and day, newest first
+    std::optional<KeptModel> m_live{};
+    std::optional<KeptModel> m_previous{};
+    std::optional<KeptModel> m_candidate{};
+    std::vector<ThermalShiftRow> m_unwritten{};
+    std::int64_t m_lastWrite_ms{0};
+    std::uint32_t m_gapSeen{0};
+    std::uint32_t m_modelNumber{0};
+    std::uint32_t m_reference{0};
+    bool m_zeroSent{false};
+    std::optional<std::array<double, kAxisCount>> m_keptZero{};
+    bool m_firstModel{false};  ///< the training under way is that of the first start: goes live by itself
+    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
+};
+
+}  // namespace kerf

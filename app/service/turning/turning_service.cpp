@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/turning/turning_service.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "app/service/turning/turning_records.h"
+#include "engine/process/turning/blind.h"
+#include "engine/process/turning/depth_control.h"
+#include "engine/process/turning/margins.h"
+#include "engine/process/turning/overlap.h"
+#include "engine/process/turning/spectrum.h"
+#include "engine/process/turning/turning_setup.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kPartsShown = 25;
+constexpr const char* kAuthor = "Kerf";
+constexpr const char* kSetup = "setup";
+constexpr const char* kController = "controller";
+constexpr const char* kPart = "part";
+constexpr double kHighestShown_Hz = 420.0;
+constexpr double kToneMoved_Hz = 0.5;
+constexpr double kMarginStep = 0.02;  // change of a process parameter or Kalman gain worth another computation
+constexpr double kSecondsPerMinute = 60.0;
+
+template <class Action>
+Command commandOf(const Action& action) {
+    Command command;
+    command.action = action;
+    return command;
+}
+
+bool near(double a, double b, double share) {
+    return std::abs(a - b) <= share * std::max({std::abs(a), std::abs(b), 1e-9});
+}
+
+/// The means of four samples let a high tone through smaller than it is.
+double droop(double frequency_Hz) {
+    const double x = std::numbers::pi * frequency_Hz / turning::kSampleRate_Hz;
+    constexpr auto kCount = static_cast<double>(TurningSurface::kDecimation);
+    return x > 0.0 ? std::sin(kCount * x) / (kCount * std::sin(x)) : 1.0;
+}
+
+turning::ProcessParams paramsOf(const TurningProcess& process) {
+    return {process.a1, process.b0, process.b1};
+}
+
+/// A cut without the loop, or one under it, that can be compared: whole, and its second half reached.
+bool comparable(const TurningPartView& part) {
+    return part.complete && part.record.steadyRms_um > 0.0 && !part.record.leftLoop;
+}
+bool isClosed(const TurningPartView& part) {
+    return part.record.controlled && part.record.controller != TurningController::Open;
+}
+bool sameCut(const TurningSetup& a, const TurningSetup& b) {
+    return a.depth_um == b.depth_um && a.spindleSpeed_rpm == b.spindleSpeed_rpm && a.feed_umPerRev == b.feed_umPerRev &&
+           a.toolRadius_um == b.toolRadius_um;
+}
+
+}  // namespace
+
+StoredTurningService::StoredTurningService(const Links& links) : m_links(links) {
+    m_view.setup.revision = 1;
+    restore();
+    m_parts = m_links.writer.onPartStored([this](const StoredPart& stored) { partStored(stored); });
+    m_problems = m_links.writer.onProblemChanged([this] {
+        m_view.storeProblem = m_links.writer.problem();
+        changed();
+    });
+    m_view.storeProblem = m_links.writer.problem();
+    (void)followBlindTones(m_links.engine.status());
+    changed();
+}
+
+StoredTurningService::~StoredTurningService() = default;
+
+void StoredTurningService::restore() {
+    if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kSetup, {}, 1); rows && !rows->empty()) {
+        if (const auto setup = turningSetupFrom(rows->front().bodyJson)) {
+            m_view.setup = *setup;
+        }
+    }
+    if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kController, {}, 1); rows && !rows->empty()) {
+        m_view.controller = turningControllerFrom(rows->front().bodyJson).value_or(m_view.controller);
+    }
+    const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kPart, {}, kPartsShown);
+    if (!rows) {
+        m_view.storeProblem = rows.error();
+        return;
+    }
+    for (auto row = rows->rbegin(); row != rows->rend(); ++row) {
+        if (auto part = turningPartFrom(row->bodyJson)) {
+            part->endedUtc_ms = row->createdUtc_ms;
+            m_view.parts.push_back(std::move(*part));
+        }
+    }
+    if (!m_view.parts.empty()) {
+        m_view.live = m_view.parts.back().spectrum;
+    }
+    compare();
+}
+
+std::span<const ParamSpec> StoredTurningService::setupSpecs() const {
+    return turning::setupSpecs();
+}
+const ParamSpec& StoredTurningService::toneSpec() const {
+    return turning::toneSpec();
+}
+double StoredTurningService::setupValue(const TurningSetup& setup, std::size_t field) const {
+    return turning::valueOf(setup, static_cast<turning::SetupField>(field));
+}
+void StoredTurningService::changeSetup(TurningSetup& setup, std::size_t field, double value) const {
+    turning::setValue(setup, static_cast<turning::SetupField>(field), value);
+}
+std::optional<Sentence> StoredTurningService::whyUnusable(const TurningSetup& setup) const {
+    return turning::whyUnusable(setup);
+}
+Result<double> StoredTurningService::overlap(double toolRadius_um, double depth_um, double feed_umPerRev) const {
+    return turning::overlapFactor(toolRadius_um, depth_um, feed_umPerRev);
+}
+
+void StoredTurningService::store(const char* kind, std::string subject, std::string json, const std::string& author,
+                              Done done, std::function<void()> stored) {
+    AddRoomRecord record;
+    record.process = ProcessId::Turning;
+    record.kind = kind;
+    record.subject = std::move(subject);
+    record.bodyJson = std::move(json);
+    record.author = author;
+    m_links.writer.submit(record, [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
+                                   stored = std::move(stored)](const Result<Receipt>& receipt) {
+        if (alive.expired()) {
+            return;
+        }
+        if (receipt && stored) {
+            stored();
+        }
+        if (done) {
+            done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
+        }
+    });
+}
+
+void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, Done done) {
+    if (const auto why = turning::whyUnusable(setup)) {
+        if (done) {
+            done(tl::unexpected(*why));
+        }
+        return;
+    }
+    if (author.empty()) {
+        if (done) {
+            done(fail(KERF_TEXT("Sign on first: a setup needs a name.")));
+        }
+        return;
+    }
+    TurningSetup next = setup;
+    next.revision = m_view.setup.revision + 1;
+    store(kSetup, {}, turningSetupJson(next), author, std::move(done), [this, next] {
+        m_view.setup = next;
+        (void)followBlindTones(m_links.engine.status());
+        send();
+        changed();
+    });
+}
+
+void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
+    if (author.empty()) {
+        if (done) {
+            done(fail(KERF_TEXT("Sign on first: a setup needs a name.")));
+        }
+        return;
+    }
+    store(kController, {}, turningControllerJson(controller), author, std::move(done), [this, controller] {
+        m_view.controller = controller;
+        send();
+        changed();
+    });
+}
+
+void StoredTurningService::send() {
+    if (m_sentSetup != m_view.setup.revision && m_links.engine.send(commandOf(LoadTurningSetup{m_view.setup}))) {
+        m_sentSetup = m_view.setup.revision;  // else its ring is full: poll() tries again
+    }
+    if (m_sentController != m_view.controller &&
+        m_links.engine.send(commandOf(SetTurningController{m_view.controller}))) {
+        m_sentController = m_view.controller;
+    }
+}
+
+void StoredTurningService::poll() {
+    send();
+    const Status& status = m_links.engine.status();
+    const bool surface = takeSurface();
+    const bool margins = followMargins(status);
+    const bool tones = followBlindTones(status);
+    if (surface || margins || tones) {
+        changed();
+    }
+}
+
+TurningSpectrum StoredTurningService::SurfaceSum::mean() const {
+    TurningSpectrum spectrum;
+    spectrum.step_Hz = step_Hz;
+    const auto root = [this](const std::vector<double>& sum, std::vector<float>& out) {
+        for (const double power_um2 : sum) {
+            out.push_back(static_cast<float>(std::sqrt(power_um2 / static_cast<double>(count))));
+        }
+    };
+    root(treated_um2, spectrum.treated_um);
+    root(untreated_um2, spectrum.untreated_um);
+    return spectrum;
+}
+
+bool StoredTurningService::takeSurface() {
+    if (!m_links.exchange.surfaces.refresh()) {
+        return false;
+    }
+    const TurningSurface& surface = m_links.exchange.surfaces.value();
+    const bool settled = surface.number > 1;
+    if (surface.partSequence != m_sum.partSequence || (settled && !m_sum.settled)) {
+        m_sum = {};  // the first surface of a part has the law's own start in it: it counts until there is another one
+        m_sum.partSequence = surface.partSequence;
+        m_sum.settled = settled;
+    }
+    const auto add = [&](const std::array<float, TurningSurface::kPoints>& values, std::vector<double>& sum,
+                         std::vector<float>& now) {
+        now = turning::amplitudeSpectrum(std::span(values).first(surface.count));
+        m_sum.step_Hz = turning::spectrumStep_Hz(now.size(), TurningSurface::kRate_Hz);
+        now.resize(std::min(now.size(), static_cast<std::size_t>(kHighestShown_Hz / std::max(m_sum.step_Hz, 0.1))));
+        sum.resize(now.size());
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            now[i] /= static_cast<float>(droop(static_cast<double>(i) * m_sum.step_Hz));
+            sum[i] += static_cast<double>(now[i]) * static_cast<double>(now[i]);
+        }
+    };
+    m_view.live = {};
+    add(surface.treated_um, m_sum.treated_um2, m_view.live.treated_um);
+    add(surface.untreated_um, m_sum.untreated_um2, m_view.live.untreated_um);
+    ++m_sum.count;
+    m_view.live.step_Hz = m_sum.step_Hz;
+    m_view.livePart = surface.partSequence;
+    return true;
+}
+
+StoredTurningService::MarginBasis StoredTurningService::marginBasis(const TurningStatus& status) {
+    MarginBasis basis;
+    basis.controller = status.controller;
+    basis.law = status.lawProcess;
+    basis.identified = status.identification.sure;
+    basis.value = status.identification.value;
+    basis.half95 = status.identification.half95;
+    for (std::size_t j = 0; j < status.toneCount && status.controller == TurningController::Tones; ++j) {
+        basis.tones.emplace_back(status.tones[j].frequency_Hz, status.tones[j].share);
+    }
+    return basis;
+}
+
+TurningMargins StoredTurningService::computeMargins(const MarginBasis& basis) {
+    TurningMargins out;
+    const turning::ProcessParams law = paramsOf(basis.law);
+    std::vector<turning::FollowedTone> tones;
+    for (const auto& [frequency_Hz, share] : basis.tones) {
+        tones.push_back({frequency_Hz, share});
+    }
+    const auto ofTruth = [&](const turning::ProcessParams& truth) {
+        switch (basis.controller) {
+            case TurningController::Paper:
+                return turning::lawMargins(turning::PlantKind::B2, turning::paperGains(turning::PlantKind::B2), law,
+                                           truth);
+            case TurningController::Pi:
+                return turning::lawMargins(turning::PlantKind::B2, turning::tunedGains(turning::PlantKind::B2), law,
+                                           truth);
+            case TurningController::Open:
+            case TurningController::Tones:
+                break;
+        }
+        return turning::toneMargins(tones, law, truth, turning::kSampleRate_Hz);
+    };
+    out.known =
+        basis.controller != TurningController::Open && (basis.controller != TurningController::Tones || !tones.empty());
+    if (!out.known) {
+        return out;
+    }
+    out.identified = basis.identified;
+    const turning::Margins margins =
+        basis.identified
+            ? turning::guaranteedMargins({basis.value[0], basis.value[1], basis.value[2]}, basis.half95, ofTruth)
+            : ofTruth(law);
+    if (std::isfinite(margins.gain)) {
+        out.gain = margins.gain;
+    }
+    if (std::isfinite(margins.delay_samples)) {
+        out.delay_samples = margins.delay_samples;
+    }
+    out.phase_deg = margins.phase_deg;
+    out.modulus = margins.modulus;
+    return out;
+}
+
+/// The margins follow the process and the tones; they are computed on a worker, one at a time.
+bool StoredTurningService::followMargins(const Status& status) {
+    if (m_marginsToCome.valid()) {
+        if (m_marginsToCome.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+            return false;
+        }
+        m_view.margins = m_marginsToCome.get();
+        return true;
+    }
+    if (status.turning.stage != TurningStage::Cutting) {
+        return false;
+    }
+    MarginBasis basis = marginBasis(status.turning);
+    const auto same = [](const MarginBasis& a, const MarginBasis& b) {
+        const auto close = [](const auto& x, const auto& y) {
+            return near(x[0], y[0], kMarginStep) && near(x[1], y[1], kMarginStep) && near(x[2], y[2], kMarginStep);
+        };
+        const auto vector = [](const TurningProcess& p) { return std::array{p.a1, p.b0, p.b1}; };
+        return a.controller == b.controller && a.identified == b.identified && close(vector(a.law), vector(b.law)) &&
+               (!a.identified || close(a.value, b.value)) &&
+               std::equal(a.tones.begin(), a.tones.end(), b.tones.begin(), b.tones.end(),
+                          [](const auto& x, const auto& y) {
+                              return std::abs(x.first - y.first) < kToneMoved_Hz && near(x.second, y.second, 0.3);
+                          });
+    };
+    if (m_marginBasis && same(*m_marginBasis, basis)) {
+        return false;
+    }
+    m_marginBasis = basis;
+    m_marginsToCome = std::async(std::launch::async, [basis = std::move(basis)] { return computeMargins(basis); });
+    return false;
+}
+
+bool StoredTurningService::followBlindTones(const Status& status) {
+    std::vector<double> tones_Hz(m_view.setup.knownTones_Hz.begin(),
+                                 m_view.setup.knownTones_Hz.begin() + m_view.setup.knownToneCount);
+    const std::size_t known = tones_Hz.size();
+    for (std::size_t j = 0; j < status.turning.toneCount; ++j) {
+        const double found_Hz = status.turning.tones[j].frequency_Hz;
+        // A found tone stands for the known one it is.
+        const auto same = std::find_if(tones_Hz.begin(), tones_Hz.end(),
+                                       [found_Hz](double tone) { return std::abs(tone - found_Hz) < 2.0; });
+        if (same == tones_Hz.end()) {
+            tones_Hz.push_back(found_Hz);
+        }
+    }
+    const double speed_rpm = m_view.setup.spindleSpeed_rpm;
+    const bool unchanged = speed_rpm == m_blindSpeed_rpm &&
+                           std::equal(tones_Hz.begin(), tones_Hz.end(), m_blindTones_Hz.begin(), m_blindTones_Hz.end(),
+                                      [](double a, double b) { return std::abs(a - b) < kToneMoved_Hz; });
+    if (unchanged) {
+        return false;
+    }
+    m_blindSpeed_rpm = speed_rpm;
+    m_blindTones_Hz = tones_Hz;
+    m_view.blind = {};
+    m_view.blind.spindleSpeed_rpm = speed_rpm;
+    const auto report = turning::blindFrequencies(speed_rpm / kSecondsPerMinute, tones_Hz, turning::kSampleRate_Hz);
+    if (report) {
+        for (std::size_t j = 0; j < report->tones.size(); ++j) {
+            const turning::ToneVisibility& tone = report->tones[j];
+            m_view.blind.tones.push_back({tone.frequency_Hz, tone.visibility, tone.blind, j >= known});
+            m_view.blind.anyBlind = m_view.blind.anyBlind || tone.blind;
+        }
+        if (report->suggestedWorst > report->worst) {
+            m_view.blind.suggestedSpeed_rpm = report->suggested_rps * kSecondsPerMinute;
+            m_view.blind.suggestedVisibility = report->suggestedWorst;
+        }
+    }
+    return true;
+}
+
+void StoredTurningService::partStored(const StoredPart& stored) {
+    if (stored.record.process != ProcessId::Turning || !stored.record.turning.valid) {
+        return;
+    }
+    (void)takeSurface();
+    TurningPartView part;
+    part.id = stored.id;
+    part.number = stored.number;
+    part.endedUtc_ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
+    part.complete = stored.record.complete;
+    part.forceMean_N = stored.record.forceMean_N;
+    part.forcePeak_N = stored.record.forcePeak_N;
+    part.record = stored.record.turning;
+    if (m_sum.partSequence == stored.record.partSequence && m_sum.count > 0) {
+        part.spectrum = m_sum.mean();
+        m_view.live = part.spectrum;
+    }
+    (void)m_links.exchange.traces.refresh();
+    const TurningForceTrace& trace = m_links.exchange.traces.value();
+    for (std::size_t i = 0; trace.partSequence == stored.record.partSequence && i < TurningForceTrace::kPieces; ++i) {
+        if (trace.samples[i] > 0) {
+            part.force.push_back({(static_cast<double>(i) + 0.5) / TurningForceTrace::kPieces,
+                                  static_cast<double>(trace.low_N[i]), static_cast<double>(trace.mean_N[i]),
+                                  static_cast<double>(trace.high_N[i])});
+        }
+    }
+    store(kPart, std::to_string(part.id), turningPartJson(part), kAuthor, {}, {});
+    m_view.parts.push_back(std::move(part));
+    if (m_view.parts.size() > kPartsShown) {
+        m_view.parts.erase(m_view.parts.begin());
+    }
+    compare();
+    changed();
+}
+
+/// The newest part under the loop, and the newest one without it that was cut with the same setup.
+void StoredTurningService::compare() {
+    m_view.comparison.reset();
+    for (auto closed = m_view.parts.rbegin(); closed != m_view.parts.rend(); ++closed) {
+        if (!comparable(*closed) || !isClosed(*closed)) {
+            continue;
+        }
+        for (auto open = m_view.parts.rbegin(); open != m_view.parts.rend(); ++open) {
+            const TurningRecord& without = open->record;
+            const TurningRecord& with = closed->record;
+            // Nothing may have moved the tool in the open one; what the loop would have done does not count.
+            const bool untouched = without.trimPeak_um == 0.0;
+            if (comparable(*open) && !isClosed(*open) && untouched && sameCut(without.setup, with.setup)) {
+                m_view.comparison = TurningComparison{open->number,         closed->number,        with.controller,
+                                                      without.steadyRms_um, with.steadyRms_um,     without.steadyPv_um,
+                                                      with.steadyPv_um,     without.steadyForce_N, with.steadyForce_N};
+                return;
+            }
+        }
+    }
+}
+
+std::unique_ptr<Subscription> StoredTurningService::onChanged(std::function<void()> changed) {
+    return m_listeners.add(std::move(changed));
+}
+
+void StoredTurningService::changed() {
+    const TurningSetup& setup = m_view.setup;
+    m_view.overlap = turning::overlapFactor(setup.toolRadius_um, setup.depth_um, setup.feed_umPerRev).value_or(0.0);
+    ++m_view.revision;
+    m_listeners.tell();
+}
+
+}  // namespace kerf

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "db/api/room_records.h"
+#include "db/api/store_writer.h"
+#include "engine/core/listeners.h"
+#include "engine/api/engine_api.h"
+#include "ui/services/turning_service.h"
+#include "engine/process/turning/turning_exchange.h"
+
+namespace kerf {
+
+/// The turning service on the database: setup, controller and every part are kept as room records ("setup", "controller",
+/// "part"), stored first and then sent to the engine. A restart reads them again and goes on where it was.
+///
+/// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
+class StoredTurningService final : public TurningService {
+ public:
+    struct Links {
+        StoreWriter& writer;
+        EngineApi& engine;
+        TurningExchange& exchange;
+        RoomRecordReader& reader;
+    };
+    /// Reads what was kept and sends the engine its setup with the next poll(). Links must outlive the service.
+    explicit StoredTurningService(const Links& links);
+    ~StoredTurningService() override;
+
+    [[nodiscard]] const TurningServiceView& view() const override { return m_view; }
+    [[nodiscard]] std::span<const ParamSpec> setupSpecs() const override;
+    [[nodiscard]] const ParamSpec& toneSpec() const override;
+    [[nodiscard]] double setupValue(const TurningSetup& setup, std::size_t field) const override;
+    void changeSetup(TurningSetup& setup, std::size_t field, double value) const override;
+    [[nodiscard]] std::optional<Sentence> whyUnusable(const TurningSetup& setup) const override;
+    [[nodiscard]] Result<double> overlap(double toolRadius_um, double depth_um, double feed_umPerRev) const override;
+    void loadSetup(const TurningSetup& setup, const std::string& author, Done done) override;
+    void setController(TurningController controller, const std::string& author, Done done) override;
+    [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
+
+    /// A few times per second: sends what the engine has not got yet, takes surfaces, follows margins and tones.
+    void poll();
+
+ private:
+    /// Mean power of the spectra of one part.
+    struct SurfaceSum {
+        std::uint32_t partSequence{0};
+        std::size_t count{0};
+        bool settled{false};  ///< of surfaces after the first one of the part
+        double step_Hz{0.0};
+        std::vector<double> treated_um2{};
+        std::vector<double> untreated_um2{};
+        [[nodiscard]] TurningSpectrum mean() const;
+    };
+    /// What the margins were computed from.
+    struct MarginBasis {
+        TurningController controller{TurningController::Open};
+        TurningProcess law{};
+        bool identified{false};
+        std::array<double, 3> value{};
+        std::array<double, 3> half95{};
+        std::vector<std::pair<double, double>> tones{};  ///< frequency, share
+    };
+
+    void restore();
+    void store(const char* kind, std::string subject, std::string json, const std::string& author, Done done,
+               std::function<void()> stored);
+    void send();
+    [[nodiscard]] bool takeSurface();
+    [[nodiscard]] bool followMargins(const Status& status);
+    [[nodiscard]] bool followBlindTones(const Status& status);
+    void partStored(const StoredPart& stored);
+    void compare();
+    void changed();
+    [[nodiscard]] static MarginBasis marginBasis(const TurningStatus& status);
+    [[nodiscard]] static TurningMargins computeMargins(const MarginBasis& basis);
+
+    Links m_links;
+    TurningServiceView m_view{};
+    std::uint32_t m_sentSetup{0};
+    std::optional<TurningController> m_sentController{};
+    SurfaceSum m_sum{};
+    std::future<TurningMargins> m_marginsToCome{};
+    std::optional<MarginBasis> m_marginBasis{};
+    std::vector<double> m_blindTones_Hz{};
+    double m_blindSpeed_rpm{0.0};
+    Listeners<> m_listeners{};
+    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
+    std::unique_ptr<Subscription> m_parts{};
+    std::unique_ptr<Subscription> m_problems{};
+};
+
+}  // namespace kerf

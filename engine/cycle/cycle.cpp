@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/cycle/cycle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/units.h"
+#include "engine/cycle/machine_alarms.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kCommandsPerCycle = 4;
+constexpr double kMaxSimulationSpeed = 1000.0;
+
+/// What passes from a loop that does not control: only the start or end of its own part program.
+bool isProgramRequest(const PortRequest& request) {
+    return std::holds_alternative<StartProgram>(request.action) || std::holds_alternative<AbortProgram>(request.action);
+}
+
+}  // namespace
+
+Cycle::Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits,
+             EngineRings& rings)
+    : m_port(port),
+      m_loops(std::move(loops)),
+      m_rings(rings),
+      m_events(rings.alarms, rings.parts),
+      m_limiter(limits, port.capabilities()) {
+    for (const auto& loop : m_loops) {
+        m_byProcess[static_cast<std::size_t>(loop->id())] = loop.get();
+    }
+}
+
+void Cycle::step(std::int64_t now_ns) noexcept {
+    if (const std::uint32_t asked = m_rings.holdsAsked.load(std::memory_order_acquire); asked != m_holdsTaken) {
+        m_holdsTaken = asked;
+        m_supervisor.hold(Sentence(KERF_TEXT("All loops are held by the operator; the last offset stays.")));
+    }
+    m_port.read(now_ns, m_inputs);
+    m_events.now_ns = now_ns;
+    m_events.flush();
+    watchMachine();
+    takeCommands();
+
+    const Capabilities& capabilities = m_port.capabilities();
+    for (const auto& loop : m_loops) {
+        const auto index = static_cast<std::size_t>(loop->id());
+        const LoopMode mode = m_supervisor.effectiveMode(loop->id(), m_inputs, capabilities);
+        if (mode != m_modes[index]) {
+            loop->setMode(mode);
+            m_modes[index] = mode;
+        }
+        LoopOutputs& wish = m_wishes[index];
+        wish = LoopOutputs{};
+        m_verdicts[index] = loop->step(m_inputs, capabilities, wish, m_events);
+        if (m_verdicts[index].state == LoopState::Faulted) {
+            m_supervisor.fault(loop->id(), m_verdicts[index].reason);
+        }
+        if (mode != LoopMode::Control) {
+            const PortRequest request = wish.request;
+            wish = LoopOutputs{};
+            const bool out =
+                mode == LoopMode::Advise && std::holds_alternative<RetractInSync>(request.action);  // asked by a person
+            if (out || isProgramRequest(request)) {
+                wish.request = request;
+            }
+        }
+    }
+
+    const double dt_s = m_cycles == 0 ? 0.0 : static_cast<double>(now_ns - m_lastTime_ns) / kNanosecondPerSecond;
+    m_outputs = m_limiter.apply(m_wishes, m_inputs, dt_s, m_limitReport);
+    m_port.write(m_outputs);
+    m_lastTime_ns = now_ns;
+    ++m_cycles;
+}
+
+void Cycle::watchMachine() noexcept {
+    const bool linkUp = m_inputs.link == LinkState::Up;
+    if (linkUp && !m_linkWasUp) {
+        m_limiter.adopt(m_inputs,
+                        m_port.capabilities());  // after every (re)connect: go on from what the machine really has
+    }
+    m_linkWasUp = linkUp;
+    m_events.set(machine_alarm::kLinkDown, !linkUp);
+    m_events.set(machine_alarm::kEmergencyStop, linkUp && m_inputs.emergencyStop);
+    m_events.set(machine_alarm::kPartStoreFull, m_events.partsBlocked());
+}
+
+void Cycle::takeCommands() noexcept {
+    Command command;
+    for (int i = 0; i < kCommandsPerCycle && m_rings.commands.tryPop(command); ++i) {
+        CommandResult result = execute(command);
+        result.number = command.number;
+        std::move_backward(m_recentCommands.begin(), m_recentCommands.end() - 1, m_recentCommands.end());
+        m_recentCommands[0] = result;
+    }
+}
+
+CommandResult Cycle::execute(const Command& command) noexcept {
+    if (const auto* mode = std::get_if<SetLoopMode>(&command.action)) {
+        if (find(mode->process) == nullptr && mode->mode != LoopMode::Off) {
+            return CommandResult::refused(Sentence(KERF_TEXT("Not fitted yet.")));
+        }
+        return m_supervisor.setMode(mode->process, mode->mode, m_port.capabilities());
+    }
+    if (const auto* release = std::get_if<ReleaseHold>(&command.action)) {
+        if (release->holdsSeen != m_rings.holdsAsked.load(std::memory_order_acquire)) {
+            return CommandResult::refused(Sentence(KERF_TEXT("Held again since the release was asked.")));
+        }
+        m_supervisor.release();
+        return CommandResult::ok();
+    }
+    if (const auto* speed = std::get_if<SetSimulationSpeed>(&command.action)) {
+        if (!m_port.capabilities().simulated) {
+            return CommandResult::refused(Sentence(KERF_TEXT("A real machine runs at its own speed.")));
+        }
+        const bool inRange = speed->factor == 0.0 || (speed->factor >= 1.0 && speed->factor <= kMaxSimulationSpeed);
+        if (!inRange) {
+            return CommandResult::refused(
+                Sentence(KERF_TEXT("Simulation speed must be from 1 to 1000, or 0 for as fast as possible.")));
+        }
+        m_simulationSpeed = speed->factor;
+        return CommandResult::ok();
+    }
+    if (const auto* start = std::get_if<StartPart>(&command.action)) {
+        return startPart(command, start->process);
+    }
+    if (ProcessLoop* loop = find(processOf(command))) {
+        return loop->handle(command);
+    }
+    return CommandResult::refused(Sentence(KERF_TEXT("Not fitted yet.")));
+}
+
+CommandResult Cycle::startPart(const Command& command, ProcessId process) noexcept {
+    ProcessLoop* loop = find(process);
+    const Capability& cycleStart = m_port.capabilities().cycleStart;
+    if (loop == nullptr) {
+        return CommandResult::refused(Sentence(KERF_TEXT("Not fitted yet.")));
+    }
+    if (!cycleStart.fitted) {
+        return CommandResult::refused(cycleStart.why);
+    }
+    if (m_events.partsBlocked()) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The last part is not stored yet: no new part until it is.")));
+    }
+    if (m_supervisor.held()) {
+        return CommandResult::refused(Sentence(KERF_TEXT("All loops are held: release the hold first.")));
+    }
+    if (m_inputs.link != LinkState::Up || !m_inputs.machineOn || m_inputs.emergencyStop) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The machine is not ready.")));
+    }
+    if (m_inputs.program == ProgramState::Running || m_inputs.program == ProgramState::Paused) {
+        return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+    }
+    return loop->handle(command);
+}
+
+void Cycle::publish(const CycleStats& stats) noexcept {
+    Status& status = m_rings.status.writeSlot();
+    status.machineTime_ns = m_inputs.time_ns;
+    status.cycle = m_cycles;
+    status.link = m_inputs.link;
+    status.machineOn = m_inputs.machineOn;
+    status.emergencyStop = m_inputs.emergencyStop;
+    status.feedHold = m_inputs.feedHold;
+    status.held = m_supervisor.held();
+    status.partsBlocked = m_events.partsBlocked();
+    status.operatorOverride = m_inputs.operatorOverride;
+    status.simulationSpeed = m_simulationSpeed;
+    status.feedScale = m_outputs.feedScale;
+    status.feedScaleLimited = m_limitReport.feedScale;
+    status.actualFeed_mmPerS = m_inputs.actualFeed_mmPerS;
+    status.spindleSpeed_rpm = m_inputs.spindleSpeed_rpm;
+    status.position_mm = m_inputs.position_mm;
+    status.workOffset_um = m_outputs.workOffset_um;
+    status.program = m_inputs.program;
+    status.programProcess = m_inputs.programProcess;
+    status.partSequence = m_inputs.partSequence;
+    status.lastCommand = m_recentCommands[0];
+    status.recentCommands = m_recentCommands;
+    for (const ProcessId id : kAllProcesses) {
+        const auto index = static_cast<std::size_t>(id);
+        status.loops[index] = m_supervisor.describe(id, m_byProcess[index] != nullptr, m_verdicts[index], m_inputs,
+                                                    m_port.capabilities());
+        if (m_byProcess[index] != nullptr) {
+            m_byProcess[index]->report(status);
+        }
+    }
+    status.stats = stats;
+    status.stats.droppedSamples = m_rings.samples.refused();
+    m_rings.status.publish();
+}
+
+void Cycle::emitSample(std::int64_t wallTime_ns) noexcept {
+    Sample sample;
+    sample.machineTime_ns = m_inputs.time_ns;
+    sample.wallTime_ns = wallTime_ns;
+    sample.feed_mmPerS = static_cast<float>(m_inputs.actualFeed_mmPerS.value);
+    sample.cutting = m_inputs.program == ProgramState::Running;
+    for (const auto& loop : m_loops) {
+        loop->sample(sample);
+    }
+    (void)m_rings.samples.tryPush(sample);  // refused ones are counted by the ring
+}
+
+}  // namespace kerf

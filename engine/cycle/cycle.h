@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/api/status.h"
+#include "engine/core/latest_value.h"
+#include "engine/core/spsc_ring.h"
+#include "engine/limits/output_limiter.h"
+#include "engine/cycle/event_sink.h"
+#include "engine/cycle/process_loop.h"
+#include "engine/cycle/supervisor.h"
+
+namespace kerf {
+
+/// Carriers between the engine thread and the others. Made once, before the thread starts.
+struct EngineRings {
+    SpscRing<Command> commands{64};
+    SpscRing<Sample> samples{8192};
+    SpscRing<AlarmEvent> alarms{256};
+    SpscRing<PartRecord> parts{64};
+    LatestValue<Status> status{};
+    std::atomic<std::uint32_t> holdsAsked{0};  ///< counts presses of hold-all
+};
+
+/// One step of the engine: read the machine, take commands, run the loops, limit, write. Has no clock and no thread;
+/// whoever calls step() decides what time is, so the console and the headless program run the same code.
+///
+/// step() neither allocates, locks, throws, logs nor blocks (tests/engine/loop/tst_cycle_guard).
+class Cycle {
+ public:
+    Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits,
+          EngineRings& rings);
+
+    void step(std::int64_t now_ns) noexcept;
+    /// Copy the state to LatestValue; the engine thread does this once per wake-up.
+    void publish(const CycleStats& stats) noexcept;
+    /// Push one chart sample; a full ring drops and counts it.
+    void emitSample(std::int64_t wallTime_ns) noexcept;
+    /// The engine missed many deadlines lately (or no longer does).
+    void reportOverruns(bool many) noexcept { m_events.set(4, many); }
+
+    [[nodiscard]] double simulationSpeed() const noexcept { return m_simulationSpeed; }
+    [[nodiscard]] const MachineInputs& inputs() const noexcept { return m_inputs; }
+    [[nodiscard]] const MachineOutputs& outputs() const noexcept { return m_outputs; }
+    [[nodiscard]] const std::vector<std::unique_ptr<ProcessLoop>>& loops() const noexcept { return m_loops; }
+
+ private:
+    void takeCommands() noexcept;
+    [[nodiscard]] CommandResult execute(const Command& command) noexcept;
+    [[nodiscard]] CommandResult startPart(const Command& command, ProcessId process) noexcept;
+    [[nodiscard]] ProcessLoop* find(ProcessId id) const noexcept { return m_byProcess[static_cast<std::size_t>(id)]; }
+    void watchMachine() noexcept;
+
+    MachinePort& m_port;
+    std::vector<std::unique_ptr<ProcessLoop>> m_loops;
+    std::array<ProcessLoop*, kProcessCount> m_byProcess{};
+    EngineRings& m_rings;
+    EventSink m_events;
+    Supervisor m_supervisor;
+    OutputLimiter m_limiter;
+    MachineInputs m_inputs{};
+    MachineOutputs m_outputs{};
+    LimitReport m_limitReport{};
+    std::array<LoopOutputs, kProcessCount> m_wishes{};
+    std::array<LoopVerdict, kProcessCount> m_verdicts{};
+    std::array<LoopMode, kProcessCount> m_modes{};
+    std::array<CommandResult, 8> m_recentCommands{};
+    std::int64_t m_lastTime_ns{0};
+    std::uint64_t m_cycles{0};
+    std::uint32_t m_holdsTaken{0};
+    bool m_linkWasUp{false};
+    double m_simulationSpeed{1.0};
+};
+
+}  // namespace kerf

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "engine/api/command.h"
+#include "engine/core/alarm.h"
+#include "engine/core/process.h"
+#include "engine/limits/loop_outputs.h"
+#include "engine/port/machine_port.h"
+
+namespace kerf {
+
+struct Status;
+struct Sample;
+struct EventSink;
+
+/// The state of a loop with the sentence that says why.
+struct LoopVerdict {
+    LoopState state{LoopState::Off};
+    Sentence reason{};
+};
+
+/// Binds one law to the machine port: states, alarms, commands. One object per process, owned by the cycle.
+///
+/// All methods run in the cycle: no allocation, lock, throw, log or I/O. Time comes with the inputs.
+class ProcessLoop {
+ public:
+    ProcessLoop() = default;
+    ProcessLoop(const ProcessLoop&) = delete;
+    ProcessLoop& operator=(const ProcessLoop&) = delete;
+    virtual ~ProcessLoop() = default;
+
+    [[nodiscard]] virtual ProcessId id() const noexcept = 0;
+    /// The alarms this loop can raise; the array lives as long as the program.
+    [[nodiscard]] virtual std::span<const AlarmSpec> alarms() const noexcept = 0;
+    /// A command for this process, already numbered. Refusal carries the operator's sentence.
+    [[nodiscard]] virtual CommandResult handle(const Command& command) noexcept = 0;
+    /// The mode asked by the operator. Off and Advise must be bumpless at once.
+    virtual void setMode(LoopMode mode) noexcept = 0;
+    /// One cycle, in every mode. `outputs` arrives empty; unless the mode is Control, the cycle discards what the loop
+    /// puts there (so advising runs exactly the code of controlling).
+    [[nodiscard]] virtual LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities,
+                                           LoopOutputs& outputs, EventSink& events) noexcept = 0;
+    /// Copy the loop's own figures into its part of the status.
+    virtual void report(Status& status) const noexcept = 0;
+    /// Put the loop's own figures into a chart sample; called about 100 times a second.
+    virtual void sample(Sample& sample) const noexcept = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/machine/simulated/simulated_milling.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/core/units.h"
+
+namespace kerf {
+
+SimulatedMilling::SimulatedMilling(const Params& params) : m_params(params), m_noise(params.seed) {
+    assert(!m_params.blanks.empty());
+    for (milling::BlankProfile& blank : m_params.blanks) {
+        blank = blank.inAir(true, true);
+    }
+}
+
+void SimulatedMilling::fit(Capabilities& capabilities) const {
+    capabilities.forceSensor.fitted = true;
+    capabilities.forceSensor.why = Sentence{};
+}
+
+Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t /*partSequence*/) noexcept {
+    const bool sound = program.programmedFeed_mmPerRev > 0.0 && program.spindleSpeed_rpm > 0.0 &&
+                       program.to_mm > program.from_mm && std::isfinite(program.to_mm - program.from_mm) &&
+                       std::isfinite(program.programmedFeed_mmPerRev * program.spindleSpeed_rpm);
+    if (!sound) {
+        return fail(KERF_TEXT("The milling program needs feed and speed above zero and an end beyond its start."));
+    }
+    m_program = program;
+    const double wear = m_params.wearPerPart * m_partsWithTool.fetch_add(1, std::memory_order_relaxed);
+    m_cut.begin(m_params.plant, m_params.blanks[m_partsBegun % m_params.blanks.size()],
+                m_params.plant.cuttingCoefficient * std::exp(wear), program.from_mm);
+    ++m_partsBegun;
+    m_feed_mmPerS = 0.0;
+    m_running = true;
+    return {};
+}
+
+void SimulatedMilling::cut(const SimulationStep& step, double speed_rpm) noexcept {
+    const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
+    const double wanted_mmPerS = programmed_mmPerS * step.feedFactor;
+    m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * (1.0 - std::exp(-step.dt_s / m_params.driveLag_s));
+    m_cut.step(m_feed_mmPerS * step.dt_s, speed_rpm / 60.0 * step.dt_s, step.faults->toolBroken ? 0.02 : 1.0);
+}
+
+void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
+                                   MachineInputs& inputs) noexcept {
+    m_samplesOwed += step.dt_s * m_params.sampleRate_Hz;
+    const double owed = std::floor(m_samplesOwed);
+    m_samplesOwed -= owed;
+    const auto count = static_cast<std::size_t>(std::min(owed, static_cast<double>(kMaxFastSamples)));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i + 1) / static_cast<double>(count);
+        const double ago_s = (1.0 - share) * step.dt_s;
+        FastSample& sample = inputs.fast[i];
+        sample.spindleAngle_rev = step.spindleAngle_rev + speed_rpm / 60.0 * step.dt_s * share;
+        const double mean_N = std::lerp(forceBefore_N, m_cut.force_N(), share);
+        double force_N = milling::sampledForce_N(m_params.shape, mean_N, sample.spindleAngle_rev) +
+                         m_params.sampleNoise_N * m_noise.gauss();
+        SignalFault fault = step.faults->force;
+        if (fault == SignalFault::None && std::abs(force_N) > m_params.sensorRange_N) {
+            force_N = std::copysign(m_params.sensorRange_N, force_N);
+            fault = SignalFault::Saturated;
+        }
+        const auto stamp_ns = step.now_ns - static_cast<std::int64_t>(ago_s * kNanosecondPerSecond);
+        const Reading reading = simulatedReading(force_N, stamp_ns, fault, m_lastSample_N);
+        sample.stamp_ns = reading.stamp_ns;
+        sample.force_N = reading.value;
+        sample.quality = reading.quality;
+        m_lastSample_N = reading;
+    }
+    inputs.fastCount = static_cast<std::uint16_t>(count);
+}
+
+bool SimulatedMilling::advance(const SimulationStep& step, MachineInputs& inputs) noexcept {
+    const double speed_rpm = m_running ? m_program.spindleSpeed_rpm * step.spindleFactor : 0.0;
+    const double forceBefore_N = m_cut.force_N();
+    if (m_running) {
+        cut(step, speed_rpm);
+        if (m_cut.axis_mm() >= m_program.to_mm) {
+            m_running = false;
+        }
+    }
+    if (!m_running && inputs.programProcess != ProcessId::Milling) {
+        return m_running;
+    }
+    if (!m_running) {  // the tool has left the work
+        m_cut.leaveWork();
+        m_feed_mmPerS = 0.0;
+    }
+    sampleForce(step, speed_rpm, forceBefore_N, inputs);
+    const InjectedFaults& faults = *step.faults;
+    const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
+    inputs.spindleSpeed_rpm = simulatedReading(speed_rpm, step.now_ns, faults.spindleSpeed, m_lastSpeed_rpm);
+    inputs.actualFeed_mmPerS = simulatedReading(m_feed_mmPerS, step.now_ns, faults.actualFeed, m_lastFeed_mmPerS);
+    inputs.programmedFeed_mmPerS = {m_running ? programmed_mmPerS : 0.0, step.now_ns, Quality::Good};
+    inputs.position_mm[0] = {m_cut.axis_mm(), step.now_ns, Quality::Good};
+    m_lastSpeed_rpm = inputs.spindleSpeed_rpm;
+    m_lastFeed_mmPerS = inputs.actualFeed_mmPerS;
+    return m_running;
+}
+
+}  // namespace kerf

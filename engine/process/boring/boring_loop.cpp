@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/boring/boring_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/process/boring/boring_alarms.h"
+#include "engine/cycle/event_sink.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kFollowTolerance = 0.05;                   // share of the wanted feed
+constexpr std::int64_t kFollowPatience_ns = 2'000'000'000;  // machine time
+constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Boring) + 1U) << 24U;
+
+bool usable(const BoringSchedule& s) {
+    const bool numbers = std::isfinite(s.lnC) && std::isfinite(s.beta) && s.alpha > 0.0 && std::isfinite(s.alpha);
+    const bool law = s.constantFeed_mmPerRev > 0.0 || (numbers && s.targetDeflection_mm > 0.0);
+    return law && s.minFeed_mmPerRev > 0.0 && s.maxFeed_mmPerRev >= s.minFeed_mmPerRev && s.overhangFrom_mm > 0.0 &&
+           s.overhangTo_mm > s.overhangFrom_mm && s.spindleSpeed_rpm > 0.0;
+}
+
+}  // namespace
+
+std::span<const AlarmSpec> BoringLoop::alarms() const noexcept {
+    return boring_alarm::kSpecs;
+}
+
+CommandResult BoringLoop::handle(const Command& command) noexcept {
+    if (const auto* load = std::get_if<LoadBoringSchedule>(&command.action)) {
+        if (!usable(load->schedule)) {
+            return CommandResult::refused(
+                Sentence(KERF_TEXT("The feed schedule has a value outside its range; the last one stays.")));
+        }
+        m_next = load->schedule;
+        return CommandResult::ok();
+    }
+    if (std::holds_alternative<StartPart>(command.action)) {
+        if (m_next.revision == 0) {
+            return CommandResult::refused(
+                Sentence(KERF_TEXT("No feed schedule is loaded: choose a part type and a lot first.")));
+        }
+        m_startWanted = true;
+        return CommandResult::ok();
+    }
+    return CommandResult::refused(Sentence(KERF_TEXT("The boring loop does not know this command.")));
+}
+
+LoopVerdict BoringLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                             EventSink& events) noexcept {
+    if (m_startWanted) {
+        m_startWanted = false;
+        StartProgram program;
+        program.process = ProcessId::Boring;
+        program.programmedFeed_mmPerRev = m_next.highestFeed_mmPerRev();
+        program.spindleSpeed_rpm = m_next.spindleSpeed_rpm;
+        program.from_mm = m_next.overhangFrom_mm;
+        program.to_mm = m_next.overhangTo_mm;
+        outputs.request.number = kRequestBase + ++m_requestCount;
+        outputs.request.action = program;
+    }
+
+    const bool ours = inputs.programProcess == ProcessId::Boring && inputs.link == LinkState::Up;
+    const bool running = ours && (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
+    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
+        if (m_inPart) {
+            m_part.complete = false;
+            endPart(inputs, events);
+        }
+        beginPart(inputs);
+    }
+    if (m_inPart && ours && !running) {
+        m_part.complete = inputs.program == ProgramState::Finished;
+        endPart(inputs, events);
+    }
+    m_status.cutting = m_inPart && running;
+    m_status.overhang_mm = inputs.overhang_mm;
+    m_status.nextSchedule = m_next.revision;
+    if (!m_inPart || !running) {
+        events.clear(boring_alarm::kOverhangLost);
+        events.clear(boring_alarm::kSpindleSpeedLost);
+        events.clear(boring_alarm::kFeedNotFollowing);
+        const char* idle = m_mode == LoopMode::Control
+                               ? KERF_TEXT("Ready: the next bore is cut with the schedule shown.")
+                               : KERF_TEXT("Ready: the next bore is cut at its programmed feed.");
+        return {m_mode == LoopMode::Control ? LoopState::Controlling : LoopState::Advising, Sentence(idle)};
+    }
+    return follow(inputs, capabilities, outputs, events);
+}
+
+LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                               EventSink& events) noexcept {
+    const BoringSchedule& schedule = m_part.schedule;
+    const bool overhangKnown = inputs.overhang_mm.good() && inputs.overhang_mm.value > 0.0;
+    const bool speedKnown = inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value > 0.0;
+    events.set(boring_alarm::kOverhangLost, !overhangKnown);
+    events.set(boring_alarm::kSpindleSpeedLost, !inputs.spindleSpeed_rpm.good());
+    m_status.feed_mmPerRev = {};
+    if (schedule.revision == 0) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("No feed schedule is loaded: this bore is cut at its programmed feed."))};
+    }
+    if (!overhangKnown) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Spindle overhang unknown: the feed stays where it is."))};
+    }
+    const double overhang_mm = inputs.overhang_mm.value;
+    const double wanted_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
+    m_status.wantedFeed_mmPerRev = wanted_mmPerRev;
+    const double length_mm = schedule.overhangTo_mm - schedule.overhangFrom_mm;
+    m_status.progress = std::clamp((overhang_mm - schedule.overhangFrom_mm) / length_mm, 0.0, 1.0);
+    if (!speedKnown) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Spindle speed unknown or zero: the feed stays where it is."))};
+    }
+    const double perRev = 60.0 / inputs.spindleSpeed_rpm.value;
+    if (inputs.actualFeed_mmPerS.good()) {
+        const double actual_mmPerRev = inputs.actualFeed_mmPerS.value * perRev;
+        m_status.feed_mmPerRev = {actual_mmPerRev, inputs.actualFeed_mmPerS.stamp_ns, Quality::Good};
+        const double remaining_mm = std::max(schedule.overhangTo_mm - overhang_mm, 0.0);
+        m_status.remaining_s =
+            inputs.actualFeed_mmPerS.value > 0.0 ? remaining_mm / inputs.actualFeed_mmPerS.value : 0.0;
+        trace(overhang_mm, actual_mmPerRev);
+        const bool off = m_mode == LoopMode::Control && !inputs.feedHold &&
+                         std::abs(actual_mmPerRev - wanted_mmPerRev) > kFollowTolerance * wanted_mmPerRev;
+        m_offScheduleSince_ns = !off ? -1 : m_offScheduleSince_ns < 0 ? inputs.time_ns : m_offScheduleSince_ns;
+        events.set(boring_alarm::kFeedNotFollowing, off && inputs.time_ns - m_offScheduleSince_ns > kFollowPatience_ns);
+    }
+    if (!inputs.programmedFeed_mmPerS.good() || inputs.programmedFeed_mmPerS.value <= 0.0) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Programmed feed unknown: the feed stays where it is."))};
+    }
+    const double scale = wanted_mmPerRev / (inputs.programmedFeed_mmPerS.value * perRev);
+    outputs.feedScale = scale;
+    if (scale > capabilities.maxFeedScale * (1.0 + 1e-9)) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("The schedule wants %1 of the programmed feed; this control allows %2."), {scale, 2},
+                         {capabilities.maxFeedScale, 2})};
+    }
+    if (wanted_mmPerRev != schedule.unclampedFeed_mmPerRev(overhang_mm)) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit."),
+                         {schedule.minFeed_mmPerRev, 3}, {schedule.maxFeed_mmPerRev, 3})};
+    }
+    return {LoopState::Controlling, Sentence(KERF_TEXT("The feed follows the schedule along the bore."))};
+}
+
+void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
+    m_part = PartRecord{};
+    m_part.process = ProcessId::Boring;
+    m_part.partSequence = inputs.partSequence;
+    m_part.begin_ns = inputs.time_ns;
+    m_part.schedule = m_next;
+    m_lastSequence = inputs.partSequence;
+    m_inPart = true;
+    m_offScheduleSince_ns = -1;
+    m_status.activeSchedule = m_next.revision;
+    m_status.progress = 0.0;
+}
+
+void BoringLoop::endPart(const MachineInputs& inputs, EventSink& events) noexcept {
+    m_part.end_ns = inputs.time_ns;
+    events.finishPart(m_part);
+    m_inPart = false;
+    m_status.partsCut += m_part.complete ? 1U : 0U;
+}
+
+void BoringLoop::trace(double overhang_mm, double feed_mmPerRev) noexcept {
+    FeedTrace& feed = m_part.feed;
+    const BoringSchedule& schedule = m_part.schedule;
+    const double spacing_mm =
+        (schedule.overhangTo_mm - schedule.overhangFrom_mm) / static_cast<double>(kFeedTracePoints - 1);
+    // Points missed by a late cycle are made up for on the way, not at one place.
+    const bool moved =
+        feed.count == 0 || overhang_mm >= static_cast<double>(feed.overhang_mm[feed.count - 1U]) + 0.5 * spacing_mm;
+    if (feed.count < kFeedTracePoints && moved &&
+        overhang_mm >= schedule.overhangFrom_mm + spacing_mm * feed.count - 1e-9) {
+        feed.overhang_mm[feed.count] = static_cast<float>(overhang_mm);
+        feed.feed_mmPerRev[feed.count] = static_cast<float>(feed_mmPerRev);
+        ++feed.count;
+    }
+}
+
+void BoringLoop::report(Status& status) const noexcept {
+    status.boring = m_status;
+}
+
+void BoringLoop::sample(Sample& sample) const noexcept {
+    sample.feed_mmPerRev = static_cast<float>(m_status.feed_mmPerRev.value);
+    sample.wantedFeed_mmPerRev = static_cast<float>(m_status.wantedFeed_mmPerRev);
+    sample.overhang_mm = static_cast<float>(m_status.overhang_mm.value);
+}
+
+}  // namespace kerf

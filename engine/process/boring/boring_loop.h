@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/api/status.h"
+#include "engine/cycle/process_loop.h"
+
+namespace kerf {
+
+/// Follows the feed schedule along the bore: feedScale = S(L) / programmed feed, and records what was really cut.
+///
+/// A part keeps the schedule it began with; a schedule loaded meanwhile waits for the next part. Off or advising, the
+/// program runs at its own constant feed. Without a good overhang or spindle speed the loop asks for nothing, and
+/// engine/limits keeps the last scale.
+class BoringLoop final : public ProcessLoop {
+ public:
+    [[nodiscard]] ProcessId id() const noexcept override { return ProcessId::Boring; }
+    [[nodiscard]] std::span<const AlarmSpec> alarms() const noexcept override;
+    [[nodiscard]] CommandResult handle(const Command& command) noexcept override;
+    void setMode(LoopMode mode) noexcept override { m_mode = mode; }
+    [[nodiscard]] LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                                   EventSink& events) noexcept override;
+    void report(Status& status) const noexcept override;
+    void sample(Sample& sample) const noexcept override;
+
+ private:
+    void beginPart(const MachineInputs& inputs) noexcept;
+    void endPart(const MachineInputs& inputs, EventSink& events) noexcept;
+    [[nodiscard]] LoopVerdict follow(const MachineInputs& inputs, const Capabilities& capabilities,
+                                     LoopOutputs& outputs, EventSink& events) noexcept;
+    void trace(double overhang_mm, double feed_mmPerRev) noexcept;
+
+    LoopMode m_mode{LoopMode::Off};
+    BoringSchedule m_next{};
+    PartRecord m_part{};
+    bool m_inPart{false};
+    bool m_startWanted{false};
+    std::uint32_t m_requestCount{0};
+    std::uint32_t m_lastSequence{0};
+    std::int64_t m_offScheduleSince_ns{-1};
+    BoringStatus m_status{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/boring/feed_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::boring {
+namespace {
+
+constexpr double kPaperMinAlpha = 1e-3;
+constexpr double kPaperMaxAlpha = 1e3;
+constexpr double kTwoSided95 = 1.959963984540054;
+
+bool atLimit(const BoringSchedule& schedule, double overhang_mm) noexcept {
+    const double wanted = schedule.unclampedFeed_mmPerRev(overhang_mm);
+    return !(wanted >= schedule.minFeed_mmPerRev && wanted <= schedule.maxFeed_mmPerRev);
+}
+
+}  // namespace
+
+FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev) {
+    FeedLawParams params;
+    params.targetDeflection_mm = targetDeflection_mm;
+    params.firstFeed_mmPerRev = firstFeed_mmPerRev;
+    if (kind == EstimatorKind::Perturbation) {
+        params.minAlpha = kPaperMinAlpha;
+        params.maxAlpha = kPaperMaxAlpha;
+    }
+    return params;
+}
+
+FeedAdvice adviseFeed(const EstimatorState& state, const FeedLawParams& params) noexcept {
+    return adviseFeed(estimateOf(state), workingLnFeed(state), params);
+}
+
+FeedAdvice adviseFeed(const Estimate& estimate, double workingPoint, const FeedLawParams& params) noexcept {
+    FeedAdvice advice;
+    BoringSchedule& schedule = advice.schedule;
+    schedule.targetDeflection_mm = params.targetDeflection_mm;
+    schedule.minFeed_mmPerRev = params.minFeed_mmPerRev;
+    schedule.maxFeed_mmPerRev = params.maxFeed_mmPerRev;
+    schedule.overhangFrom_mm = params.overhangFrom_mm;
+    schedule.overhangTo_mm = params.overhangTo_mm;
+    schedule.spindleSpeed_rpm = params.spindleSpeed_rpm;
+    if (!estimate.ready) {
+        schedule.constantFeed_mmPerRev = params.firstFeed_mmPerRev;
+        return advice;
+    }
+    schedule.alpha = std::clamp(estimate.law.alpha, params.minAlpha, params.maxAlpha);
+    schedule.beta = estimate.law.beta;
+    schedule.lnC = estimate.law.lnC + (estimate.law.alpha - schedule.alpha) * workingPoint;
+    if (schedule.alpha != estimate.law.alpha) {
+        advice.limited = true;
+        advice.reason = Sentence(KERF_TEXT("The estimated exponent α = %1 is outside %2 to %3 and was clipped."),
+                                 SentenceArg(estimate.law.alpha, 3), SentenceArg(params.minAlpha, 2),
+                                 SentenceArg(params.maxAlpha, 2));
+    }
+    for (const double overhang_mm : {params.overhangFrom_mm, params.overhangTo_mm}) {
+        if (atLimit(schedule, overhang_mm)) {
+            advice.limited = true;
+            advice.reason = Sentence(
+                KERF_TEXT("The best feed at %1 mm overhang lies outside %2 to %3 mm/rev; it sits at the limit."),
+                SentenceArg(overhang_mm, 0), SentenceArg(params.minFeed_mmPerRev, 3),
+                SentenceArg(params.maxFeed_mmPerRev, 3));
+        }
+    }
+    return advice;
+}
+
+Measurement measurementAt(const BoringSchedule& schedule, double overhang_mm, double deflection_mm) noexcept {
+    return {overhang_mm, schedule.feed_mmPerRev(overhang_mm), deflection_mm, atLimit(schedule, overhang_mm)};
+}
+
+std::optional<DeflectionPrediction> predict(const EstimatorState& state, const EstimatorParams& params,
+                                            double feed_mmPerRev, double overhang_mm) noexcept {
+    const Estimate estimate = estimateOf(state);
+    if (!estimate.ready) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d x(1.0, std::log(feed_mmPerRev), std::log(overhang_mm));
+    const double expected_mm = std::exp(x.dot(vectorOf(estimate.law)));
+    double variance = std::max(0.0, x.dot(matrixOf(estimate.covariance) * x));  // of ln d
+    if (params.kind == EstimatorKind::Kalman) {
+        variance += params.kalman.quiet.level * params.kalman.quiet.level;
+    }
+    const double sigma_mm = params.sigma_mm();
+    return DeflectionPrediction{expected_mm,
+                                kTwoSided95 * std::sqrt(variance * expected_mm * expected_mm + sigma_mm * sigma_mm)};
+}
+
+GateAnswer judgeEntry(const EstimatorState& state, const EstimatorParams& params,
+                      const Measurement& measurement) noexcept {
+    if (!std::isfinite(measurement.deflection_mm)) {
+        return {GateVerdict::Refuse, Sentence(KERF_TEXT("The entry is not a number."))};
+    }
+    if (measurement.deflection_mm <= 0.0) {
+        return {GateVerdict::Refuse,
+                Sentence(KERF_TEXT("The spindle cannot bend by %1 mm; its deflection must be above 0. Measure again."),
+                         SentenceArg(measurement.deflection_mm, 4))};
+    }
+    const Estimate estimate = estimateOf(state);
+    const LawConstants& law = estimate.ready ? estimate.law : params.kalman.prior;
+    const double expected_mm = deflection_mm(law, measurement.feed_mmPerRev, measurement.overhang_mm);
+    if (std::abs(std::log(measurement.deflection_mm / expected_mm)) > kGateLn) {
+        return {
+            GateVerdict::Ask,
+            Sentence(KERF_TEXT("A deflection of %1 mm was expected, the entry means %2 mm. Measure again or confirm."),
+                     SentenceArg(expected_mm, 4), SentenceArg(measurement.deflection_mm, 4))};
+    }
+    return {};
+}
+
+}  // namespace kerf::boring

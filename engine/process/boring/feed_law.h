@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/process/boring/boring_types.h"
+#include "engine/process/boring/estimator.h"
+#include "engine/core/sentence.h"
+
+/// From an estimate to the feed schedule of the next part, to the bore it predicts, and to the gate for entries.
+namespace kerf::boring {
+
+/// What the feed schedule may be. Feed mm/rev, overhang mm.
+struct FeedLawParams {
+    double targetDeflection_mm{kTableTargetDeflection_mm};  ///< d0 > 0
+    double firstFeed_mmPerRev{0.5};                         ///< S0: constant, until the law is known
+    double minFeed_mmPerRev{0.005};                         ///< > 0
+    double maxFeed_mmPerRev{2.0};                           ///< > min
+    double minAlpha{0.25};                                  ///< > 0: α used by the law is clipped here …
+    double maxAlpha{1.2};                                   ///< … to here
+    double overhangFrom_mm{kTableOverhangFrom_mm};
+    double overhangTo_mm{kTableOverhangTo_mm};
+    double spindleSpeed_rpm{400.0};
+};
+/// Limits that belong to an estimator. Both clamp the feed as the paper does, to [.005, 2]; a part type's recipe may be
+/// narrower. The paper leaves α alone, so its clip is a mere guard against a division by zero.
+[[nodiscard]] FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev);
+
+struct FeedAdvice {
+    BoringSchedule schedule{};
+    bool limited{false};  ///< α clipped, or the optimum lies outside the feed range somewhere on the bore
+    Sentence reason{};    ///< why it is limited; empty when it is not
+};
+
+/// Eq. 3 with the estimate. When α is clipped, ln C moves with it so that the deflection at the working point stays.
+[[nodiscard]] FeedAdvice adviseFeed(const EstimatorState& state, const FeedLawParams& params) noexcept;
+/// The same from an estimate and its working point (mean ln S of the newest part).
+[[nodiscard]] FeedAdvice adviseFeed(const Estimate& estimate, double workingLnFeed,
+                                    const FeedLawParams& params) noexcept;
+
+/// A measurement of a part that was cut with `schedule` (or really cut with `feed_mmPerRev`, where the trace says so).
+[[nodiscard]] Measurement measurementAt(const BoringSchedule& schedule, double overhang_mm,
+                                        double deflection_mm) noexcept;
+
+/// The deflection that will be measured, with the 95 % interval of the measurement (estimate and gauge).
+struct DeflectionPrediction {
+    double deflection_mm{0.0};
+    double half95_mm{0.0};
+};
+/// Empty before the first part. @pre feed and overhang positive
+[[nodiscard]] std::optional<DeflectionPrediction> predict(const EstimatorState& state, const EstimatorParams& params,
+                                                          double feed_mmPerRev, double overhang_mm) noexcept;
+
+/// |ln(d/d_predicted)| above this asks "measure again or confirm".
+inline constexpr double kGateLn = 1.2;
+
+enum class GateVerdict : std::uint8_t { Accept, Ask, Refuse };
+struct GateAnswer {
+    GateVerdict verdict{GateVerdict::Accept};
+    Sentence reason{};
+};
+/// Judges a deflection before anything is stored. Before the first part the prior of the law stands in for the
+/// prediction.
+[[nodiscard]] GateAnswer judgeEntry(const EstimatorState& state, const EstimatorParams& params,
+                                    const Measurement& measurement) noexcept;
+
+}  // namespace kerf::boring

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/boring/kalman_estimator.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::boring {
+namespace {
+
+constexpr int kMaxDepths = static_cast<int>(kMaxBoreDepths);
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxDepths, 1>;
+using Design = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxDepths, 3>;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxDepths, kMaxDepths>;
+using Gain = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxDepths>;
+
+constexpr std::array<double, kMaxBoreDepths> kChiSquare{13.831084, 17.034386, 19.656116, 22.004581,
+                                                        24.185464, 26.249856, 28.227094, 30.135882};
+constexpr int kMaxSteps = 12;
+constexpr int kMaxHalvings = 6;
+constexpr double kSmallStep = 1e-10;        // of ln d
+constexpr double kLargestLnD = 5.0;         // keeps a wild step finite
+constexpr double kLeastProbability = 1e-4;  // neither model is ever ruled out
+constexpr double kLargestLogOdds = 50.0;
+
+struct Gaussian {
+    Eigen::Vector3d mean;
+    Eigen::Matrix3d p;
+};
+
+struct Posterior {
+    Gaussian theta;
+    double cost;        ///< T²
+    double lnEvidence;  ///< up to a constant common to all models
+};
+
+/// The part's bores as the update needs them.
+struct Bores {
+    Design x;
+    Vector d_mm;
+};
+
+Bores boresOf(const PartVisit& visit) noexcept {
+    Bores bores{Design(visit.count, 3), Vector(visit.count)};
+    for (Eigen::Index i = 0; i < visit.count; ++i) {
+        const Measurement& m = visit.rows[static_cast<std::size_t>(i)];
+        bores.x.row(i) << 1.0, std::log(m.feed_mmPerRev), std::log(m.overhang_mm);
+        bores.d_mm(i) = m.deflection_mm;
+    }
+    return bores;
+}
+
+Vector predicted_mm(const Bores& bores, const Eigen::Vector3d& theta) noexcept {
+    return (bores.x * theta).array().min(kLargestLnD).exp().matrix();
+}
+
+/// From centred (level, α, β) to (ln C, α, β).
+Eigen::Matrix3d uncentring(const KalmanState& point) noexcept {
+    Eigen::Matrix3d t = Eigen::Matrix3d::Identity();
+    t(0, 1) = -point.lnFeed;
+    t(0, 2) = -point.lnOverhang;
+    return t;
+}
+
+Eigen::Matrix3d covarianceOf(const KalmanParams::Spread& spread, double parts, const KalmanState& point) noexcept {
+    const Eigen::Vector3d variance(spread.level * spread.level, spread.alpha * spread.alpha, spread.beta * spread.beta);
+    const Eigen::Matrix3d t = uncentring(point);
+    return t * (parts * variance).asDiagonal() * t.transpose();
+}
+
+/// Scales a covariance down where its centred spreads pass the ceiling; a congruence, so it stays positive definite.
+Eigen::Matrix3d bounded(const Eigen::Matrix3d& p, const KalmanParams::Spread& ceiling,
+                        const KalmanState& point) noexcept {
+    const Eigen::Matrix3d t = uncentring(point);
+    Eigen::Matrix3d centring = Eigen::Matrix3d::Identity();
+    centring(0, 1) = point.lnFeed;
+    centring(0, 2) = point.lnOverhang;
+    const Eigen::Matrix3d centred = centring * p * centring.transpose();
+    const Eigen::Vector3d limit(ceiling.level, ceiling.alpha, ceiling.beta);
+    const Eigen::Vector3d scale = (limit.array() / centred.diagonal().array().sqrt()).min(1.0);
+    if (scale.minCoeff() >= 1.0) {
+        return p;
+    }
+    return t * (scale.asDiagonal() * centred * scale.asDiagonal()) * t.transpose();
+}
+
+/// The most probable θ given a prior and the bores, its covariance (Joseph form) and how well both agree.
+Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) noexcept {
+    const double r = sigma_mm * sigma_mm;
+    const Eigen::LDLT<Eigen::Matrix3d> priorInverse(prior.p);
+    const auto costOf = [&](const Eigen::Vector3d& theta, const Vector& dHat_mm) {
+        const Eigen::Vector3d delta = theta - prior.mean;
+        return delta.dot(priorInverse.solve(delta)) + (bores.d_mm - dHat_mm).squaredNorm() / r;
+    };
+    Design h;
+    Eigen::LLT<Square> innovation;
+    const auto linearise = [&](const Vector& dHat_mm) {
+        h = dHat_mm.asDiagonal() * bores.x;
+        Square s = h * prior.p * h.transpose();
+        s.diagonal().array() += r;
+        innovation.compute(s);
+    };
+
+    // First step in ln d, about the measured values themselves: right at once after a large change.
+    Vector dHat_mm = bores.d_mm.cwiseMax(sigma_mm);
+    Vector z = dHat_mm.cwiseProduct(dHat_mm.array().log().matrix() - bores.x * prior.mean);
+    Eigen::Vector3d theta = prior.mean;
+    double cost = 0.0;
+    for (int step = 0; step < kMaxSteps; ++step) {
+        linearise(dHat_mm);
+        Eigen::Vector3d next = prior.mean + prior.p * h.transpose() * innovation.solve(z);
+        Vector nextD_mm = predicted_mm(bores, next);
+        double nextCost = costOf(next, nextD_mm);
+        for (int half = 0; step > 0 && half < kMaxHalvings && nextCost > cost; ++half) {
+            next = 0.5 * (next + theta);
+            nextD_mm = predicted_mm(bores, next);
+            nextCost = costOf(next, nextD_mm);
+        }
+        if (step > 0 && nextCost > cost) {
+            break;
+        }
+        const double moved = (bores.x * (next - theta)).cwiseAbs().maxCoeff();
+        theta = next;
+        cost = nextCost;
+        dHat_mm = nextD_mm;
+        z = bores.d_mm - dHat_mm + dHat_mm.asDiagonal() * (bores.x * (theta - prior.mean));
+        if (step > 0 && moved < kSmallStep) {
+            break;
+        }
+    }
+    linearise(dHat_mm);
+    const Gain gain = innovation.solve(h * prior.p).transpose();
+    const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - gain * h;
+    double lnDeterminant = 0.0;
+    for (Eigen::Index i = 0; i < bores.d_mm.size(); ++i) {
+        lnDeterminant += 2.0 * std::log(innovation.matrixLLT()(i, i));
+    }
+    const Eigen::Matrix3d p = rest * prior.p * rest.transpose() + r * gain * gain.transpose();
+    return {{theta, 0.5 * (p + p.transpose())}, cost, -0.5 * (cost + lnDeterminant)};
+}
+
+Gaussian gaussianOf(const KalmanMode& mode) noexcept {
+    return {vectorOf(mode.law), matrixOf(mode.covariance)};
+}
+KalmanMode modeOf(const Gaussian& g) noexcept {
+    return {lawOf(g.mean), boring::covarianceOf(g.p)};
+}
+
+/// Mean and covariance of a two-part mixture; `share` is the weight of the second.
+Gaussian mixture(const Gaussian& first, const Gaussian& second, double share) noexcept {
+    const Eigen::Vector3d apart = second.mean - first.mean;
+    return {first.mean + share * apart,
+            (1.0 - share) * first.p + share * second.p + share * (1.0 - share) * apart * apart.transpose()};
+}
+
+void beginWeights(KalmanState& state, const KalmanParams& params, const Gaussian& g) noexcept {
+    state.modes.fill(modeOf(g));
+    state.movingProbability = params.startMoving / (params.startMoving + params.stopMoving);
+}
+
+}  // namespace
+
+double changeThreshold(std::size_t bores) noexcept {
+    return kChiSquare[std::clamp<std::size_t>(bores, 1, kMaxBoreDepths) - 1];
+}
+
+Estimate combined(const KalmanState& state) noexcept {
+    const KalmanMode mode =
+        modeOf(mixture(gaussianOf(state.modes[kQuiet]), gaussianOf(state.modes[kMoving]), state.movingProbability));
+    return {state.ready, mode.law, mode.covariance};
+}
+
+KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
+                   ChangeKnowledge knowledge) noexcept {
+    if (visit.count == 0) {
+        return before;
+    }
+    const Bores bores = boresOf(visit);
+    KalmanState state = before;
+    state.part = visit.part;
+    state.lnFeed = bores.x.col(1).mean();
+    state.lnOverhang = bores.x.col(2).mean();
+    bool changed = false;
+    double t2 = 0.0;
+    if (!before.ready) {
+        const Gaussian prior{vectorOf(params.prior), covarianceOf(params.priorSpread, 1.0, state)};
+        beginWeights(state, params, posterior(prior, bores, params.sigma_mm).theta);
+        state.ready = true;
+    } else {
+        const double parts = visit.part > before.part ? static_cast<double>(visit.part - before.part) : 1.0;
+        const double wasMoving = before.movingProbability;
+        const double moving = (1.0 - wasMoving) * params.startMoving + wasMoving * (1.0 - params.stopMoving);
+        const Gaussian quiet = gaussianOf(before.modes[kQuiet]);
+        const Gaussian movingBefore = gaussianOf(before.modes[kMoving]);
+        std::array<Gaussian, kKalmanModels> prior{
+            mixture(quiet, movingBefore, wasMoving * params.stopMoving / (1.0 - moving)),
+            mixture(quiet, movingBefore, wasMoving * (1.0 - params.stopMoving) / moving)};
+        prior[kQuiet].p = bounded(prior[kQuiet].p + covarianceOf(params.quiet, parts, state), params.ceiling, state);
+        prior[kMoving].p = bounded(prior[kMoving].p + covarianceOf(params.moving, parts, state), params.ceiling, state);
+
+        Gaussian weighted = mixture(prior[kQuiet], prior[kMoving], moving);
+        t2 = posterior(weighted, bores, params.sigma_mm).cost;
+        changed = knowledge == ChangeKnowledge::Changed ||
+                  (knowledge == ChangeKnowledge::Unknown && t2 > changeThreshold(visit.count));
+        if (changed) {
+            weighted.p += covarianceOf(params.change, 1.0, state);
+            beginWeights(state, params, posterior(weighted, bores, params.sigma_mm).theta);
+        } else {
+            const Posterior asQuiet = posterior(prior[kQuiet], bores, params.sigma_mm);
+            const Posterior asMoving = posterior(prior[kMoving], bores, params.sigma_mm);
+            const double logOdds = std::log(moving / (1.0 - moving)) + asMoving.lnEvidence - asQuiet.lnEvidence;
+            const double odds = std::exp(std::clamp(logOdds, -kLargestLogOdds, kLargestLogOdds));
+            state.modes = {modeOf(asQuiet.theta), modeOf(asMoving.theta)};
+            state.movingProbability = std::clamp(odds / (1.0 + odds), kLeastProbability, 1.0 - kLeastProbability);
+        }
+    }
+    if (outcome != nullptr) {
+        *outcome = {combined(state), changed, t2};
+    }
+    return state;
+}
+
+}  // namespace kerf::boring

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/feed_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kerf::milling {
+namespace {
+constexpr double kThinnest_mm = 0.02;  // a depth the preview may take the logarithm of
+}
+
+FeedController::FeedController(const Params& params, LawKind law) noexcept
+    : m_params(params), m_law(law), m_estimator(params.stiffness), m_pi(params.pi) {}
+
+void FeedController::select(LawKind law) noexcept {
+    m_changed = m_changed || law != m_law;
+    m_law = law;
+}
+
+void FeedController::follow(double feed_mmPerS) noexcept {
+    m_feed_mmPerS = feed_mmPerS;
+    m_changed = true;
+}
+
+void FeedController::resumeAfterPause() noexcept {
+    m_estimator.leaveWork();
+    m_revolutionsInWork = 0;
+    follow(std::min(m_feed_mmPerS, m_params.entryFeed_mmPerS));
+}
+
+void FeedController::setPeriod(int revolutions) noexcept {
+    if (revolutions != m_period) {
+        m_estimator.shift(-m_params.stiffness.assume.exponent * std::log(static_cast<double>(revolutions) / m_period));
+        m_period = revolutions;
+    }
+}
+
+void FeedController::beginCut() noexcept {
+    m_estimator.leaveWork();
+    m_pi.resume(0.0, 0.0);
+    m_feed_mmPerS = 0.0;
+    m_blend_mmPerS = 0.0;
+    m_changed = false;
+    m_revolutionsInWork = 0;
+}
+
+double FeedController::lnDepthAt(double position_mm) const noexcept {
+    // The cut is at the tool's tip, which its deflection holds back behind the axis.
+    const double theta = m_params.stiffness.assume.forceAngle_deg * std::numbers::pi / 180.0;
+    const StiffnessEstimate& now = m_estimator.estimate();
+    const double behind_mm = now.valid ? now.force_N * std::cos(theta) / (std::sin(theta) * now.kx_NPerMm) : 0.0;
+    return std::log(std::max(m_blank.engagedDepth_mm(position_mm - behind_mm, m_params.toolRadius_mm), kThinnest_mm));
+}
+
+void FeedController::estimate(const RevolutionInput& input) noexcept {
+    if (!input.force_N) {
+        m_estimator.coast(input.feed_mmPerRev);
+    } else if (*input.force_N < m_estimator.airForce_N()) {
+        m_estimator.leaveWork();
+        m_revolutionsInWork = 0;
+    } else {
+        const bool preview = m_law == LawKind::Preview && m_blank.size() > 0;
+        m_estimator.update(*input.force_N, input.feed_mmPerRev, preview ? m_lnDepthNow - m_lnDepthBefore : 0.0);
+        ++m_revolutionsInWork;
+    }
+    if (m_blank.size() > 0) {
+        const double lnDepth = lnDepthAt(input.position_mm);
+        m_lnDepthBefore = m_depthKnown ? m_lnDepthNow : lnDepth;
+        m_lnDepthNow = lnDepth;
+        m_depthKnown = true;
+    }
+}
+
+double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept {
+    switch (m_law) {
+        case LawKind::Constant:
+            return m_params.programmedFeed_mmPerS;
+        case LawKind::Pi:
+            if (input.overridden && *input.force_N < m_params.reference_N) {  // more feed would not arrive
+                m_pi.resume(m_feed_mmPerS, m_params.reference_N - *input.force_N);
+                return m_feed_mmPerS;
+            }
+            return m_pi.update(m_params.reference_N - *input.force_N, input.revolution_s, m_params.range);
+        case LawKind::Model:
+        case LawKind::Preview:
+            break;
+    }
+    const InversionModel model{m_params.stiffness.assume.exponent, m_params.stiffness.assume.forceAngle_deg,
+                               m_estimator.estimate().kx_NPerMm};
+    return modelFeed_mmPerRev(m_params.model, model, m_estimator.estimate(), knownChange, m_params.reference_N,
+                              m_revolutionsInWork) /
+           input.revolution_s;
+}
+
+FeedDecision FeedController::update(const RevolutionInput& input) noexcept {
+    FeedDecision decision;
+    estimate(input);
+    const FeedRange& range = m_params.range;
+    if (m_changed && m_law == LawKind::Pi && input.force_N) {
+        m_pi.resume(m_feed_mmPerS, m_params.reference_N - *input.force_N);
+    }
+    if (!input.force_N) {
+        decision.blind = true;
+        m_feed_mmPerS = std::min(m_feed_mmPerS, m_params.programmedFeed_mmPerS);
+        m_changed = true;  // come back bumpless from the feed the blind loop held
+        decision.feed_mmPerS = m_feed_mmPerS;
+        return decision;
+    }
+    decision.inAir = !m_estimator.estimate().valid;
+    const bool model = m_law == LawKind::Model || m_law == LawKind::Preview;
+    if (decision.inAir && (model || (m_law == LawKind::Pi && m_params.entryGuard))) {
+        m_blend_mmPerS = 0.0;
+        m_changed = false;
+        m_feed_mmPerS = std::clamp(m_params.entryFeed_mmPerS, range.min_mmPerS, range.max_mmPerS);
+        m_pi.resume(m_feed_mmPerS, m_params.reference_N - *input.force_N);
+        decision.feed_mmPerS = m_feed_mmPerS;
+        return decision;
+    }
+    const double wanted_mmPerS = lawFeed_mmPerS(input, m_lnDepthNow - m_lnDepthBefore);
+    m_blend_mmPerS = m_changed ? m_feed_mmPerS - wanted_mmPerS : m_params.blendMemory * m_blend_mmPerS;
+    m_changed = false;
+    if (m_blend_mmPerS > 0.0 && *input.force_N > m_params.reference_N) {
+        m_blend_mmPerS = 0.0;
+    }
+    const double blended_mmPerS = wanted_mmPerS + m_blend_mmPerS;
+    m_feed_mmPerS = std::clamp(blended_mmPerS, range.min_mmPerS, range.max_mmPerS);
+    decision.feed_mmPerS = m_feed_mmPerS;
+    decision.limited = m_feed_mmPerS != blended_mmPerS;
+    decision.blend_mmPerS = m_blend_mmPerS;
+    return decision;
+}
+
+}  // namespace kerf::milling

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/feed_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kerf::milling {
+
+double PiLaw::update(double error_N, double revolution_s, const FeedRange& range) noexcept {
+    const double alpha = (m_params.kp_mmPerSPerN - m_params.ki_mmPerSPerN) / m_params.kp_mmPerSPerN;
+    const double k0_mmPerSPerN = m_params.kp_mmPerSPerN * (m_params.nominalRevolution_s / revolution_s);
+    m_feed_mmPerS += k0_mmPerSPerN * (error_N - alpha * m_lastError_N);
+    m_feed_mmPerS = std::clamp(m_feed_mmPerS, range.min_mmPerS, range.max_mmPerS);
+    m_lastError_N = error_N;
+    return m_feed_mmPerS;
+}
+
+Inversion invert(const InversionModel& model, double lnCb, double force_N, double reference_N) noexcept {
+    const double theta = model.forceAngle_deg * std::numbers::pi / 180.0;
+    const double perNewton_mm = std::cos(theta) / (std::sin(theta) * model.kx_NPerMm);  // δ_x per newton of F_y
+    Inversion plan;
+    plan.steady_mmPerRev = std::exp((std::log(reference_N / std::sin(theta)) - lnCb) / model.exponent);
+    plan.deadbeat_mmPerRev = plan.steady_mmPerRev + (reference_N - force_N) * perNewton_mm;
+    return plan;
+}
+
+double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& model, const StiffnessEstimate& estimate,
+                          double knownChange, double reference_N, int revolutionsInWork) noexcept {
+    const double lead = estimate.slope > 0.0 ? params.leadHarder : params.leadEasier;
+    const Inversion plan =
+        invert(model, estimate.lnCb + lead * estimate.slope + knownChange, estimate.force_N, reference_N);
+    double share = plan.deadbeat_mmPerRev > plan.steady_mmPerRev ? params.recover : params.backOff;
+    if (revolutionsInWork < params.entryRevolutions) {
+        share *= params.entryShare;
+    }
+    return plan.steady_mmPerRev + share * (plan.deadbeat_mmPerRev - plan.steady_mmPerRev);
+}
+
+}  // namespace kerf::milling

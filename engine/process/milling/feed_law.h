@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/process/milling/stiffness_estimator.h"
+
+/// The laws, one revolution at a time. Pure but for the two numbers the PI law carries; all run in the cycle: no
+/// allocation, lock, throw or I/O. Forces in N ≥ 0, feeds in mm/s or mm/rev ≥ 0. FeedController chooses and guards.
+namespace kerf::milling {
+
+/// Feed the machine accepts.
+struct FeedRange {
+    double min_mmPerS{0.0};
+    double max_mmPerS{4.0};
+};
+
+/// PI law in velocity form, the paper's, with its misprint corrected:
+///
+///   u(i) = u(i−1) + k0 (e(i) − α e(i−1)),  k0 = k_p, α = (k_p − k_i)/k_p,  e = r − F_y   (22-27)
+///
+/// The print has the other sign of e, which stalls the feed. The stored u is the clamped one (anti-windup).
+/// Gains hold for `nominalRevolution_s`; at another speed they follow T, so that the loop per revolution stays the
+/// same.
+class PiLaw {
+ public:
+    struct Params {
+        double kp_mmPerSPerN{0.75 * 0.0254};  ///< k_p: pulse/s per N times the pulse, > 0
+        double ki_mmPerSPerN{0.15 * 0.0254};  ///< k_i, ≥ 0
+        double nominalRevolution_s{0.1};
+    };
+    PiLaw() noexcept = default;
+    explicit PiLaw(const Params& params) noexcept : m_params(params) {}
+
+    /// Feed for the coming revolution; `error_N` = reference − averaged force, `revolution_s` > 0.
+    [[nodiscard]] double update(double error_N, double revolution_s, const FeedRange& range) noexcept;
+    /// Continue from another law's feed: the next output differs from it only by what the error does from here on.
+    void resume(double feed_mmPerS, double error_N) noexcept {
+        m_feed_mmPerS = feed_mmPerS;
+        m_lastError_N = error_N;
+    }
+
+ private:
+    Params m_params{};
+    double m_feed_mmPerS{0.0};
+    double m_lastError_N{0.0};
+};
+
+/// What a model law plans one revolution with.
+struct InversionModel {
+    double exponent{0.85};
+    double forceAngle_deg{45.0};
+    double kx_NPerMm{70.0 * kNewtonPerKilogramForce};
+};
+
+/// The two feeds a model law steers between.
+struct Inversion {
+    double deadbeat_mmPerRev{0.0};  ///< reaches the reference within this revolution; may be negative
+    double steady_mmPerRev{0.0};    ///< keeps the reference for ever
+};
+
+/// Feed per revolution that brings F_y from `force_N` to `reference_N` > 0 if ln(C b) is `lnCb` in the coming
+/// revolution: l* = (F_c*/(C b))^(1/m); steady f = l*; deadbeat f = l* + δ_x* − δ_x (equations 1-6 solved for f_r).
+[[nodiscard]] Inversion invert(const InversionModel& model, double lnCb, double force_N, double reference_N) noexcept;
+
+/// How a model law mixes the two: all the way when it must back off, more gently when it may recover; and how far it
+/// trusts the slope of the estimate, more when the cut grows harder.
+struct ModelLawParams {
+    double backOff{1.0};      ///< share of the deadbeat feed when the force is above the reference, [0, 1]
+    double recover{0.55};     ///< when it is below, [0, backOff]
+    double leadHarder{1.3};   ///< revolutions ahead on a rising slope
+    double leadEasier{0.70};  ///< on a falling one
+    double entryShare{0.5};   ///< of both shares during the first `entryRevolutions` in the work
+    int entryRevolutions{15};
+};
+
+/// Feed per revolution of the model law; `knownChange`: change of ln b in the coming revolution from a blank profile.
+[[nodiscard]] double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& model,
+                                        const StiffnessEstimate& estimate, double knownChange, double reference_N,
+                                        int revolutionsInWork) noexcept;
+
+}  // namespace kerf::milling

@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/milling_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/units.h"
+#include "engine/cycle/event_sink.h"
+#include "engine/process/milling/milling_alarms.h"
+#include "engine/process/milling/milling_setup.h"
+
+namespace kerf {
+namespace {
+
+using milling::FeedController;
+
+constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Milling) + 1U) << 24U;
+constexpr double kStanding = 0.02;          // share of the planned feed below which the axis counts as standing
+constexpr double kSpindleSlow = 0.5;        // share of the programmed speed
+constexpr double kRunUp_s = 0.3;            // the axis may go on before the spindle has been up to speed
+constexpr double kKnobAtRest = 0.005;       // deviation of the feed knob from 100 % that does not count
+constexpr double kPatience_s = 2.0;         // at a feed limit before the operator is told
+constexpr double kShortestPeriod_s = 0.06;  // of the law: three times the lag of a usual drive
+constexpr double kInWork = 0.5;             // share of the reference from which a collapse can be told
+constexpr double kSpeedTolerance = 0.3;
+constexpr double kPeakOverLimit = 2.0;  // a single sample this far over the limit stops at once
+
+bool cutting(const MachineInputs& inputs) {
+    return inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused;
+}
+
+Sentence forceDetail(Quality quality) {
+    switch (quality) {
+        case Quality::Missing:
+            return Sentence(KERF_TEXT("The force sensor is not plugged in."));
+        case Quality::Stale:
+            return Sentence(KERF_TEXT("The force signal is old."));
+        case Quality::Saturated:
+            return Sentence(KERF_TEXT("The force signal is at the end of its range."));
+        case Quality::Bad:
+        case Quality::Good:
+            break;
+    }
+    return Sentence(KERF_TEXT("The force signal is stuck or not a number."));
+}
+
+}  // namespace
+
+MillingLoop::MillingLoop() noexcept : m_controller(FeedController::Params(), MillingLaw::Model) {}
+
+std::span<const AlarmSpec> MillingLoop::alarms() const noexcept {
+    return milling_alarm::kSpecs;
+}
+
+CommandResult MillingLoop::handle(const Command& command) noexcept {
+    if (const auto* loaded = std::get_if<LoadMillingSetup>(&command.action)) {
+        return load(loaded->setup);
+    }
+    if (const auto* loaded = std::get_if<LoadMillingBlank>(&command.action)) {
+        return load(loaded->blank);
+    }
+    if (const auto* wanted = std::get_if<SetMillingLaw>(&command.action)) {
+        return select(wanted->law);
+    }
+    if (const auto* wanted = std::get_if<SetMillingReference>(&command.action)) {
+        return setReference(wanted->reference_N);
+    }
+    if (std::holds_alternative<TeachMillingReference>(command.action)) {
+        const double mean_N = m_record.cut().meanForce_N;
+        if (mean_N <= 0.0) {
+            return CommandResult::refused(
+                Sentence(KERF_TEXT("No cut to learn from yet: mill one part, advising or controlled.")));
+        }
+        return setReference(mean_N);
+    }
+    if (std::holds_alternative<ReleaseMillingStop>(command.action)) {
+        m_releaseWanted = m_stopAlarm != 0;
+        return CommandResult::ok();
+    }
+    if (const auto* restored = std::get_if<RestoreMillingTool>(&command.action)) {
+        return load(restored->tool);
+    }
+    if (std::holds_alternative<NewMillingTool>(command.action)) {
+        if (m_inPart) {
+            return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+        }
+        m_wear.reset();
+        m_controller.newTool();
+        return CommandResult::ok();
+    }
+    if (std::holds_alternative<StartPart>(command.action)) {
+        if (m_setup.revision == 0) {
+            return CommandResult::refused(Sentence(KERF_TEXT("No milling setup is loaded.")));
+        }
+        m_startWanted = true;
+        return CommandResult::ok();
+    }
+    return CommandResult::refused(Sentence(KERF_TEXT("The milling loop does not know this command.")));
+}
+
+CommandResult MillingLoop::load(const MillingSetup& setup) noexcept {
+    if (m_inPart) {
+        return CommandResult::refused(
+            Sentence(KERF_TEXT("A part is being cut: law and reference can be changed now, the rest after it.")));
+    }
+    if (const std::optional<Sentence> why = milling::whyUnusable(setup)) {
+        return CommandResult::refused(*why);
+    }
+    if (setup.law == MillingLaw::Preview && m_blank.count == 0) {
+        return CommandResult::refused(whyUnavailable(setup.law));
+    }
+    const auto kx = m_controller.kxLogWeights();  // the tool's, not the setup's
+    m_setup = setup;
+    m_law = setup.law;
+    m_controller = FeedController(milling::controllerParams(setup), m_law);
+    m_controller.setBlank(milling::profileOf(m_blank));
+    (void)m_controller.restoreKx(kx);
+    return CommandResult::ok();
+}
+
+CommandResult MillingLoop::load(const MillingToolState& tool) noexcept {
+    if (m_inPart) {
+        return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+    }
+    const bool sound = std::isfinite(tool.firstStiffness) && std::isfinite(tool.lastStiffness) &&
+                       std::isfinite(tool.sumRise) && std::isfinite(tool.sumIndexRise) &&
+                       m_controller.restoreKx(tool.kxLogWeight);
+    if (!sound) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The stored state of the tool cannot be used.")));
+    }
+    m_wear.restore(tool);
+    return CommandResult::ok();
+}
+
+CommandResult MillingLoop::load(const MillingBlank& blank) noexcept {
+    if (m_inPart) {
+        return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+    }
+    if (const std::optional<Sentence> why = milling::whyUnusable(blank)) {
+        return CommandResult::refused(*why);
+    }
+    m_blank = blank;
+    m_controller.setBlank(milling::profileOf(blank));
+    if (m_law == MillingLaw::Preview && blank.count == 0) {
+        (void)select(MillingLaw::Model);
+    }
+    return CommandResult::ok();
+}
+
+Sentence MillingLoop::whyUnavailable(MillingLaw law) const noexcept {
+    if (law != MillingLaw::Constant && !m_forceFitted) {
+        return Sentence(KERF_TEXT("This machine has no force sensor."));
+    }
+    if (law == MillingLaw::Preview && m_blank.count == 0) {
+        return Sentence(KERF_TEXT("No blank profile is loaded: enter or import one."));
+    }
+    return {};
+}
+
+CommandResult MillingLoop::select(MillingLaw law) noexcept {
+    if (static_cast<std::size_t>(law) >= kMillingLawCount) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The milling loop does not know this command.")));
+    }
+    if (const Sentence why = whyUnavailable(law); !why.empty()) {
+        return CommandResult::refused(why);
+    }
+    m_law = law;
+    m_setup.law = law;
+    m_controller.select(law);
+    return CommandResult::ok();
+}
+
+CommandResult MillingLoop::setReference(double reference_N) noexcept {
+    MillingSetup changed = m_setup;
+    changed.reference_N = reference_N;
+    if (const std::optional<Sentence> why = milling::whyUnusable(changed)) {
+        return CommandResult::refused(*why);
+    }
+    m_setup.reference_N = reference_N;
+    m_controller.setReference(reference_N);
+    return CommandResult::ok();
+}
+
+void MillingLoop::setMode(LoopMode mode) noexcept {
+    if (mode == LoopMode::Control && m_mode != LoopMode::Control) {
+        if (m_inPart && !m_paused) {  // from the feed really made on, not from what advising would have made
+            m_wanted_mmPerS =
+                std::min(m_feedKnown ? m_made_mmPerS : m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS);
+        }
+        m_controller.follow(m_wanted_mmPerS);
+        m_releaseWanted = m_stopAlarm != 0;  // what was only reported must not hold the feed now
+    }
+    m_mode = mode;
+}
+
+void MillingLoop::requestStart(const Capabilities& capabilities, LoopOutputs& outputs) noexcept {
+    // A control that only slows down needs the highest feed in its program; one that can speed up gets the planned one.
+    const double planned_mmPerS = m_setup.plannedFeed_mmPerS;
+    const double programmed_mmPerS =
+        m_mode == LoopMode::Control
+            ? std::max(planned_mmPerS, m_setup.highestFeed_mmPerS / std::max(capabilities.maxFeedScale, 1.0))
+            : planned_mmPerS;
+    StartProgram program;
+    program.process = ProcessId::Milling;
+    program.programmedFeed_mmPerRev = programmed_mmPerS * 60.0 / m_setup.spindleSpeed_rpm;
+    program.spindleSpeed_rpm = m_setup.spindleSpeed_rpm;
+    program.from_mm = m_setup.from_mm;
+    program.to_mm = m_setup.to_mm;
+    outputs.request.number = kRequestBase + ++m_requestCount;
+    outputs.request.action = program;
+}
+
+LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                              EventSink& events) noexcept {
+    m_forceFitted = capabilities.forceSensor.fitted;
+    if (m_startWanted) {
+        m_startWanted = false;
+        requestStart(capabilities, outputs);
+    }
+    const bool ours = inputs.programProcess == ProcessId::Milling && inputs.link == LinkState::Up;
+    const bool running = ours && cutting(inputs);
+    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
+        if (m_inPart) {
+            endPart(inputs, false, events);
+        }
+        beginPart(inputs);
+    }
+    if (m_inPart && ours && !running) {
+        endPart(inputs, inputs.program == ProgramState::Finished, events);
+    }
+    m_status.cutting = m_inPart && running;
+    if (!m_status.cutting) {
+        for (const AlarmSpec& alarm : milling_alarm::kSpecs) {
+            if (alarm.code != milling_alarm::kToolWorn) {
+                events.clear(alarm.code);
+            }
+        }
+        events.set(milling_alarm::kToolWorn, m_wear.parts() > 0 && m_wear.rise() > m_setup.wearWarning,
+                   Sentence(KERF_TEXT("The cutting stiffness has risen by %1 % since the tool was new."),
+                            {100.0 * (std::exp(m_wear.rise()) - 1.0), 0}));
+        m_last_ns = inputs.time_ns;
+        const bool control = m_mode == LoopMode::Control;
+        return {control ? LoopState::Controlling : LoopState::Advising,
+                control ? Sentence(KERF_TEXT("Ready: the next cut holds the reference force."))
+                        : Sentence(KERF_TEXT("Ready: the next cut is made at its planned feed."))};
+    }
+    return control(inputs, outputs, events);
+}
+
+void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
+    m_part = PartRecord{};
+    m_part.process = ProcessId::Milling;
+    m_part.partSequence = inputs.partSequence;
+    m_part.begin_ns = inputs.time_ns;
+    m_lastSequence = inputs.partSequence;
+    m_inPart = true;
+    m_paused = true;
+    m_stopAlarm = 0;
+    m_releaseWanted = false;
+    m_limitedSince_ns = -1;
+    m_spindleWas = false;
+    m_runUp_s = 0.0;
+    m_last_ns = inputs.time_ns;
+    m_travel_mm = 0.0;
+    m_markTravel_mm = 0.0;
+    m_revolution_s = 60.0 / m_setup.spindleSpeed_rpm;
+    m_wanted_mmPerS = std::min(m_setup.entryFeed_mmPerS, m_setup.highestFeed_mmPerS);
+    m_controller.beginCut();
+    m_controller.follow(m_wanted_mmPerS);
+    m_averager.reset();
+    beginGroup();
+    milling::ForceWatch::Params watch;
+    watch.flutes = m_setup.flutes;
+    watch.inWork_N = kInWork * m_setup.reference_N;
+    m_watch = milling::ForceWatch(watch);
+    m_decision = {};
+    m_record = milling::CutRecord(milling::recordParams(m_setup), m_law, m_mode != LoopMode::Control);
+    m_status.waviness_um = 0.0;
+    m_status.wallDeviation_um = 0.0;
+    m_status.force_N = {};
+}
+
+void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
+    m_part.complete = complete;
+    m_part.end_ns = inputs.time_ns;
+    m_part.milling = m_record.cut();
+    m_part.forceMean_N = m_part.milling.meanForce_N;
+    m_part.forcePeak_N = m_part.milling.peakForce_N;
+    events.finishPart(m_part);
+    m_inPart = false;
+    m_stopAlarm = 0;
+    m_status.partsCut += complete ? 1U : 0U;
+    if (complete && m_part.milling.stiffnessMean != 0.0) {
+        m_wear.addPart(m_part.milling.stiffnessMean);
+    }
+}
+
+void MillingLoop::takeSamples(const MachineInputs& inputs) noexcept {
+    m_cyclePeak_N = 0.0;
+    for (std::size_t i = 0; i < inputs.fastCount && i < kMaxFastSamples; ++i) {
+        const FastSample& sample = inputs.fast[i];
+        m_watch.add(sample);
+        if (sample.quality == Quality::Good && std::isfinite(sample.force_N)) {
+            const auto force_N = static_cast<float>(sample.force_N);
+            m_rawLow_N = m_rawTaken ? force_N : std::min(m_rawLow_N, force_N);
+            m_rawHigh_N = m_rawTaken ? force_N : std::max(m_rawHigh_N, force_N);
+            m_rawTaken = false;
+            m_cyclePeak_N = std::max(m_cyclePeak_N, sample.force_N);
+        }
+        if (const auto revolution = m_averager.add(sample)) {
+            takeRevolution(*revolution, inputs);
+        }
+    }
+}
+
+void MillingLoop::takeRevolution(const milling::RevolutionForce& revolution, const MachineInputs& inputs) noexcept {
+    // Times come with the samples; what does not fit the spindle's speed is not believed.
+    const double bySpeed_s = inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value > 1.0
+                                 ? 60.0 / inputs.spindleSpeed_rpm.value
+                                 : m_revolution_s;
+    const bool fits = std::abs(revolution.duration_s() / bySpeed_s - 1.0) < kSpeedTolerance;
+    m_revolution_s = fits ? revolution.duration_s() : bySpeed_s;
+    const bool trusted = revolution.quality == Quality::Good && m_feedKnown;
+    m_status.force_N = {revolution.mean_N, revolution.end_ns, revolution.quality};
+    m_status.forceLow_N = revolution.low_N;
+    m_status.forceHigh_N = revolution.peak_N;
+    const double force_N = std::max(0.0, revolution.mean_N);
+    if (m_paused) {
+        m_watch.disarm();
+        return;
+    }
+    if (trusted) {
+        m_status.wallDeviation_um = force_N / m_setup.ky_NPerMm * 1e3;
+    }
+    m_groupForce_N += force_N;
+    m_group_s += m_revolution_s;
+    m_groupTrusted = m_groupTrusted && trusted;
+    ++m_groupCount;
+    if (m_groupCount < m_controller.period() && trusted) {
+        return;
+    }
+    const double since_s = trusted ? static_cast<double>(inputs.time_ns - revolution.end_ns) * 1e-9 : 0.0;
+    const double atMark_mm = m_travel_mm - (trusted ? inputs.actualFeed_mmPerS.value * since_s : 0.0);
+    const double feed_mm = std::max(0.0, atMark_mm - m_markTravel_mm);
+    m_markTravel_mm = atMark_mm;
+    takePeriod(feed_mm, inputs);
+    beginGroup();
+    // Faster than drive and control can follow there is nothing to gain: average over more whole revolutions.
+    m_controller.setPeriod(std::max(1, static_cast<int>(std::ceil(kShortestPeriod_s / m_revolution_s - 1e-6))));
+}
+
+void MillingLoop::beginGroup() noexcept {
+    m_groupForce_N = 0.0;
+    m_group_s = 0.0;
+    m_groupCount = 0;
+    m_groupTrusted = true;
+}
+
+void MillingLoop::takePeriod(double feed_mm, const MachineInputs& inputs) noexcept {
+    const double force_N = m_groupForce_N / m_groupCount;
+    if (m_mode != LoopMode::Control && m_law == MillingLaw::Pi) {
+        m_controller.follow(feed_mm / m_group_s);  // its integral must not run away on a feed it does not make
+    }
+    const bool overridden = std::abs(inputs.operatorOverride - 1.0) > kKnobAtRest;
+    m_decision = m_controller.update(
+        {m_groupTrusted ? std::optional(force_N) : std::nullopt, feed_mm, m_status.position_mm, m_group_s, overridden});
+    m_wanted_mmPerS = m_decision.feed_mmPerS;
+    if (!m_groupTrusted) {
+        return;
+    }
+    milling::StiffnessEstimate stiffness = m_controller.stiffness();
+    const double steady_mmPerS =
+        milling::invert(milling::inversionModel(m_setup, stiffness), stiffness.lnCb, force_N, m_setup.reference_N)
+            .steady_mmPerRev /
+        m_group_s;
+    const double controlled_mmPerS =
+        stiffness.valid ? std::clamp(steady_mmPerS, m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS) : 0.0;
+    stiffness.lnCb = lnCb();
+    m_record.add({m_status.position_mm, force_N, m_group_s, feed_mm / m_group_s, controlled_mmPerS, stiffness});
+}
+
+double MillingLoop::lnCb() const noexcept {
+    return m_controller.stiffness().lnCb + m_setup.exponent * std::log(static_cast<double>(m_controller.period()));
+}
+
+void MillingLoop::stop(AlarmCode code, const Sentence& detail, EventSink& events) noexcept {
+    if (m_stopAlarm == 0) {
+        m_stopAlarm = code;
+        m_record.countStop();
+        events.raise(code, detail);
+    }
+}
+
+void MillingLoop::watchForStops(const MachineInputs& inputs, EventSink& events) noexcept {
+    if (m_releaseWanted) {
+        m_releaseWanted = false;
+        events.clear(m_stopAlarm);
+        m_stopAlarm = 0;
+        m_watch.disarm();
+        m_status.force_N = {};
+    }
+    const bool turns =
+        inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value >= kSpindleSlow * m_setup.spindleSpeed_rpm;
+    // A spindle that has not been up to speed in this cut may be running up; but not while the axis goes on.
+    m_spindleWas = m_spindleWas || turns;
+    m_runUp_s = turns || m_paused ? 0.0 : m_runUp_s + m_cycle_s;
+    if (!turns && (m_spindleWas || m_runUp_s > kRunUp_s)) {
+        stop(milling_alarm::kSpindleStopped, {}, events);
+    }
+    if (m_paused) {
+        return;
+    }
+    if (m_watch.collapsed()) {
+        stop(milling_alarm::kToolBroken, {}, events);
+    }
+    const double force_N = std::max(m_status.force_N.good() ? m_status.force_N.value : 0.0, m_watch.revolutionMean_N());
+    if (force_N > m_setup.overload_N || m_cyclePeak_N > kPeakOverLimit * m_setup.overload_N) {
+        stop(milling_alarm::kOverload,
+             Sentence(KERF_TEXT("%1 N at %2 mm; the limit is %3 N."), {std::max(force_N, m_cyclePeak_N), 0},
+                      {m_status.position_mm, 1}, {m_setup.overload_N, 0}),
+             events);
+    }
+}
+
+LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
+    const double dt_s = static_cast<double>(inputs.time_ns - m_last_ns) / kNanosecondPerSecond;
+    m_last_ns = inputs.time_ns;
+    m_cycle_s = dt_s;
+    m_feedKnown = inputs.actualFeed_mmPerS.good();
+    if (m_feedKnown) {
+        m_made_mmPerS = inputs.actualFeed_mmPerS.value;
+        m_travel_mm += m_made_mmPerS * dt_s;
+    }
+    m_status.position_mm = inputs.position_mm[0].good() ? inputs.position_mm[0].value : m_setup.from_mm + m_travel_mm;
+    const bool standing =
+        inputs.feedHold || (m_feedKnown && inputs.actualFeed_mmPerS.value < kStanding * m_setup.plannedFeed_mmPerS);
+    if (m_paused && !standing) {
+        m_controller.resumeAfterPause();
+        m_wanted_mmPerS = std::min(m_wanted_mmPerS, m_setup.entryFeed_mmPerS);
+        m_averager.reset();
+        m_markTravel_mm = m_travel_mm;
+        beginGroup();
+    }
+    m_paused = standing;
+    takeSamples(inputs);
+    const bool lastSpoiled = m_status.force_N.stamp_ns != 0 && m_status.force_N.quality != Quality::Good;
+    const bool blind = m_watch.blind(inputs.time_ns, m_revolution_s) || !m_feedKnown || lastSpoiled;
+    m_status.blind = blind;
+    if (blind) {  // at once, not only when the revolution is over
+        m_wanted_mmPerS = std::min(m_wanted_mmPerS, m_setup.plannedFeed_mmPerS);
+    }
+    // With the constant law nothing is controlled, but breakage and overload are watched: that must not end in silence.
+    const bool watched = m_law != MillingLaw::Constant || m_forceFitted;
+    const bool forceBlind = blind && m_feedKnown && watched && !m_paused;
+    events.set(milling_alarm::kForceUnknown, forceBlind, forceDetail(m_watch.quality()));
+    events.set(milling_alarm::kFeedUnknown, !m_feedKnown);
+    watchForStops(inputs, events);
+    m_limitedSince_ns = !m_decision.limited || m_paused ? -1
+                        : m_limitedSince_ns < 0         ? inputs.time_ns
+                                                        : m_limitedSince_ns;
+    events.set(milling_alarm::kReferenceOutOfReach,
+               m_limitedSince_ns >= 0 &&
+                   static_cast<double>(inputs.time_ns - m_limitedSince_ns) > kPatience_s * kNanosecondPerSecond);
+    wish(inputs, outputs);
+
+    if (m_stopAlarm != 0 && m_mode != LoopMode::Control) {
+        return {LoopState::Advising, Sentence(KERF_TEXT("Control would have held the feed: see the alarm."))};
+    }
+    if (m_stopAlarm != 0) {
+        return {LoopState::Held, Sentence(KERF_TEXT("The feed is held: see the alarm, then release the feed here."))};
+    }
+    if (!m_feedKnown) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Feed really made is unknown: no faster than planned."))};
+    }
+    if (forceBlind) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Cutting force unknown: no faster than planned."))};
+    }
+    if (m_paused) {
+        return {LoopState::Controlling, Sentence(KERF_TEXT("The feed stands; control goes on with it."))};
+    }
+    if (m_law == MillingLaw::Constant) {
+        return {LoopState::Controlling, Sentence(KERF_TEXT("The planned feed is kept."))};
+    }
+    if (m_decision.inAir) {
+        return {LoopState::Controlling, Sentence(KERF_TEXT("In air: entry feed until the tool meets the work."))};
+    }
+    if (m_decision.limited) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("The reference force needs a feed outside %1 to %2 mm/s."),
+                                             {m_setup.lowestFeed_mmPerS, 2}, {m_setup.highestFeed_mmPerS, 2})};
+    }
+    return {LoopState::Controlling, Sentence(KERF_TEXT("The feed holds the reference force."))};
+}
+
+void MillingLoop::wish(const MachineInputs& inputs, LoopOutputs& outputs) const noexcept {
+    outputs.feedHold = m_stopAlarm != 0;
+    const Reading& programmed = inputs.programmedFeed_mmPerS;
+    if (!programmed.good() || programmed.value <= 0.0) {
+        return;  // engine/limits keeps the last scale
+    }
+    // A knob above 100 % does not lift the force over the reference; below, it is the operator's will.
+    const double knob = std::isfinite(inputs.operatorOverride) ? std::max(inputs.operatorOverride, 1.0) : 1.0;
+    outputs.feedScale = m_wanted_mmPerS / (programmed.value * knob);
+}
+
+double MillingLoop::gainMargin() const noexcept {
+    return milling::gainMargin(m_setup, m_law, m_controller.stiffness(), m_revolution_s * m_controller.period());
+}
+
+void MillingLoop::report(Status& status) const noexcept {
+    MillingStatus& out = status.milling;
+    out = m_status;
+    out.inAir = m_decision.inAir;
+    out.stopped = m_stopAlarm != 0;
+    out.law = m_law;
+    for (std::size_t i = 0; i < kMillingLawCount; ++i) {
+        out.lawUnavailable[i] = whyUnavailable(static_cast<MillingLaw>(i));
+    }
+    out.setup = m_setup.revision;
+    out.blank = m_blank.revision;
+    out.reference_N = m_setup.reference_N;
+    out.overload_N = m_setup.overload_N;
+    out.wantedFeed_mmPerS = m_wanted_mmPerS;
+    out.progress = std::clamp((m_status.position_mm - m_setup.from_mm) / (m_setup.to_mm - m_setup.from_mm), 0.0, 1.0);
+    out.revolution_s = m_revolution_s;
+    const milling::StiffnessEstimate& stiffness = m_controller.stiffness();
+    out.stiffnessKnown = stiffness.valid;
+    out.stiffness = lnCb();
+    out.stiffnessHalf95 = stiffness.half95;
+    out.kx_NPerMm = stiffness.kx_NPerMm;
+    out.waviness_um = m_record.cut().waviness_um;
+    out.gainMargin = gainMargin();
+    out.wear = m_wear.rise();
+    out.wearPerPart = m_wear.perPart();
+    out.partsWithTool = m_wear.parts();
+    out.wearWarning = m_setup.wearWarning;
+    m_wear.save(out.tool);
+    out.tool.kxLogWeight = m_controller.kxLogWeights();
+    const MillingCut& cut = m_record.cut();
+    out.overReference_s = cut.overReference_s;
+    out.peakForce_N = cut.peakForce_N;
+    out.peakAt_mm = cut.peakAt_mm;
+    out.meanForce_N = cut.meanForce_N;
+    out.stops = cut.stops;
+    out.savedTime_s = m_record.saved_s();
+}
+
+void MillingLoop::sample(Sample& sample) const noexcept {
+    if (!m_status.cutting) {
+        return;
+    }
+    sample.force_N = static_cast<float>(m_status.force_N.good() ? m_status.force_N.value : 0.0);
+    sample.forceLow_N = m_rawTaken ? 0.0F : m_rawLow_N;
+    sample.forceHigh_N = m_rawTaken ? 0.0F : m_rawHigh_N;
+    sample.wantedFeed_mmPerS = static_cast<float>(m_wanted_mmPerS);
+    sample.path_mm = static_cast<float>(m_status.position_mm);
+    sample.wallDeviation_um = static_cast<float>(m_status.wallDeviation_um);
+    m_rawTaken = true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/sampled_force.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace kerf::milling {
+
+double sampledForce_N(const ForceShape& shape, double meanForce_N, double angle_rev) noexcept {
+    const double turn = 2.0 * std::numbers::pi * (angle_rev - std::floor(angle_rev));
+    const double tooth = static_cast<double>(shape.flutes) * turn;
+    return meanForce_N *
+           (1.0 + shape.toothRipple * (std::cos(tooth) + 0.25 * std::cos(2.0 * tooth)) + shape.runOut * std::cos(turn));
+}
+
+}  // namespace kerf::milling

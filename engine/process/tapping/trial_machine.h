@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/random.h"
+#include "engine/process/tapping/tuner.h"
+
+namespace kerf::tapping {
+
+/// What a simulated machine adds to the clean drive.
+struct TrialScatter {
+    double noise_um{0.0};               ///< white, on the recorded Z
+    double encoderSpindle_counts{0.0};  ///< counts per revolution; 0: exact
+    double encoderZ_um{0.0};            ///< resolution of the recorded Z; 0: exact
+    double loadSpread{0.0};             ///< each tap's load is scaled by 1 ± this, uniform
+    double frictionSpread{0.0};         ///< each tap's Coulomb and viscous friction of Z likewise
+};
+
+/// A drive that taps and records as a real machine would.
+class TrialMachine {
+ public:
+    TrialMachine(const DriveParams& drive, const TrialScatter& scatter, std::uint64_t seed);
+    /// One tap; the spans stay valid until the next.
+    [[nodiscard]] TapSignals tap(const TapSettings& settings);
+
+ private:
+    DriveParams m_drive;
+    TrialScatter m_scatter;
+    Random m_loads;
+    Random m_noise;
+    std::vector<double> m_spindle_rev;
+    std::vector<double> m_z_mm;
+};
+
+/// The clean drive's figures with these settings: no noise, nominal load.
+[[nodiscard]] ContourFigures cleanFigures(const DriveParams& drive, const TapSettings& settings);
+
+/// Settings of a drive as they stand.
+[[nodiscard]] TapSettings settingsOf(const DriveParams& drive);
+
+/// What a tuner may know of a drive: its programmed cycle and set gains from `drive`, servo constants from `assumed`.
+[[nodiscard]] DriveParams knownTo(const DriveParams& drive, const DriveParams& assumed);
+
+/// One of the random machines of the tests and tables: every servo constant within ±25 % of the reference, spindle gain
+/// 30-55 1/s, Z gain 85-135 % of it, torque limit 520-1000 rev/s², 1500-6000 rpm, 12-30 revolutions, load 40-160.
+[[nodiscard]] DriveParams randomDrive(Random& random);
+
+/// One trial of a tuning.
+struct Trial {
+    TapSettings settings{};
+    ContourFigures measured{};
+    TunerStep step{};
+};
+struct Tuning {
+    std::vector<Trial> trials{};
+    TapSettings final{};
+    ContourFigures before{};  ///< clean, initial settings
+    ContourFigures after{};   ///< clean, final settings
+    [[nodiscard]] double reduction() const { return 1.0 - after.saec_mm / before.saec_mm; }
+};
+/// Tap, observe, until the tuner is finished.
+[[nodiscard]] Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialScatter& scatter,
+                               std::uint64_t seed);
+
+}  // namespace kerf::tapping

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/thermal/thermal_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/units.h"
+#include "engine/cycle/event_sink.h"
+#include "engine/process/thermal/compensation.h"
+#include "engine/process/thermal/thermal_alarms.h"
+#include "engine/process/thermal/warm_up.h"
+
+namespace kerf {
+namespace {
+
+using thermal::SensorState;
+
+constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Thermal) + 1U) << 24U;
+constexpr double kMinute_ns = 60.0 * kNanosecondPerSecond;
+constexpr double kForecast_min = 10.0;
+constexpr double kGapPatience_s = 20.0;
+constexpr double kShiftTolerance_um = 1.0;
+constexpr int kMissesUntilAlarm = 2;
+constexpr int kTicksUntilShifted = 2;
+constexpr std::uint16_t kRepeatsUntilStuck = 20;
+constexpr double kOutsideAlarm = 0.25;
+
+static_assert(static_cast<int>(CoupleState::Disagrees) == static_cast<int>(SensorState::Disagrees));
+
+bool usable(const ThermalSetup& setup) {
+    const auto inRange = [](double value, double low, double high) { return value >= low && value <= high; };
+    return setup.revision > 0 && inRange(setup.period_min, 0.1, 60.0) && inRange(setup.allowed_um, 0.1, 100.0) &&
+           inRange(setup.maxShift_um, 1.0, 200.0) && inRange(setup.maxStep_umPerMin, 1.0, 60.0) &&
+           inRange(setup.warmUpSpeed_rpm, 100.0, 30'000.0) && inRange(setup.warmUp_min, 1.0, 120.0);
+}
+
+const char* sickSentence(CoupleState state) {
+    switch (state) {
+        case CoupleState::Open:
+            return KERF_TEXT("Thermocouple %1 is open.");
+        case CoupleState::Short:
+            return KERF_TEXT("Thermocouple %1 is shorted.");
+        case CoupleState::Stuck:
+            return KERF_TEXT("Thermocouple %1 is stuck.");
+        case CoupleState::Noisy:
+            return KERF_TEXT("Thermocouple %1 is noisy.");
+        case CoupleState::Offset:
+            return KERF_TEXT("Thermocouple %1 has jumped away from its neighbours.");
+        case CoupleState::Healthy:
+        case CoupleState::Suspect:
+        case CoupleState::Disagrees:
+        case CoupleState::Unread:
+            break;
+    }
+    return KERF_TEXT("Thermocouple %1 disagrees with its neighbours.");
+}
+
+}  // namespace
+
+ThermalLoop::~ThermalLoop() {
+    delete m_live;
+    delete m_next;
+}
+
+std::span<const AlarmSpec> ThermalLoop::alarms() const noexcept {
+    return thermal_alarm::kSpecs;
+}
+
+CommandResult ThermalLoop::handle(const Command& command) noexcept {
+    if (const auto* load = std::get_if<LoadThermalSetup>(&command.action)) {
+        if (!usable(load->setup)) {
+            return CommandResult::refused(
+                Sentence(KERF_TEXT("The thermal setup has a value outside its range; the last one stays.")));
+        }
+        m_setup = load->setup;
+        return CommandResult::ok();
+    }
+    if (const auto* reference = std::get_if<TakeThermalReference>(&command.action)) {
+        m_zeroLoaded = false;
+        restart(reference->clearShift);
+        return CommandResult::ok();
+    }
+    if (const auto* zero = std::get_if<LoadGapZero>(&command.action)) {
+        if (!std::ranges::all_of(zero->zero_um, [](double value) { return std::isfinite(value); })) {
+            return CommandResult::refused(Sentence(KERF_TEXT("A gap sensor's zero is not a number.")));
+        }
+        m_status.gapZero_um = zero->zero_um;
+        m_status.gapZeroKnown = true;
+        m_zeroLoaded = true;
+        return CommandResult::ok();
+    }
+    if (std::holds_alternative<MeasureOrigin>(command.action)) return measure();
+    if (std::holds_alternative<AdoptMeasurement>(command.action)) return adopt();
+    if (const auto* record = std::get_if<RecordGaps>(&command.action)) {
+        if (record->on && !m_gapsFitted) return CommandResult::refused(m_whyNoGaps);
+        m_status.recording = record->on;
+        return CommandResult::ok();
+    }
+    if (std::holds_alternative<StartPart>(command.action)) return startWarmUp();
+    if (std::holds_alternative<StopWarmUp>(command.action)) {
+        m_warmUpStopWanted = m_status.warmUpRunning;
+        return CommandResult::ok();
+    }
+    return CommandResult::refused(Sentence(KERF_TEXT("The thermal loop does not know this command.")));
+}
+
+CommandResult ThermalLoop::measure() noexcept {
+    if (!m_gapsFitted) return CommandResult::refused(m_whyNoGaps);
+    if (!m_status.gapsReadable) {
+        return CommandResult::refused(
+            Sentence(KERF_TEXT("The gap sensors read nothing: end the program and put the test bar in the spindle.")));
+    }
+    if (!m_status.gapZeroKnown) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The gap sensors have no zero yet: take a reference first.")));
+    }
+    if (m_status.gap.phase == GapPhase::Measuring) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The origin is being measured.")));
+    }
+    const std::uint32_t number = m_status.gap.number + 1;
+    m_status.gap = {};
+    m_status.gap.number = number;
+    m_status.gap.phase = GapPhase::Measuring;
+    m_gapSum_um = {};
+    m_gapCount = 0;
+    m_gapSince_ns = m_last_ns;
+    m_adopted = false;
+    return CommandResult::ok();
+}
+
+CommandResult ThermalLoop::adopt() noexcept {
+    const GapMeasurement& gap = m_status.gap;
+    if (gap.phase != GapPhase::Done || !gap.predictionKnown) {
+        return CommandResult::refused(Sentence(KERF_TEXT("There is no measurement beside a prediction yet.")));
+    }
+    if (m_adopted) return CommandResult::refused(Sentence(KERF_TEXT("This measurement has been taken over already.")));
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const double difference_um = gap.measured_um[axis] - gap.predicted_um[axis];
+        m_carried_um[axis] += difference_um;
+        m_trusted_um[axis] += difference_um;
+    }
+    m_adopted = true;
+    m_due_ns = m_last_ns;
+    return CommandResult::ok();
+}
+
+CommandResult ThermalLoop::startWarmUp() noexcept {
+    m_warmUpWanted = true;
+    return CommandResult::ok();
+}
+
+void ThermalLoop::setMode(LoopMode mode) noexcept {
+    m_mode = mode;
+    m_wishedTicks = 0;
+    m_missesOfShift = 0;
+}
+
+void ThermalLoop::restart(bool clearShift) noexcept {
+    m_clearShift = clearShift;
+    m_started = false;
+    m_prediction = {};
+    m_log.clear();
+    m_nextBaseline = 0;
+    m_nextMinute = 0;
+    for (LiveModel* model : {m_live, m_next}) {
+        if (model != nullptr) model->estimator.reset();
+    }
+}
+
+LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                              EventSink& events) noexcept {
+    const bool linked = inputs.link == LinkState::Up;
+    m_gapsFitted = capabilities.gapSensors.fitted;
+    m_whyNoGaps = capabilities.gapSensors.why;
+    watchSpeed(inputs);
+    m_last_ns = inputs.time_ns;
+    watchGaps(inputs);
+    takeModel();
+    catchUp();
+    const bool readable = linked && capabilities.temperatures.fitted && inputs.temperatures != nullptr &&
+                          inputs.temperatures->revision > 0;
+    if (readable && !m_started) {
+        m_started = true;
+        ++m_reference;
+        m_due_ns = inputs.time_ns;
+        m_zeroSum_um = {};
+        m_zeroCount = 0;
+    }
+    const bool due = m_started && inputs.time_ns >= m_due_ns;
+    if (due && readable) {
+        tick(inputs, events);
+    }
+    if (m_started && inputs.time_ns >= m_due_ns) {
+        const double period_min =
+            m_log.baselineDone() ? m_setup.period_min : m_setup.period_min / static_cast<double>(ThermalLog::kBaseline);
+        m_due_ns += static_cast<std::int64_t>(period_min * kMinute_ns);
+        if (m_due_ns <= inputs.time_ns) m_due_ns = inputs.time_ns + static_cast<std::int64_t>(period_min * kMinute_ns);
+        raiseAlarms(inputs, events);
+    }
+    runWarmUp(inputs, outputs);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_status.shifted_um[axis] = inputs.workOffset_um[axis];
+        if (m_targetKnown && shiftReadable(inputs)) outputs.workOffset_um[axis] = m_status.target_um[axis];
+    }
+    m_status.stage = !readable               ? ThermalStage::NoTemperatures
+                     : !m_log.baselineDone() ? ThermalStage::Baseline
+                     : m_live == nullptr     ? (m_next != nullptr ? ThermalStage::CatchUp : ThermalStage::NoModel)
+                     : m_prediction.usable   ? ThermalStage::Following
+                     : m_log.end() == 0      ? ThermalStage::Baseline
+                                             : ThermalStage::Holding;
+    m_status.model = m_live != nullptr ? m_live->revision : 0;
+    m_status.setup = m_setup.revision;
+    m_status.allowed_um = m_setup.allowed_um;
+    m_status.nextUpdate_s = static_cast<double>(m_due_ns - inputs.time_ns) / kNanosecondPerSecond;
+    return verdict();
+}
+
+void ThermalLoop::takeModel() noexcept {
+    if (m_next != nullptr) return;
+    m_next = m_exchange.take();
+    m_nextBaseline = 0;
+    m_nextMinute = m_log.begin();
+}
+
+void ThermalLoop::catchUp() noexcept {
+    if (m_next == nullptr) return;
+    if (m_nextBaseline < m_log.baselineCount()) {
+        (void)feed(*m_next, m_log.baseline(m_nextBaseline++));
+        return;
+    }
+    if (!m_log.baselineDone()) return;
+    m_nextMinute = std::max(m_nextMinute, m_log.begin());
+    thermal::ThermalPrediction newest{};
+    if (m_nextMinute < m_log.end()) {
+        newest = feed(*m_next, m_log.minute(m_nextMinute++));
+        if (m_nextMinute < m_log.end()) return;
+    }
+    LiveModel* old = m_live;
+    m_live = m_next;
+    m_next = nullptr;
+    if (old != nullptr) m_exchange.retire(old);
+    m_prediction = newest;
+    if (newest.usable) take(newest);
+}
+
+thermal::ThermalPrediction ThermalLoop::feed(LiveModel& model, const ThermalMinute& minute) noexcept {
+    std::array<Reading, thermal::kMaxModelSensors> readings{};
+    const std::size_t count = model.estimator.sensors();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint16_t channel = model.channel[i];
+        if (channel < kMaxTemperatures && (minute.present >> channel & 1U) != 0U) {
+            readings[i] = {static_cast<double>(minute.temp_degC[channel]), minute.time_ns, Quality::Good};
+        }
+    }
+    const std::span<const Reading> used(readings.data(), count);
+    if (minute.minutes < 0.0) {
+        model.estimator.baseline(minute.minutes, used);
+        return {};
+    }
+    const auto speed_rpm =
+        minute.speedKnown ? std::optional<double>(static_cast<double>(minute.speed_rpm)) : std::nullopt;
+    return model.estimator.update(minute.minutes, speed_rpm, used);
+}
+
+void ThermalLoop::watchSpeed(const MachineInputs& inputs) noexcept {
+    const double dt_s =
+        m_last_ns == 0 ? 0.0 : std::max(0.0, static_cast<double>(inputs.time_ns - m_last_ns) / kNanosecondPerSecond);
+    if (!inputs.spindleSpeed_rpm.good()) {
+        m_blind_s += dt_s;
+        return;
+    }
+    const double krpm = std::abs(inputs.spindleSpeed_rpm.value) / 1000.0;
+    m_heat += krpm * std::sqrt(krpm) * dt_s;
+    m_heat_s += dt_s;
+}
+
+void ThermalLoop::watchGaps(const MachineInputs& inputs) noexcept {
+    m_status.gapsReadable = std::ranges::all_of(inputs.gap_um, [](const Reading& gap) { return gap.good(); });
+    if (m_status.gapsReadable) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+            m_gapNow_um[axis] = inputs.gap_um[axis].value;
+    }
+    if (m_status.gap.phase != GapPhase::Measuring) return;
+    GapMeasurement& gap = m_status.gap;
+    if (static_cast<double>(inputs.time_ns - m_gapSince_ns) / kNanosecondPerSecond > kGapPatience_s) {
+        gap.phase = GapPhase::Failed;
+        gap.reason = Sentence(KERF_TEXT("The gap sensors stopped reading during the measurement."));
+        return;
+    }
+    if (!m_status.gapsReadable || inputs.gap_um[0].stamp_ns == m_gapStamp_ns) return;
+    m_gapStamp_ns = inputs.gap_um[0].stamp_ns;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+        m_gapSum_um[axis] += m_gapNow_um[axis];
+    if (++m_gapCount < kGapReadings) return;
+    const PerAxis now_um = predicted();
+    gap.phase = GapPhase::Done;
+    gap.time_ns = inputs.time_ns;
+    gap.predictionKnown = m_prediction.usable;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        gap.measured_um[axis] = m_gapSum_um[axis] / kGapReadings - m_status.gapZero_um[axis];
+        gap.predicted_um[axis] = now_um[axis];
+        gap.half_um[axis] = m_prediction.half_um[axis];
+    }
+    m_spotPending = true;
+}
+
+void ThermalLoop::runWarmUp(const MachineInputs& inputs, LoopOutputs& outputs) noexcept {
+    m_status.warmUpRunning = inputs.program == ProgramState::Running && inputs.programProcess == ProcessId::Thermal;
+    if (m_status.warmUpRunning) {
+        m_status.warmUpLeft_min = std::max(0.0, static_cast<double>(m_warmUpEnd_ns - inputs.time_ns) / kMinute_ns);
+    } else {
+        m_status.warmUpLeft_min = 0.0;
+    }
+    if (m_warmUpWanted) {
+        m_warmUpWanted = false;
+        StartProgram program;
+        program.process = ProcessId::Thermal;
+        program.spindleSpeed_rpm = m_setup.warmUpSpeed_rpm;
+        program.revolutions = m_setup.warmUpSpeed_rpm * m_setup.warmUp_min;
+        outputs.request = {kRequestBase + ++m_requestCount, program};
+        m_warmUpEnd_ns = inputs.time_ns + static_cast<std::int64_t>(m_setup.warmUp_min * kMinute_ns);
+    } else if (m_warmUpStopWanted) {
+        m_warmUpStopWanted = false;
+        if (m_status.warmUpRunning) outputs.request = {kRequestBase + ++m_requestCount, AbortProgram{}};
+    }
+}
+
+ThermalMinute ThermalLoop::minuteNow(const MachineInputs& inputs) noexcept {
+    ThermalMinute minute;
+    minute.time_ns = inputs.time_ns;
+    minute.reference = m_reference;
+    minute.speedKnown = m_heat_s > m_blind_s;
+    if (m_heat_s > 0.0) minute.speed_rpm = static_cast<float>(1000.0 * std::pow(m_heat / m_heat_s, 2.0 / 3.0));
+    m_heat = 0.0;
+    m_heat_s = 0.0;
+    m_blind_s = 0.0;
+    const TemperatureFrame& frame = *inputs.temperatures;
+    const std::size_t count = std::min<std::size_t>(frame.count, kMaxTemperatures);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (frame.temp_degC[k].good()) {
+            minute.temp_degC[k] = static_cast<float>(frame.temp_degC[k].value);
+            minute.present |= std::uint64_t{1} << k;
+        }
+    }
+    return minute;
+}
+
+void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
+    ThermalMinute minute = minuteNow(inputs);
+    if (!m_log.baselineDone()) {
+        const double step_min = m_setup.period_min / static_cast<double>(ThermalLog::kBaseline);
+        minute.minutes = -step_min * static_cast<double>(ThermalLog::kBaseline - m_log.baselineCount());
+        m_log.addBaseline(minute);
+        if (m_live != nullptr) (void)feed(*m_live, minute);
+        if (m_status.gapsReadable) {
+            for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+                m_zeroSum_um[axis] += m_gapNow_um[axis];
+            ++m_zeroCount;
+        }
+        if (m_log.baselineDone()) {
+            for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+                const bool known = !m_clearShift && inputs.workOffset_um[axis].good();
+                m_carried_um[axis] = known ? -inputs.workOffset_um[axis].value : 0.0;
+            }
+            m_referenceEnd_ns = inputs.time_ns + static_cast<std::int64_t>(step_min * kMinute_ns);
+            endBaseline();
+        }
+        reportCouples(inputs);
+        (void)m_exchange.minutes.tryPush(minute);
+        return;
+    }
+    minute.minutes = static_cast<double>(inputs.time_ns - m_referenceEnd_ns) / kMinute_ns;
+    minute.minutes = std::max(minute.minutes, 0.0);
+    if (m_live != nullptr) {
+        const thermal::ThermalPrediction prediction = feed(*m_live, minute);
+        m_prediction = prediction;
+        if (prediction.usable) take(prediction);
+    }
+    minute.predicted = m_prediction.usable;
+    const PerAxis now_um = predicted();
+    const bool measured = m_status.gapZeroKnown && m_status.gapsReadable && (m_status.recording || m_spotPending);
+    minute.measured = measured;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        minute.drift_um[axis] = static_cast<float>(now_um[axis]);
+        minute.half_um[axis] = static_cast<float>(m_prediction.half_um[axis]);
+        minute.shift_um[axis] = static_cast<float>(inputs.workOffset_um[axis].value);
+        if (measured) {
+            const double drift_um =
+                m_spotPending ? m_status.gap.measured_um[axis] : m_gapNow_um[axis] - m_status.gapZero_um[axis];
+            minute.measured_um[axis] = static_cast<float>(drift_um);
+        }
+    }
+    m_spotPending = false;
+    m_log.add(minute);
+    ++m_status.updates;
+    m_status.minutes = minute.minutes;
+    command(inputs);
+    forecast();
+    reportCouples(inputs);
+    (void)m_exchange.minutes.tryPush(minute);
+}
+
+void ThermalLoop::endBaseline() noexcept {
+    m_trusted_um = m_carried_um;
+    m_status.updates = 0;
+    m_status.warmUp = WarmUpState::Unknown;
+    if (!m_zeroLoaded && m_zeroCount > 0) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            m_status.gapZero_um[axis] = m_zeroSum_um[axis] / static_cast<double>(m_zeroCount) - m_carried_um[axis];
+        }
+        m_status.gapZeroKnown = true;
+    }
+    m_clearShift = false;
+}
+
+ThermalLoop::PerAxis ThermalLoop::predicted() const noexcept {
+    PerAxis out = m_trusted_um;
+    if (m_prediction.usable) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            out[axis] = m_carried_um[axis] + m_prediction.drift_um[axis];
+        }
+    }
+    return out;
+}
+
+void ThermalLoop::take(const thermal::ThermalPrediction& prediction) noexcept {
+    const double share = thermal::holdShare(prediction.outside);
+    const PerAxis now_um = predicted();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_trusted_um[axis] += share * (now_um[axis] - m_trusted_um[axis]);
+    }
+    m_status.drift_um = now_um;
+    m_status.half_um = prediction.half_um;
+    m_status.outside = prediction.outside;
+    m_status.speedShare = prediction.speedShare;
+    m_status.lostSensors = prediction.lostSensors;
+}
+
+bool ThermalLoop::shiftReadable(const MachineInputs& inputs) const noexcept {
+    return std::ranges::all_of(inputs.workOffset_um, [](const Reading& offset) { return offset.good(); });
+}
+
+void ThermalLoop::command(const MachineInputs& inputs) noexcept {
+    if (!shiftReadable(inputs) || m_live == nullptr || !m_prediction.usable) return;
+    if (m_mode == LoopMode::Control && m_targetKnown && ++m_wishedTicks > kTicksUntilShifted) {
+        bool missed = false;
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            const double off_um = inputs.workOffset_um[axis].value - m_status.target_um[axis];
+            missed = missed || std::abs(off_um) > kShiftTolerance_um;
+        }
+        m_missesOfShift = missed ? m_missesOfShift + 1 : 0;
+    }
+    const thermal::ShiftLimits limits{1.0, m_setup.maxShift_um,
+                                      std::max(1.0, m_setup.maxStep_umPerMin * m_setup.period_min)};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const thermal::ShiftCommand shift =
+            thermal::nextShift(m_trusted_um[axis], inputs.workOffset_um[axis].value, limits);
+        m_status.target_um[axis] = shift.total_um;
+        m_status.sizeLimited[axis] = shift.sizeLimited;
+        m_status.rateLimited[axis] = shift.rateLimited;
+    }
+    m_targetKnown = true;
+}
+
+void ThermalLoop::forecast() noexcept {
+    m_status.warmUp = WarmUpState::Unknown;
+    m_status.ready_min = 0.0;
+    const auto back = static_cast<std::size_t>(std::max(2.0, std::round(kForecast_min / m_setup.period_min)));
+    if (!m_prediction.usable || m_log.end() < m_log.begin() + 2 * back + 1) return;
+    const std::size_t now = m_log.end() - 1;
+    std::array<thermal::WarmUpAxis, kAxisCount> axes{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        axes[axis].half_um = m_prediction.half_um[axis];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const ThermalMinute& minute = m_log.minute(now - (2 - k) * back);
+            if (!minute.predicted) return;
+            axes[axis].drift_um[k] = static_cast<double>(minute.drift_um[axis]);
+        }
+    }
+    const double compensated_min = m_mode == LoopMode::Control ? m_setup.period_min : 0.0;
+    const thermal::WarmUpForecast out = thermal::warmUpForecast(axes, static_cast<double>(back) * m_setup.period_min,
+                                                                m_setup.allowed_um, compensated_min);
+    m_status.warmUp = out.state;
+    m_status.ready_min = out.ready_min;
+}
+
+void ThermalLoop::reportCouples(const MachineInputs& inputs) noexcept {
+    const TemperatureFrame& frame = *inputs.temperatures;
+    m_status.count = std::min<std::uint16_t>(frame.count, kMaxTemperatures);
+    for (std::size_t k = 0; k < m_status.count; ++k) {
+        const Reading& reading = frame.temp_degC[k];
+        const auto value_degC = static_cast<float>(reading.value);
+        CoupleState state = CoupleState::Healthy;
+        if (!reading.good()) {
+            state = CoupleState::Unread;
+        } else {
+            m_repeats[k] =
+                value_degC == m_lastTemp_degC[k] ? static_cast<std::uint16_t>(m_repeats[k] + 1) : std::uint16_t{0};
+            if (reading.value > thermal::kHighestTemp_degC) state = CoupleState::Open;
+            if (reading.value < thermal::kLowestTemp_degC) state = CoupleState::Short;
+            if (state == CoupleState::Healthy && m_repeats[k] >= kRepeatsUntilStuck) state = CoupleState::Stuck;
+        }
+        m_lastTemp_degC[k] = value_degC;
+        m_status.temp_degC[k] = value_degC;
+        m_status.couple[k] = state;
+    }
+    m_status.inModel = 0;
+    if (m_live == nullptr) return;
+    for (std::size_t i = 0; i < m_live->estimator.sensors(); ++i) {
+        const std::uint16_t channel = m_live->channel[i];
+        if (channel >= kMaxTemperatures) continue;
+        m_status.inModel |= std::uint64_t{1} << channel;
+        const SensorState state = m_live->estimator.health().state(i);
+        m_status.couple[channel] = static_cast<CoupleState>(state);
+    }
+}
+
+void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) noexcept {
+    const bool running = m_log.baselineDone();
+    events.set(thermal_alarm::kNoTemperatures, running && inputs.temperatures == nullptr);
+    int sick = 0;
+    Sentence which;
+    if (m_live != nullptr) {
+        for (std::size_t i = 0; i < m_live->estimator.sensors(); ++i) {
+            const auto state = static_cast<CoupleState>(m_live->estimator.health().state(i));
+            if (isSick(state)) {
+                ++sick;
+                which = Sentence(sickSentence(state), m_live->name[i]);
+            }
+        }
+    }
+    if (sick > m_reportedSick) events.clear(thermal_alarm::kSensorLeftOut);  // another one: said anew
+    m_reportedSick = sick;
+    events.set(thermal_alarm::kSensorLeftOut, sick > 0, which);
+    const bool lost = running && m_live != nullptr && m_log.end() > 0 && !m_prediction.usable;
+    events.set(thermal_alarm::kTooManyLost, lost);
+    const bool following = running && m_prediction.usable;
+    const bool acting = m_mode == LoopMode::Control && following;
+    const auto any = [](const std::array<bool, kAxisCount>& flags) {
+        return std::ranges::any_of(flags, [](bool flag) { return flag; });
+    };
+    events.set(thermal_alarm::kShiftAtLimit, acting && any(m_status.sizeLimited));
+    events.set(thermal_alarm::kShiftTooFast, acting && any(m_status.rateLimited));
+    events.set(thermal_alarm::kShiftNotTaken, acting && m_missesOfShift >= kMissesUntilAlarm);
+    events.set(thermal_alarm::kOutside, following && m_prediction.outside > kOutsideAlarm);
+    const bool tooWide =
+        std::ranges::any_of(m_prediction.half_um, [this](double half_um) { return half_um > m_setup.allowed_um; });
+    m_status.measureNow = following && tooWide;
+    events.set(thermal_alarm::kMeasureNow, m_status.measureNow);
+}
+
+LoopVerdict ThermalLoop::verdict() const noexcept {
+    const bool limited = std::ranges::any_of(m_status.sizeLimited, [](bool flag) { return flag; }) ||
+                         std::ranges::any_of(m_status.rateLimited, [](bool flag) { return flag; });
+    switch (m_status.stage) {
+        case ThermalStage::NoTemperatures:
+            return {LoopState::Held, Sentence(KERF_TEXT("The machine sends no temperatures; the last shift stays."))};
+        case ThermalStage::NoModel:
+            return {LoopState::Held, Sentence(KERF_TEXT("There is no thermal model yet: train one."))};
+        case ThermalStage::Baseline:
+            return {LoopState::Advising,
+                    Sentence(KERF_TEXT("The temperatures to count from are being taken; the shift stays."))};
+        case ThermalStage::CatchUp:
+            return {LoopState::Advising, Sentence(KERF_TEXT("The new model runs through the day so far."))};
+        case ThermalStage::Holding:
+            return {LoopState::Held,
+                    Sentence(KERF_TEXT("Nothing can be predicted: too many thermocouples are left out."))};
+        case ThermalStage::Following:
+            break;
+    }
+    if (!m_targetKnown) {
+        return {LoopState::Held,
+                Sentence(KERF_TEXT("The control does not report its work offset; nothing is shifted."))};
+    }
+    if (limited) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("The shift sits at its limit of size or rate."))};
+    }
+    if (m_status.outside > kOutsideAlarm) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Outside the training range: the shift fades to hold. Measure the origin."))};
+    }
+    return {LoopState::Controlling, Sentence(KERF_TEXT("The work origin follows the predicted drift."))};
+}
+
+}  // namespace kerf

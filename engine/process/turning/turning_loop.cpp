@@ -1,0 +1,581 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/turning/turning_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/cycle/event_sink.h"
+#include "engine/process/turning/overlap.h"
+#include "engine/process/turning/turning_alarms.h"
+#include "engine/process/turning/turning_setup.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Turning) + 1U) << 24U;
+constexpr std::int64_t kCycle_ns = 200'000;
+constexpr std::uint32_t kZeroSamples = 500;  // .1 s in the air before the zero counts
+constexpr double kZeroShare = 1.0 / 500.0;
+constexpr double kDriftAlarm_N = 0.05;
+constexpr double kTouchShare = 0.10;  // of the target force
+constexpr int kTouchSamples = 4;
+constexpr double kExitShare = 0.30;
+constexpr int kExitSamples = 5;
+constexpr int kStuckSamples = 11;                // 2.2 ms without any change: no live sensor is that still
+constexpr double kMeanShare = 1.0 / 250.0;       // mean force over .05 s
+constexpr std::uint32_t kReferenceAfter = 2000;  // .4 s after the touch the force is what this tool takes
+constexpr double kChipRatio = 1.25;              // slower than the watch sees
+constexpr double kGoneRatio = 0.75;              // below, the cut is being taken away
+constexpr int kChipSamples = 50;
+constexpr double kTrimMeanShare = 1.0 / 5000.0;
+constexpr double kTrimMeanMost_um = 0.1;
+constexpr double kLimitAlarm = 0.2;  // share of the samples at the limit
+constexpr double kLimitShare = 1.0 / 2500.0;
+constexpr double kRampDown_um = 0.2;            // per sample, the machine's own limit: 2 µm in 2 ms
+constexpr double kSurfaceShare = 1.0 / 1000.0;  // surface figures over .2 s
+constexpr double kSteadyEnd = 0.97;             // the exit of the cut is no part of the second half
+constexpr double kForgetting = 0.98;
+constexpr double kStartVariance = 1.0;  // of a1, b0, b1 at the start of a cut, over the noise
+constexpr double kSureExcitation = 3.0;
+constexpr double kSureHalf95 = 0.02;     // of b0, in N/µm as of b0 itself, and of a1
+constexpr double kRetuneAbove = 0.05;    // mismatch of gain or phase that is worth a new tuning
+constexpr int kMovedSamples = 500;       // .1 s in a row
+constexpr double kFarthestRetune = 3.0;  // a gain further off is no wear but a fault
+
+turning::ControllerKind kindOf(TurningController controller) noexcept {
+    switch (controller) {
+        case TurningController::Open:
+            return turning::ControllerKind::Open;
+        case TurningController::Paper:
+            return turning::ControllerKind::Paper;
+        case TurningController::Pi:
+            return turning::ControllerKind::Pi;
+        case TurningController::Tones:
+            break;
+    }
+    return turning::ControllerKind::Default;
+}
+
+/// How far two processes differ where the tones are: largest |P_a/P_b − 1| from 10 to 150 Hz.
+double mismatch(const turning::ProcessParams& a, const turning::ProcessParams& b) noexcept {
+    double worst = 0.0;
+    for (const double frequency_Hz : {10.0, 50.0, 150.0}) {
+        const double omega = 2.0 * std::numbers::pi * frequency_Hz / turning::kSampleRate_Hz;
+        worst = std::max(worst, std::abs(a.response(omega) / b.response(omega) - 1.0));
+    }
+    return worst;
+}
+
+}  // namespace
+
+turning::DepthControlParams TurningLoop::controlParams(const TurningSetup& setup) const noexcept {
+    turning::DepthControlParams params;
+    params.plant = turning::PlantKind::B2;
+    params.kind = kindOf(m_controller);
+    params.process = m_process;
+    params.onMachine = true;
+    params.revolutionSamples = turning::samplesPerRevolution(setup.spindleSpeed_rpm / 60.0, turning::kSampleRate_Hz);
+    params.knownTones_Hz = setup.knownTones_Hz;
+    params.knownCount = setup.knownToneCount;
+    return params;
+}
+
+TurningLoop::TurningLoop(TurningExchange* exchange) noexcept
+    : m_control(controlParams(TurningSetup{})),
+      m_identifier({kForgetting, turning::Forgetting::Robust, 1e4, 0.0}),
+      m_trace(exchange) {}
+
+std::span<const AlarmSpec> TurningLoop::alarms() const noexcept {
+    return turning_alarm::kSpecs;
+}
+
+std::optional<Sentence> TurningLoop::whyUnusable(const TurningSetup& setup) noexcept {
+    return turning::whyUnusable(setup);
+}
+
+CommandResult TurningLoop::handle(const Command& command) noexcept {
+    if (const auto* load = std::get_if<LoadTurningSetup>(&command.action)) {
+        if (const auto why = whyUnusable(load->setup)) {
+            return CommandResult::refused(*why);
+        }
+        m_next = load->setup;
+        m_status.nextSetup = m_next.revision;
+        return CommandResult::ok();
+    }
+    if (const auto* set = std::get_if<SetTurningController>(&command.action)) {
+        if (static_cast<std::size_t>(set->controller) >= kTurningControllers) {
+            return CommandResult::refused(Sentence(KERF_TEXT("The turning loop does not know this controller.")));
+        }
+        m_controller = set->controller;
+        m_status.controller = m_controller;
+        m_control.select(kindOf(m_controller));
+        return CommandResult::ok();
+    }
+    if (std::holds_alternative<StartPart>(command.action)) {
+        if (m_next.revision == 0) {
+            return CommandResult::refused(Sentence(KERF_TEXT("No turning setup is loaded: enter the cut first.")));
+        }
+        m_startWanted = true;
+        return CommandResult::ok();
+    }
+    return CommandResult::refused(Sentence(KERF_TEXT("The turning loop does not know this command.")));
+}
+
+void TurningLoop::setMode(LoopMode mode) noexcept {
+    if (m_outFaulted && mode != LoopMode::Off) {
+        m_outFaulted = false;  // a person has released the loop; it joins again with the next part
+    }
+    m_mode = mode;
+}
+
+void TurningLoop::startRequest(LoopOutputs& outputs) noexcept {
+    StartProgram program;
+    program.process = ProcessId::Turning;
+    program.programmedFeed_mmPerRev = m_next.feed_umPerRev / 1000.0;
+    program.spindleSpeed_rpm = m_next.spindleSpeed_rpm;
+    program.from_mm = m_next.faceFrom_mm;
+    program.to_mm = m_next.faceTo_mm;
+    program.depth_um = m_next.depth_um;
+    outputs.request.number = kRequestBase + ++m_requestCount;
+    outputs.request.action = program;
+}
+
+LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
+                              EventSink& events) noexcept {
+    if (m_startWanted) {
+        m_startWanted = false;
+        startRequest(outputs);
+    }
+    const bool ours = inputs.programProcess == ProcessId::Turning && inputs.link == LinkState::Up;
+    const bool running = ours && (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
+    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
+        if (m_inPart) {
+            m_part.complete = false;
+            endPart(inputs, events);
+        }
+        beginPart(inputs);
+    }
+    if (m_inPart && ours && !running) {
+        m_part.complete = inputs.program == ProgramState::Finished;
+        endPart(inputs, events);
+    }
+    if (!m_inPart || !running) {
+        m_status.stage = TurningStage::Idle;
+        m_wanted_um = m_trim_um = 0.0;
+        return {m_mode == LoopMode::Control ? LoopState::Controlling : LoopState::Advising,
+                Sentence(KERF_TEXT("Ready: force feedback begins at the touch of the next part."))};
+    }
+    if (capabilities.cycle_ns != kCycle_ns) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Force feedback needs a cycle of 0.2 ms; this machine has %1 ms: no trim."),
+                         SentenceArg(static_cast<double>(capabilities.cycle_ns) / 1e6, 2))};
+    }
+
+    const FastSample none{};
+    const FastSample& fast = inputs.fastCount > 0 ? inputs.fast[inputs.fastCount - 1U] : none;
+    const ForceState force = judge(fast);
+    events.set(turning_alarm::kForceLost, force == ForceState::Lost);
+    events.set(turning_alarm::kForceSaturated, force == ForceState::Saturated);
+    m_status.force_N = {fast.force_N - m_zero_N, fast.stamp_ns, fast.quality};
+    const double span_mm = m_setup.faceTo_mm - m_setup.faceFrom_mm;
+    m_status.progress = std::clamp((inputs.position_mm[0].value - m_setup.faceFrom_mm) / span_mm, 0.0, 1.0);
+    if (inputs.toolTrim_um.good()) {
+        m_status.appliedTrim_um = inputs.toolTrim_um.value;
+        m_control.setApplied(inputs.toolTrim_um.value);
+    } else {
+        m_control.setApplied(m_trim_um);
+    }
+
+    const bool inLoop = m_status.stage != TurningStage::Out;
+    if (force == ForceState::Lost && inLoop) {
+        leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), true);
+    } else if (force == ForceState::Saturated && inLoop) {
+        leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), false);
+    } else if (inLoop && force == ForceState::Good) {
+        const double zeroed_N = fast.force_N - m_zero_N;
+        if (m_status.stage == TurningStage::Air) {
+            m_control.idle(zeroed_N);
+            m_above = m_zeroKnown && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
+            if (m_above >= kTouchSamples) {
+                touch(inputs);
+            } else if (m_above == 0) {
+                takeZero(fast.force_N, events);
+            }
+        }
+        noteForce(zeroed_N);
+        if (m_status.stage == TurningStage::Entry || m_status.stage == TurningStage::Cutting) {
+            cut(zeroed_N, inputs, events);
+        }
+    }
+    if (m_status.stage != TurningStage::Cutting) {
+        m_wanted_um = 0.0;
+    }
+
+    const double authority_um = m_setup.trimAuthority_um;
+    const double target_um = std::clamp(m_wanted_um, -authority_um, authority_um);
+    // Into the loop the law ramps itself; out of it the trim runs to zero here.
+    m_trim_um = m_status.stage == TurningStage::Cutting
+                    ? target_um
+                    : std::clamp(target_um, m_trim_um - kRampDown_um, m_trim_um + kRampDown_um);
+    m_status.trim_um = m_trim_um;
+    outputs.toolTrim_um = m_trim_um;
+    m_part.turning.trimPeak_um = std::max(m_part.turning.trimPeak_um, std::abs(m_status.appliedTrim_um));
+    const bool limited = m_wanted_um != target_um;
+    m_atLimit += kLimitShare * ((limited ? 1.0 : 0.0) - m_atLimit);
+    events.set(turning_alarm::kTrimAtLimit, m_atLimit > kLimitAlarm);
+
+    switch (m_status.stage) {
+        case TurningStage::Out:
+            return {m_outFaulted ? LoopState::Faulted : LoopState::Limited, m_outReason};
+        case TurningStage::Cutting:
+            if (m_atLimit > kLimitAlarm) {
+                return {LoopState::Limited,
+                        Sentence(KERF_TEXT("The disturbance is larger than the trim may correct."))};
+            }
+            return {LoopState::Controlling, cuttingReason()};
+        case TurningStage::Entry:
+            return {LoopState::Controlling, Sentence(KERF_TEXT("The tool has touched: first revolution."))};
+        case TurningStage::Air:
+        case TurningStage::Idle:
+            break;
+    }
+    return {LoopState::Controlling, Sentence(KERF_TEXT("Out of the cut: the sensor's zero is taken."))};
+}
+
+TurningLoop::ForceState TurningLoop::judge(const FastSample& sample) noexcept {
+    if (sample.quality == Quality::Saturated) {
+        return ForceState::Saturated;
+    }
+    if (sample.quality != Quality::Good || !std::isfinite(sample.force_N)) {
+        return ForceState::Lost;
+    }
+    m_same = sample.force_N == m_lastRaw_N ? m_same + 1 : 0;
+    m_lastRaw_N = sample.force_N;
+    return m_same >= kStuckSamples ? ForceState::Lost : ForceState::Good;
+}
+
+void TurningLoop::takeZero(double raw_N, EventSink& events) noexcept {
+    ++m_airSamples;
+    const double share = std::max(kZeroShare, 1.0 / static_cast<double>(m_airSamples));
+    m_zero_N += share * (raw_N - m_zero_N);
+    m_status.forceZero_N = m_zero_N;
+    if (m_airSamples == kZeroSamples) {
+        const double moved_N = m_zero_N - m_zeroBefore_N;
+        events.set(turning_alarm::kZeroDrifted, m_zeroKnown && std::abs(moved_N) > kDriftAlarm_N,
+                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(moved_N, 3)));
+        m_zeroBefore_N = m_zero_N;
+        m_zeroKnown = true;
+    }
+}
+
+void TurningLoop::touch(const MachineInputs& inputs) noexcept {
+    m_status.stage = TurningStage::Entry;
+    m_status.touchOff_mm = inputs.position_mm[0];
+    m_part.turning.touchOff_mm = inputs.position_mm[0].value;
+    m_part.turning.forceZero_N = m_zero_N;
+    m_part.turning.controlled = true;
+    m_control.beginCut();
+    m_motion.clear();
+    startCount();
+}
+
+void TurningLoop::startCount() noexcept {
+    m_cutSamples = 0;
+    m_below = m_jumped = m_moved = 0;
+    m_mean_N = m_reference_N = m_trimMean_um = 0.0;
+    m_watch.reset(m_process);
+    m_surface_um2 = m_untreated_um2 = 0.0;
+    m_surfaceSum_um2 = m_untreatedSum_um2 = 0.0;
+    m_steadySum_um2 = m_openSteadySum_um2 = m_steadyForce_N = 0.0;
+    m_surfaceCount = 0;
+    m_revolution = m_steady = m_openSteady = Extent{};
+}
+
+void TurningLoop::cut(double force_N, const MachineInputs& inputs, EventSink& events) noexcept {
+    ++m_cutSamples;
+    m_mean_N += std::max(kMeanShare, 1.0 / static_cast<double>(m_cutSamples)) * (force_N - m_mean_N);
+    m_status.forceMean_N = m_mean_N;
+    m_status.forcePeak_N = std::max(m_status.forcePeak_N, force_N);
+    m_forceSum_N += force_N;
+    m_trace.force(m_status.progress, force_N);
+    identify(force_N, inputs);
+    const bool control = m_mode == LoopMode::Control;
+    m_control.setSilent(!control);
+    m_part.turning.controlled = m_part.turning.controlled && control;
+    m_wanted_um = m_control.update({force_N, 0.0});
+    if (m_control.ready()) {
+        m_status.stage = TurningStage::Cutting;
+    }
+
+    m_below = force_N < kExitShare * m_status.forceTarget_N ? m_below + 1 : 0;
+    if (m_below >= kExitSamples) {
+        m_status.stage = TurningStage::Air;  // the end of the cut; the zero is taken again
+        m_status.acting = false;
+        m_airSamples = 0;
+        m_above = 0;
+        return;
+    }
+    if (chipped(force_N, events) || losesTheCut(events)) {
+        return;
+    }
+    m_status.acting = m_control.acting();
+    m_status.depthEstimate_um += std::max(kMeanShare, 1.0 / static_cast<double>(m_cutSamples)) *
+                                 (m_control.chip_um() - m_status.depthEstimate_um);
+    if (m_status.stage == TurningStage::Cutting) {
+        watchSurface(m_control.error_um(), m_control.untreated_um(), force_N);
+    }
+    showTones(events);
+}
+
+/// The edge has chipped: û jumps at once, or the mean force has grown by a quarter since the start of the cut.
+bool TurningLoop::chipped(double force_N, EventSink& events) noexcept {
+    if (m_cutSamples == kReferenceAfter) {
+        m_reference_N = m_mean_N;
+    }
+    double ratio = 1.0;
+    if (m_reference_N > 0.0) {
+        ratio = m_status.gainRatio = m_mean_N / m_reference_N;
+        m_jumped = ratio > kChipRatio ? m_jumped + 1 : 0;
+    }
+    // At the very end the force falls to nothing: no jump is looked for there.
+    bool jump = m_jumped >= kChipSamples;
+    if (!m_control.tones().acting()) {
+        m_watch.reset(m_process);  // what is usual is not known yet
+    } else if (force_N > kExitShare * m_status.forceTarget_N &&
+               m_watch.update(force_N, m_control.chip_um(), m_control.innovation_um())) {
+        jump = true;
+        ratio = m_status.gainRatio = m_watch.ratio();
+    }
+    events.set(turning_alarm::kToolChipped, jump,
+               Sentence(KERF_TEXT("%1 times the force at the start of the cut."), SentenceArg(ratio, 2)));
+    if (jump) {
+        leave(Sentence(KERF_TEXT("The cutting force has jumped: the trim is zero, look at the tool.")), true);
+    }
+    return jump;
+}
+
+/// Mean-force check: whatever the law, the cut stays.
+bool TurningLoop::losesTheCut(EventSink& events) noexcept {
+    m_trimMean_um += kTrimMeanShare * (m_status.appliedTrim_um - m_trimMean_um);
+    const bool leaning = std::abs(m_trimMean_um) > kTrimMeanMost_um;
+    const bool gone = m_reference_N > 0.0 && m_status.gainRatio < kGoneRatio;
+    events.set(
+        turning_alarm::kMeanForceOff, leaning || gone,
+        gone ? Sentence(KERF_TEXT("%1 times the force at the start of the cut."), SentenceArg(m_status.gainRatio, 2))
+             : Sentence(KERF_TEXT("The mean of the trim is %1 um."), SentenceArg(m_trimMean_um, 2)));
+    if (gone) {
+        leave(Sentence(KERF_TEXT("The mean force has fallen: no trim in this part.")), false);
+    } else if (leaning) {
+        leave(Sentence(KERF_TEXT("The trim leans to one side: no trim in this part.")), false);
+    }
+    return gone || leaning;
+}
+
+void TurningLoop::showTones(EventSink& events) noexcept {
+    const turning::ToneCanceller& law = m_control.tones();
+    const turning::ToneTracker& tracker = law.tracker();
+    m_status.toneCount = 0;
+    bool blind = false;
+    for (std::size_t j = 0; j < tracker.count() && law.acting(); ++j) {
+        const turning::Tone& tone = tracker.tone(j);
+        TurningTone& shown = m_status.tones[m_status.toneCount++];
+        shown.frequency_Hz = tone.frequency_Hz(turning::kSampleRate_Hz);
+        shown.amplitude_um = tone.amplitude_um();
+        shown.visibility = turning::visibility(shown.frequency_Hz, m_motion.samples(), turning::kSampleRate_Hz);
+        shown.blind = shown.visibility < turning::kBlindBelow;
+        const double variance_um2 = tracker.amplitudeVariance_um2(j);
+        shown.share = variance_um2 / (variance_um2 + tracker.noise_um2());
+        blind = blind || shown.blind;
+    }
+    events.set(turning_alarm::kBlindTone, blind);
+}
+
+Sentence TurningLoop::cuttingReason() const noexcept {
+    switch (m_controller) {
+        case TurningController::Open:
+            return Sentence(KERF_TEXT("Open: the disturbance is watched, the tool is not trimmed."));
+        case TurningController::Paper:
+        case TurningController::Pi:
+            return Sentence(KERF_TEXT("The trim follows the depth error."));
+        case TurningController::Tones:
+            break;
+    }
+    return m_status.acting ? Sentence(KERF_TEXT("The trim cancels %1 tones of the disturbance."),
+                                      SentenceArg(static_cast<double>(m_status.toneCount), 0))
+                           : Sentence(KERF_TEXT("Listening to the disturbance: no trim yet."));
+}
+
+void TurningLoop::leave(const Sentence& reason, bool faulted) noexcept {
+    m_status.stage = TurningStage::Out;
+    m_status.acting = false;
+    m_outReason = reason;
+    m_outFaulted = faulted;
+    m_part.turning.leftLoop = true;
+}
+
+void TurningLoop::watchSurface(double error_um, double untreated_um, double force_N) noexcept {
+    m_surface_um2 += kSurfaceShare * (error_um * error_um - m_surface_um2);
+    m_untreated_um2 += kSurfaceShare * (untreated_um * untreated_um - m_untreated_um2);
+    if (m_cutSamples > kReferenceAfter && m_below == 0) {  // the archive's figures leave out the touch and the exit
+        m_surfaceSum_um2 += error_um * error_um;
+        m_untreatedSum_um2 += untreated_um * untreated_um;
+        ++m_surfaceCount;
+        m_trace.surface(error_um, untreated_um, m_status.acting && m_mode == LoopMode::Control);
+        if (m_status.progress >= 0.5 && m_status.progress < kSteadyEnd) {
+            m_steady.take(error_um);
+            m_openSteady.take(untreated_um);
+            m_steadySum_um2 += error_um * error_um;
+            m_openSteadySum_um2 += untreated_um * untreated_um;
+            m_steadyForce_N += force_N;
+        }
+    }
+    m_revolution.take(error_um);
+    if (m_revolution.count >= m_motion.samples()) {
+        m_status.surfacePv_um = m_revolution.width();
+        m_revolution = Extent{};
+    }
+    m_status.surfaceRms_um = std::sqrt(m_surface_um2);
+    m_status.untreatedRms_um = std::sqrt(m_untreated_um2);
+}
+
+void TurningLoop::identify(double force_N, const MachineInputs& inputs) noexcept {
+    TurningIdentification& shown = m_status.identification;
+    shown.available = inputs.toolMotion_um.good();
+    if (!shown.available) {
+        return;
+    }
+    const double inner_um = inputs.toolMotion_um.value;
+    // The build-up of the depth is no chip the model knows: from the second revolution on.
+    const double chip_um = m_setup.depth_um + m_motion.oldest() - inner_um;
+    if (m_cutSamples == m_motion.samples()) {
+        m_identifier.start(m_process, kStartVariance, force_N, chip_um);
+    } else if (m_cutSamples > m_motion.samples()) {
+        m_identifier.update(force_N, chip_um);
+    }
+    m_motion.push(inner_um);
+    const auto estimate = m_identifier.estimate();
+    shown.value = {estimate.process.a1, estimate.process.b0, estimate.process.b1};
+    shown.half95 = {estimate.half95[0], estimate.half95[1], estimate.half95[2]};
+    shown.trace = m_identifier.trace();
+    shown.excitation = m_identifier.excitation();
+    shown.residual_N = m_identifier.residual_N();
+    shown.sure = m_cutSamples > kReferenceAfter && shown.excitation > kSureExcitation &&
+                 estimate.half95.maxCoeff() < kSureHalf95 && estimate.process.usable();
+    const bool moved = shown.sure && mismatch(estimate.process, m_process) > kRetuneAbove;
+    m_moved = moved ? m_moved + 1 : 0;
+    if (m_moved >= kMovedSamples) {
+        m_moved = 0;
+        retune(estimate.process);
+    }
+}
+
+/// The process has moved and the identification is sure of it: the law works with the new one, without a bump.
+void TurningLoop::retune(const turning::ProcessParams& found) noexcept {
+    const double far = found.dcGain() / turning::ProcessParams{}.dcGain();
+    if (far > kFarthestRetune || far < 1.0 / kFarthestRetune) {
+        return;
+    }
+    m_process = found;
+    m_control.setProcess(found);
+    m_watch.reset(m_process);
+    ++m_status.retuned;
+    ++m_part.turning.retuned;
+    m_status.lawProcess = {found.a1, found.b0, found.b1};
+    m_status.forceTarget_N = found.dcGain() * m_setup.depth_um;
+}
+
+void TurningLoop::noteForce(double force_N) noexcept {
+    m_forceLow_N = m_forceTaken ? force_N : std::min(m_forceLow_N, force_N);
+    m_forceHigh_N = m_forceTaken ? force_N : std::max(m_forceHigh_N, force_N);
+    m_forceTaken = false;
+}
+
+void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
+    m_setup = m_next;
+    m_control = turning::DepthControl(controlParams(m_setup));
+    m_motion = turning::RevolutionBuffer(controlParams(m_setup).revolutionSamples);
+    m_identifier.reset();
+    const std::uint32_t partsCut = m_status.partsCut;
+    const std::uint32_t retuned = m_status.retuned;
+    m_status = TurningStatus{};
+    m_status.partsCut = partsCut;
+    m_status.retuned = retuned;
+    m_status.controller = m_controller;
+    m_status.lawProcess = {m_process.a1, m_process.b0, m_process.b1};
+    m_status.stage = TurningStage::Air;
+    m_status.activeSetup = m_setup.revision;
+    m_status.nextSetup = m_next.revision;
+    m_status.depth_um = m_setup.depth_um;
+    m_status.forceTarget_N = m_process.dcGain() * m_setup.depth_um;
+    m_status.forceZero_N = m_zero_N;
+    m_status.overlap =
+        turning::overlapFactor(m_setup.toolRadius_um, m_setup.depth_um, m_setup.feed_umPerRev).value_or(0.0);
+    m_part = PartRecord{};
+    m_part.process = ProcessId::Turning;
+    m_part.partSequence = inputs.partSequence;
+    m_part.begin_ns = inputs.time_ns;
+    m_part.turning.setup = m_setup;
+    m_lastSequence = inputs.partSequence;
+    m_inPart = true;
+    m_airSamples = 0;
+    m_above = m_same = 0;
+    m_forceSum_N = m_atLimit = m_trim_um = m_wanted_um = 0.0;
+    m_forceTaken = true;
+    startCount();
+    m_trace.beginPart(inputs.partSequence, m_setup.spindleSpeed_rpm / 60.0);
+}
+
+void TurningLoop::endPart(const MachineInputs& inputs, EventSink& events) noexcept {
+    m_part.end_ns = inputs.time_ns;
+    m_part.forceMean_N = m_cutSamples > 0 ? m_forceSum_N / static_cast<double>(m_cutSamples) : 0.0;
+    m_part.forcePeak_N = m_status.forcePeak_N;
+    TurningRecord& record = m_part.turning;
+    record.valid = true;
+    if (m_surfaceCount > 0) {
+        record.surfaceRms_um = std::sqrt(m_surfaceSum_um2 / static_cast<double>(m_surfaceCount));
+        record.untreatedRms_um = std::sqrt(m_untreatedSum_um2 / static_cast<double>(m_surfaceCount));
+    }
+    if (m_steady.count > 0) {
+        const auto count = static_cast<double>(m_steady.count);
+        record.steadyRms_um = std::sqrt(m_steadySum_um2 / count);
+        record.openSteadyRms_um = std::sqrt(m_openSteadySum_um2 / count);
+        record.steadyPv_um = m_steady.width();
+        record.openSteadyPv_um = m_openSteady.width();
+        record.steadyForce_N = m_steadyForce_N / count;
+    }
+    record.surfacePv_um = m_status.surfacePv_um;
+    record.controller = m_controller;
+    record.controlled = record.controlled && !record.leftLoop;
+    record.tones = m_status.tones;
+    record.toneCount = m_status.toneCount;
+    record.identification = m_status.identification;
+    record.lawProcess = m_status.lawProcess;
+    record.forceTarget_N = m_status.forceTarget_N;
+    m_trace.endPart();
+    events.finishPart(m_part);
+    for (const AlarmCode code :
+         {turning_alarm::kForceSaturated, turning_alarm::kToolChipped, turning_alarm::kMeanForceOff,
+          turning_alarm::kTrimAtLimit, turning_alarm::kBlindTone, turning_alarm::kForceLost}) {
+        events.clear(code);
+    }
+    m_inPart = false;
+    m_status.partsCut += m_part.complete ? 1U : 0U;
+}
+
+void TurningLoop::report(Status& status) const noexcept {
+    status.turning = m_status;
+}
+
+void TurningLoop::sample(Sample& sample) const noexcept {
+    if (m_status.stage != TurningStage::Idle) {
+        sample.force_N = static_cast<float>(m_status.force_N.value);
+        sample.depthError_um = static_cast<float>(m_control.error_um());
+        sample.trim_um = static_cast<float>(m_status.appliedTrim_um);
+        sample.forceLow_N = static_cast<float>(m_forceLow_N);
+        sample.forceHigh_N = static_cast<float>(m_forceHigh_N);
+        m_forceTaken = true;
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/overview/overview_page.h"
+
+#include <QGridLayout>
+#include <algorithm>
+#include <array>
+
+#include "ui/link/texts.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+namespace {
+constexpr int kSamplePeriod_ms = 200;
+constexpr std::array<const char*, kAxisCount> kAxisNames{"X", "Y", "Z"};
+}  // namespace
+
+LoopCard::LoopCard(Look& look, const PageEntry& entry, QWidget* parent)
+    : Card(look, parent),
+      m_look(look),
+      m_entry(entry),
+      m_lamp(new Lamp(look, this)),
+      m_reason(makeLabel(TextRole::Body, this, true)),
+      m_place(new QVBoxLayout),
+      m_course(new Sparkline(look, this)) {
+    setObjectName(QStringLiteral("card_") + QLatin1String(entry.key));
+    setCursor(Qt::PointingHandCursor);
+    header()->addWidget(m_lamp);
+    body()->addWidget(m_reason);
+    body()->addLayout(m_place);
+    body()->addWidget(m_course, 1);
+    body()->addStretch(0);
+    retitle();
+}
+
+void LoopCard::retitle() {
+    setTitle(m_entry.title());
+}
+
+void LoopCard::show(const LoopStatus& loop, const KeyFigure& figure) {
+    if (!loop.fitted) {
+        m_lamp->set(Sign::Off, tr("not fitted"));
+        m_reason->setText(loop.reason.empty() ? tr("Not fitted yet.") : sentenceText(loop.reason, m_look.units()));
+        m_course->hide();
+        if (m_number != nullptr) {
+            m_number->hide();
+        }
+        return;
+    }
+    m_lamp->setState(loop.state);
+    m_reason->setText(sentenceText(loop.reason, m_look.units()));
+    m_course->show();
+    const bool other =
+        m_number == nullptr || std::string_view(m_kind.unit) != figure.unit || m_kind.decimals != figure.decimals;
+    if (other) {
+        delete m_number;
+        m_number = new NumberDisplay(m_look, figure.unit, figure.decimals, TextSize::Page, this);
+        m_place->addWidget(m_number);
+    }
+    m_kind = figure;
+    m_number->show();
+    m_number->setLabel(figure.label);
+    if (figure.value) {
+        m_number->setValue(*figure.value);
+        m_number->setHalf95(figure.half95);
+        m_number->setLimited(figure.limited);
+    } else {
+        m_number->setNothing();
+    }
+}
+
+void LoopCard::sample(const KeyFigure& figure) {
+    if (!figure.course.empty()) {
+        m_course->setValues(figure.course);
+    } else if (figure.value) {
+        m_course->push(*figure.value);
+    }
+}
+
+void LoopCard::mouseReleaseEvent(QMouseEvent*) {
+    emit opened();
+}
+
+OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
+    : Page(context, parent),
+      m_entries(standardPages()),
+      m_machine(new Card(context.look, this)),
+      m_machineLamp(new Lamp(context.look, this)),
+      m_sentence(makeLabel(TextRole::Body, this, true)),
+      m_feed(new NumberDisplay(context.look, "mm/s", 2, TextSize::Page, this)),
+      m_feedCourse(new Sparkline(context.look, this)),
+      m_parts(new NumberDisplay(context.look, "", 0, TextSize::Card, this)),
+      m_start(new ActionButton(context.look, this)),
+      m_release(new ActionButton(context.look, this)) {
+    auto* grid = new QGridLayout(this);
+    int cell = 0;
+    for (const ProcessId process : kAllProcesses) {
+        PageEntry entry;
+        entry.key = processKey(process);
+        entry.title = [process] { return processName(process); };
+        entry.process = process;
+        for (const PageEntry& known : m_entries) {
+            if (known.process == process) {
+                entry.keyFigure = known.keyFigure;
+            }
+        }
+        auto* card = new LoopCard(look(), entry, this);
+        connect(card, &LoopCard::opened, this, [this, key = entry.key] { this->context().showPage(key); });
+        grid->addWidget(card, cell / 3, cell % 3);
+        m_cards.push_back(card);
+        ++cell;
+    }
+    buildMachine();
+    grid->addWidget(m_machine, 1, 2);
+    for (int i = 0; i < 3; ++i) {
+        grid->setColumnStretch(i, 1);
+    }
+    grid->setRowStretch(0, 1);
+    grid->setRowStretch(1, 1);
+    m_sinceSample.start();
+    connect(&context.client, &EngineClient::statusChanged, this, &OverviewPage::onStatus);
+    refresh();
+}
+
+void OverviewPage::buildMachine() {
+    m_machine->setObjectName(QStringLiteral("card_machine"));
+    m_machine->header()->addWidget(m_machineLamp);
+    m_machine->body()->addWidget(m_sentence);
+    m_feed->setObjectName(QStringLiteral("feedRate"));
+    m_parts->setObjectName(QStringLiteral("partCounter"));
+    m_feed->setWidest(88.0);
+    m_machine->body()->addWidget(m_feedCourse, 1);
+    auto* numbers = new QGridLayout;
+    numbers->addWidget(m_feed, 0, 0, 1, 2);
+    numbers->addWidget(m_parts, 0, 2);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        auto* number = new NumberDisplay(look(), "mm", 3, TextSize::Body, this);
+        number->setLabel(QLatin1String(kAxisNames[axis]));
+        number->setWidest(888.0);
+        m_position.push_back(number);
+        numbers->addWidget(number, 1, static_cast<int>(axis));
+    }
+    m_machine->body()->addLayout(numbers);
+    auto* buttons = new QHBoxLayout;
+    m_start->setObjectName(QStringLiteral("startPart"));
+    m_release->setObjectName(QStringLiteral("releaseHold"));
+    m_start->setPrimary(true);
+    m_start->setPredicate([this] { return whyNoStart(); });
+    m_release->setPredicate([this] { return whyNoRelease(); });
+    buttons->addWidget(m_start);
+    buttons->addWidget(m_release);
+    m_machine->body()->addLayout(buttons);
+    connect(m_start, &QPushButton::clicked, this, [this] { context().client.sendAction(StartPart{mainProcess()}); });
+    connect(m_release, &QPushButton::clicked, this, [this] { context().client.sendAction(ReleaseHold{}); });
+}
+
+ProcessId OverviewPage::mainProcess() const {
+    const auto& loops = context().client.status().loops;
+    const auto first = std::ranges::find_if(loops, &LoopStatus::fitted);
+    return first == loops.end() ? ProcessId::Boring : kAllProcesses[static_cast<std::size_t>(first - loops.begin())];
+}
+
+QString OverviewPage::whyNoStart() const {
+    const Status& status = context().client.status();
+    const Capability& start = context().client.engine().capabilities().cycleStart;
+    if (!start.fitted) {
+        return start.why.empty() ? tr("Start the program at the control.") : sentenceText(start.why, look().units());
+    }
+    if (status.link != LinkState::Up) {
+        return tr("No link to the machine.");
+    }
+    if (!status.machineOn || status.emergencyStop) {
+        return tr("The machine is off.");
+    }
+    if (status.held) {
+        return tr("Hold is in force.");
+    }
+    if (status.partsBlocked) {
+        return tr("Finished parts are not stored yet.");
+    }
+    if (status.program == ProgramState::Running || status.program == ProgramState::Paused) {
+        return tr("A part is being cut.");
+    }
+    return {};
+}
+
+QString OverviewPage::whyNoRelease() const {
+    const Status& status = context().client.status();
+    const bool faulted = std::any_of(status.loops.begin(), status.loops.end(),
+                                     [](const LoopStatus& l) { return l.state == LoopState::Faulted; });
+    return status.held || faulted ? QString() : tr("Nothing is held.");
+}
+
+QString OverviewPage::machineSentence() const {
+    const Status& status = context().client.status();
+    if (status.link != LinkState::Up) {
+        return tr("No link to the machine.");
+    }
+    if (status.emergencyStop) {
+        return tr("Emergency stop is pressed.");
+    }
+    if (!status.machineOn) {
+        return tr("The machine is off.");
+    }
+    if (status.held) {
+        return tr("All loops are held with their last offset.");
+    }
+    switch (status.program) {
+        case ProgramState::Idle:
+            return tr("Ready for the next part.");
+        case ProgramState::Running:
+            return status.boring.cutting ? tr("Cutting, %1 s to go.").arg(static_cast<int>(status.boring.remaining_s))
+                                         : tr("The program is running.");
+        case ProgramState::Paused:
+            return tr("The program is paused.");
+        case ProgramState::Finished:
+            return tr("Part finished.");
+        case ProgramState::Aborted:
+            return tr("The last part was aborted.");
+    }
+    return {};
+}
+
+void OverviewPage::onStatus(const Status& status) {
+    const bool sample = m_sinceSample.elapsed() >= kSamplePeriod_ms;
+    if (sample) {
+        m_sinceSample.restart();
+    }
+    if (!sample && isVisible() == false) {
+        return;
+    }
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        KeyFigure figure;
+        for (const PageEntry& entry : m_entries) {
+            if (entry.process == kAllProcesses[i] && entry.keyFigure) {
+                figure = entry.keyFigure(context().services, status);
+            }
+        }
+        if (sample) {
+            m_cards[i]->sample(figure);
+        }
+        if (sample && isVisible()) {
+            m_cards[i]->show(status.loops[i], figure);
+        }
+    }
+    if (sample && status.actualFeed_mmPerS.good()) {
+        m_feedCourse->push(status.actualFeed_mmPerS.value);
+    }
+    if (!sample || !isVisible()) {
+        return;
+    }
+    m_sentence->setText(machineSentence());
+    const bool up = status.link == LinkState::Up && status.machineOn && !status.emergencyStop;
+    const bool running = status.program == ProgramState::Running;
+    m_machineLamp->set(up ? Sign::Up : Sign::Off, up ? (running ? tr("cutting") : tr("ready")) : tr("off"));
+    m_feed->setReading(status.actualFeed_mmPerS, status.machineTime_ns);
+    m_feed->setLimited(status.feedScaleLimited);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        m_position[axis]->setReading(status.position_mm[axis], status.machineTime_ns);
+    }
+    m_parts->setValue(static_cast<double>(status.boring.partsCut + status.milling.partsCut + status.turning.partsCut));
+    m_start->reconsider();
+    m_release->reconsider();
+}
+
+void OverviewPage::refresh() {
+    const int gap = look().space(Space::Medium);
+    layout()->setContentsMargins(gap, gap, gap, gap);
+    layout()->setSpacing(gap);
+    for (LoopCard* card : m_cards) {
+        card->retitle();
+    }
+    m_machine->setTitle(tr("Machine"));
+    m_feed->setLabel(tr("Feed"));
+    m_parts->setLabel(tr("Parts since start"));
+    m_start->setText(tr("Start part"));
+    m_release->setText(tr("Release hold"));
+    Page::refresh();
+    const Status& status = context().client.status();
+    m_sentence->setText(machineSentence());
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        KeyFigure figure;
+        for (const PageEntry& entry : m_entries) {
+            if (entry.process == kAllProcesses[i] && entry.keyFigure) {
+                figure = entry.keyFigure(context().services, status);
+            }
+        }
+        m_cards[i]->show(status.loops[i], figure);
+    }
+    m_start->reconsider();
+    m_release->reconsider();
+}
+
+}  // namespace kerf::ui

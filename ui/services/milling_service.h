@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/process/milling/milling_fields.h"
+#include "engine/core/subscription.h"
+#include "engine/core/result.h"
+
+/// What belongs to milling outside the cycle: part types with their setup and blank profile, the tool in the spindle,
+/// the log of cuts. The page sees values; the service stores first, then hands the engine what it is to use.
+namespace kerf {
+
+/// One cut of the log.
+struct MillingCutView {
+    std::uint32_t number{0};  ///< the machine's count of parts
+    bool complete{false};
+    bool withThisTool{false};
+    MillingCut cut{};
+};
+
+/// Everything the milling page shows that is not live. Rebuilt after each change; cheap to copy.
+struct MillingServiceView {
+    std::uint64_t revision{0};  ///< rises with each change
+    std::string partType{};
+    std::vector<std::string> partTypes{};  ///< all that are stored, by name
+    MillingSetup setup{};
+    MillingBlank blank{};
+    std::string blankSource{};           ///< file it was imported from; empty: typed
+    std::vector<MillingCutView> cuts{};  ///< the last ones, oldest first
+    bool busy{false};                    ///< a change is being stored
+    Sentence problem{};                  ///< what could not be stored or used; empty when all is well
+};
+
+/// One step of a blank profile as it is typed.
+struct MillingBlankStep {
+    double begin_mm{0.0};
+    double height_mm{0.0};
+};
+
+class MillingService {
+ public:
+    MillingService() = default;
+    MillingService(const MillingService&) = delete;
+    MillingService& operator=(const MillingService&) = delete;
+    virtual ~MillingService() = default;
+
+    [[nodiscard]] virtual const MillingServiceView& view() const = 0;
+    /// Every number of a setup that a person can change.
+    [[nodiscard]] virtual std::span<const MillingField> fields() const = 0;
+
+    /// Empty when it can be used; else what is wrong with it.
+    [[nodiscard]] virtual std::optional<Sentence> whyUnusable(const MillingSetup& setup) const = 0;
+    /// Steps with strictly rising begins, the last one ending at `end_mm`; no steps: no profile.
+    [[nodiscard]] virtual Result<MillingBlank> blankOf(std::span<const MillingBlankStep> steps,
+                                                       double end_mm) const = 0;
+    /// A CSV file "begin_mm,height_mm" with a last row "end_mm,". The error names line and column.
+    [[nodiscard]] virtual Result<MillingBlank> readBlank(const std::string& file) const = 0;
+
+    /// Called on the caller's thread when the change is safely on disk and the engine uses it (or why not).
+    using Done = std::function<void(const Result<void>&)>;
+    virtual void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
+                           Done done) = 0;
+    virtual void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
+                           Done done) = 0;
+    /// Go on with another part type; a new name begins with the present setup and no blank profile.
+    virtual void choosePartType(const std::string& name, const std::string& author, Done done) = 0;
+    /// Wear and tool stiffness are learnt anew.
+    virtual void newTool(const std::string& author, Done done) = 0;
+
+    /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.
+    [[nodiscard]] virtual std::unique_ptr<Subscription> onChanged(std::function<void()> changed) = 0;
+};
+
+}  // namespace kerf
