@@ -100,10 +100,7 @@ class WriterThread::Worker {
 };
 
 WriterThread::WriterThread(std::string path, SpscRing<PartRecord>* parts, Options options)
-    : m_path(std::move(path)),
-      m_parts(parts),
-      m_options(options),
-      m_jobs(options.queueCapacity) {}
+    : m_path(std::move(path)), m_parts(parts), m_options(options), m_jobs(options.queueCapacity) {}
 
 WriterThread::~WriterThread() {
     m_waiting.clear();  // whoever is gone by now is not called any more

@@ -53,8 +53,7 @@ class WriterThread final : public QObject, public StoreWriter {
     void submit(StoreCommand command, Done done) override;
     [[nodiscard]] const Sentence& problem() const override { return m_problem; }
     [[nodiscard]] std::unique_ptr<Subscription> onProblemChanged(std::function<void()> changed) override;
-    [[nodiscard]] std::unique_ptr<Subscription> onPartStored(
-        std::function<void(const StoredPart&)> stored) override;
+    [[nodiscard]] std::unique_ptr<Subscription> onPartStored(std::function<void(const StoredPart&)> stored) override;
 
     /// Finished parts of the engine stored so far; any thread may read it or wait for it to change.
     [[nodiscard]] const std::atomic<std::uint64_t>& partsStored() const noexcept { return m_partsStored; }

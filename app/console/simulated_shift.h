@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
+#include "ui/services/boring_service.h"
 
 namespace kerf::console {
 

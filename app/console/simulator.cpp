@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/process/boring/model.h"
 #include "engine/core/random.h"
+#include "engine/process/boring/model.h"
 
 namespace kerf::console {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/process/boring/boring_types.h"
 #include "engine/machine/simulated/simulated_boring.h"
 #include "engine/machine/simulated/simulated_machine.h"
+#include "engine/process/boring/boring_types.h"
 
 namespace kerf::console {
 

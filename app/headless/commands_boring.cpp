@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "app/headless/commands.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 #include "engine/process/boring/lot_tracker.h"
 
 namespace kerf::headless {

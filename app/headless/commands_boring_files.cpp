@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/headless/commands_boring.h"
 #include "app/files/table.h"
+#include "app/headless/commands_boring.h"
 
 namespace kerf::headless {
 namespace {

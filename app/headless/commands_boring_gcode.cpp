@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "app/headless/commands_boring.h"
 #include "app/files/table.h"
+#include "app/headless/commands_boring.h"
 #include "engine/process/boring/gcode_export.h"
 
 namespace kerf::headless {

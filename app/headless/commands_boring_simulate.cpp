@@ -2,9 +2,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/headless/commands_boring.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands_boring.h"
 
 namespace kerf::headless {
 namespace {

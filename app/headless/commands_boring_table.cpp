@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
-#include "app/headless/commands_boring.h"
 #include "app/files/output.h"
+#include "app/headless/commands_boring.h"
 
 namespace kerf::headless {
 namespace {

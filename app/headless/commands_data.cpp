@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/headless/commands.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 #include "db/api/csv_export.h"
 #include "db/location.h"
 #include "db/migrator.h"

@@ -7,9 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/headless/commands.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 #include "app/machines/machine_module_loader.h"
 #include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/shared_link.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "app/headless/commands.h"
 #include "app/files/milling_input.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 #include "engine/process/milling/cut_simulation.h"
 #include "engine/process/milling/revolution_averager.h"
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/headless/commands.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/files/tapping_drive_file.h"
+#include "app/headless/commands.h"
 #include "app/headless/tapping_table.h"
 #include "engine/process/tapping/tap_drive.h"
 #include "engine/process/tapping/tap_record.h"

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "app/files/output.h"
+#include "app/files/thermal_files.h"
 #include "app/files/thermal_model_json.h"
 #include "app/headless/commands.h"
-#include "app/files/output.h"
 #include "app/headless/thermal_commands.h"
-#include "app/files/thermal_files.h"
 #include "engine/process/thermal/replay.h"
 #include "engine/process/thermal/training.h"
 

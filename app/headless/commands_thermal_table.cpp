@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "app/files/table.h"
-#include "app/headless/thermal_commands.h"
 #include "app/files/thermal_files.h"
+#include "app/headless/thermal_commands.h"
 #include "engine/process/thermal/replay.h"
 #include "engine/process/thermal/training.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/headless/commands.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 #include "app/headless/turning_table.h"
 #include "engine/process/turning/blind.h"
 #include "engine/process/turning/identifier.h"

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/headless/commands.h"
 #include "app/files/table.h"
+#include "app/headless/commands.h"
 
 namespace {
 constexpr int kDone = 0;

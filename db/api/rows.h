@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/boring/boring_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
+#include "engine/process/boring/boring_types.h"
 
 /// Plain values as the database keeps them. Instants are milliseconds since 1970-01-01 UTC; text is UTF-8.
 namespace kerf {

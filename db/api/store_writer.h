@@ -11,8 +11,8 @@
 
 #include "db/api/rows.h"
 #include "engine/api/status.h"
-#include "engine/core/subscription.h"
 #include "engine/core/result.h"
+#include "engine/core/subscription.h"
 
 /// Everything that can be written. One command is one transaction, with its audit entry inside.
 namespace kerf {
@@ -178,8 +178,7 @@ class StoreWriter {
     /// Why finished parts cannot be stored at the moment; empty when they can.
     [[nodiscard]] virtual const Sentence& problem() const = 0;
     [[nodiscard]] virtual std::unique_ptr<Subscription> onProblemChanged(std::function<void()> changed) = 0;
-    [[nodiscard]] virtual std::unique_ptr<Subscription> onPartStored(
-        std::function<void(const StoredPart&)> stored) = 0;
+    [[nodiscard]] virtual std::unique_ptr<Subscription> onPartStored(std::function<void(const StoredPart&)> stored) = 0;
 };
 
 }  // namespace kerf

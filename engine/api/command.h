@@ -5,13 +5,13 @@
 #include <type_traits>
 #include <variant>
 
+#include "engine/core/process.h"
+#include "engine/core/sentence.h"
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/milling/milling_types.h"
 #include "engine/process/tapping/tapping_types.h"
 #include "engine/process/thermal/thermal_types.h"
 #include "engine/process/turning/turning_types.h"
-#include "engine/core/process.h"
-#include "engine/core/sentence.h"
 
 /// Commands from a page to the engine: numbered, plain values, whole parameter sets. The status echoes number and
 /// result.

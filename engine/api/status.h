@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "engine/process/boring/boring_types.h"
 #include "engine/api/command.h"
-#include "engine/process/milling/milling_types.h"
-#include "engine/process/tapping/tapping_types.h"
-#include "engine/process/thermal/thermal_types.h"
-#include "engine/process/turning/turning_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/histogram.h"
 #include "engine/core/process.h"
 #include "engine/port/machine_port.h"
+#include "engine/process/boring/boring_types.h"
+#include "engine/process/milling/milling_types.h"
+#include "engine/process/tapping/tapping_types.h"
+#include "engine/process/thermal/thermal_types.h"
+#include "engine/process/turning/turning_types.h"
 
 namespace kerf {
 

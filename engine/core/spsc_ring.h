@@ -19,7 +19,7 @@ template <class T>
 class SpscRing {
     static_assert(std::is_trivially_copyable_v<T>, "the cycle copies T; it must not allocate");
 
-   public:
+ public:
     /// Holds at least `capacity` values (rounded up to a power of two).
     explicit SpscRing(std::size_t capacity) : m_slots(std::bit_ceil(capacity)), m_mask(m_slots.size() - 1) {}
 
@@ -59,7 +59,7 @@ class SpscRing {
     }
     [[nodiscard]] std::size_t capacity() const noexcept { return m_slots.size(); }
 
-   private:
+ private:
     static constexpr std::size_t kCacheLine = 64;
 
     std::vector<T> m_slots;

@@ -10,10 +10,10 @@
 #include "engine/api/status.h"
 #include "engine/core/latest_value.h"
 #include "engine/core/spsc_ring.h"
-#include "engine/limits/output_limiter.h"
 #include "engine/cycle/event_sink.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/cycle/supervisor.h"
+#include "engine/limits/output_limiter.h"
 
 namespace kerf {
 

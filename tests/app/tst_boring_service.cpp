@@ -204,7 +204,8 @@ class Bench {
         auto reader = db::DatabaseReader::open(m_scratch.path());
         QVERIFY(reader.has_value());
         m_reader = std::move(*reader);
-        auto opened = StoredBoringService::open({*m_writer, *engine, {}, [this] { return loopMode; }}, *m_reader, m_lot);
+        auto opened =
+            StoredBoringService::open({*m_writer, *engine, {}, [this] { return loopMode; }}, *m_reader, m_lot);
         QVERIFY2(opened.has_value(), opened ? "" : opened.error().english().c_str());
         service = std::move(*opened);
     }

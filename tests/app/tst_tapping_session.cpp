@@ -24,7 +24,7 @@ SimulatedTapping::Params shopFloor() {
 /// Service and machine, polled now and then as the console does.
 struct ServiceBench : TappingBench {
     explicit ServiceBench(const SimulatedTapping::Params& machineParams = {},
-                       std::vector<tapping::StoredTuning> known = {})
+                          std::vector<tapping::StoredTuning> known = {})
         : TappingBench(machineParams) {
         StoredTappingService::Params params;
         params.known = std::move(known);
@@ -45,7 +45,9 @@ struct ServiceBench : TappingBench {
     bool reaches(TuningState state) {
         return pollUntil([state](const TappingServiceView& view) { return view.state == state; });
     }
-    bool tune(bool automatic = true) { return service->begin("Kim", automatic).has_value() && reaches(TuningState::Done); }
+    bool tune(bool automatic = true) {
+        return service->begin("Kim", automatic).has_value() && reaches(TuningState::Done);
+    }
     std::unique_ptr<StoredTappingService> service;
     std::vector<tapping::StoredTuning> stored;
 };

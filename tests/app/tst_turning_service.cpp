@@ -2,8 +2,8 @@
 #include <QCoreApplication>
 #include <QTest>
 
-#include "app/service/turning/turning_service.h"
 #include "app/service/turning/turning_records.h"
+#include "app/service/turning/turning_service.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
 #include "engine/core/random.h"
@@ -177,8 +177,8 @@ class TestTurningService : public QObject {
         m_writer = std::make_unique<db::WriterThread>(m_folder->path(), &m_parts, kQuick);
         QVERIFY(m_writer->start().has_value());
         m_reader = std::move(*db::DatabaseReader::open(m_folder->path()));
-        m_service =
-            std::make_unique<StoredTurningService>(StoredTurningService::Links{*m_writer, *m_engine, *m_exchange, *m_reader});
+        m_service = std::make_unique<StoredTurningService>(
+            StoredTurningService::Links{*m_writer, *m_engine, *m_exchange, *m_reader});
     }
     void close() {
         (void)m_writer->stop();

@@ -12,7 +12,8 @@ namespace {
 
 using namespace kerf;
 
-/// One whole cycle (simulated machine, boring loop in control, limits) while a bore is cut; the percentiles are counters.
+/// One whole cycle (simulated machine, boring loop in control, limits) while a bore is cut; the percentiles are
+/// counters.
 void engineCycle(benchmark::State& state) {
     test::BoringBench bench;
     BoringSchedule schedule = test::shortSchedule();

@@ -2,10 +2,10 @@
 #include <QFile>
 #include <QTextStream>
 
-#include "ui/services/milling_service.h"
 #include "tests/support/console_bench.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
+#include "ui/services/milling_service.h"
 #include "ui/shell/services.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/value_field.h"

@@ -23,17 +23,18 @@ class TestMachineCommands : public QObject {
         QVERIFY(run.err.contains("not reached"));
     }
     void exportedScheduleIsASubroutine() {
-        const KerfRun run = runKerf({QStringLiteral("boring"), QStringLiteral("export-gcode"), QStringLiteral("--ln-c"),
-                                     QStringLiteral("-2.44"), QStringLiteral("--alpha"), QStringLiteral("0.5"),
-                                     QStringLiteral("--beta"), QStringLiteral("0.27"), QStringLiteral("--target-deflection"),
-                                     QStringLiteral("0.1165"), QStringLiteral("--name"), QStringLiteral("bore7")});
+        const KerfRun run =
+            runKerf({QStringLiteral("boring"), QStringLiteral("export-gcode"), QStringLiteral("--ln-c"),
+                     QStringLiteral("-2.44"), QStringLiteral("--alpha"), QStringLiteral("0.5"),
+                     QStringLiteral("--beta"), QStringLiteral("0.27"), QStringLiteral("--target-deflection"),
+                     QStringLiteral("0.1165"), QStringLiteral("--name"), QStringLiteral("bore7")});
         QCOMPARE(run.exitCode, 0);
         QVERIFY(run.out.startsWith("o<bore7> sub\n"));
         QVERIFY(run.out.contains("o<bore7> endsub\n"));
     }
     void unusableScheduleIsRefused() {
-        const KerfRun run = runKerf({QStringLiteral("boring"), QStringLiteral("export-gcode"), QStringLiteral("--alpha"),
-                                     QStringLiteral("0")});
+        const KerfRun run = runKerf(
+            {QStringLiteral("boring"), QStringLiteral("export-gcode"), QStringLiteral("--alpha"), QStringLiteral("0")});
         QCOMPARE(run.exitCode, 3);
         QVERIFY(run.out.isEmpty());
         QVERIFY(!run.err.isEmpty());

@@ -8,11 +8,11 @@
 #include <thread>
 #include <vector>
 
-#include "engine/process/boring/boring_loop.h"
-#include "engine/process/boring/gcode_export.h"
 #include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "engine/process/boring/boring_loop.h"
+#include "engine/process/boring/gcode_export.h"
 #include "engine/process/milling/milling_loop.h"
 #include "engine/process/tapping/tapping_loop.h"
 #include "engine/process/tapping/tuning_session.h"

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <thread>
 
-#include "engine/process/boring/boring_loop.h"
-#include "engine/limits/output_limiter.h"
 #include "engine/cycle/engine.h"
+#include "engine/limits/output_limiter.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "engine/process/boring/boring_loop.h"
 #include "tests/machine/port_conformance.h"
 #include "tests/support/linuxcnc_control.h"
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/process/boring/boring_loop.h"
 #include "engine/cycle/engine.h"
 #include "engine/machine/simulated/simulated_boring.h"
 #include "engine/machine/simulated/simulated_machine.h"
+#include "engine/process/boring/boring_loop.h"
 
 namespace kerf::test {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/services/boring_service.h"
 #include "engine/core/random.h"
+#include "ui/services/boring_service.h"
 
 namespace kerf::test {
 
@@ -26,7 +26,7 @@ class FakeBoringService : public BoringService {
     static constexpr PartId kFirstId = 101;
 
     explicit FakeBoringService(std::uint32_t lotSize = 30,
-                            std::vector<DepthView> depths = {{"top", 40.0}, {"bottom", 310.0}})
+                               std::vector<DepthView> depths = {{"top", 40.0}, {"bottom", 310.0}})
         : m_random(12) {
         m_view.partType = "Bearing bracket 50 H7";
         m_view.lot = "12";

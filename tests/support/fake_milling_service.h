@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/core/listeners.h"
-#include "ui/services/milling_service.h"
 #include "engine/process/milling/milling_setup.h"
+#include "ui/services/milling_service.h"
 
 namespace kerf::test {
 

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/tapping_service.h"
 #include "engine/process/tapping/tap_trajectory.h"
 #include "engine/process/tapping/thread_table.h"
 #include "engine/process/tapping/trial_machine.h"
+#include "ui/services/tapping_service.h"
 
 namespace kerf::test {
 
-/// A tapping service for GUI tests: a test writes its view and reads what was asked. A tuning on the simulated drive fills
-/// it with what a real one shows.
+/// A tapping service for GUI tests: a test writes its view and reads what was asked. A tuning on the simulated drive
+/// fills it with what a real one shows.
 class FakeTappingService : public TappingService {
  public:
     FakeTappingService() {
         for (const tapping::ThreadPreset& thread : tapping::threadPresets()) {
-            m_threads.push_back({thread.name, thread.pitch_mm, thread.allowedPp_um(), thread.allowedPpWornTap_um(),
-                                 thread.coarse});
+            m_threads.push_back(
+                {thread.name, thread.pitch_mm, thread.allowedPp_um(), thread.allowedPpWornTap_um(), thread.coarse});
         }
         loadM8();
     }
@@ -61,8 +61,12 @@ class FakeTappingService : public TappingService {
             const tapping::Trial& trial = tuning.trials[static_cast<std::size_t>(i)];
             TapTrialView row;
             row.number = static_cast<std::uint32_t>(i) + 1;
-            row.figures = {trial.measured.saec_mm, trial.measured.peak_um, trial.measured.rms_um,
-                           trial.measured.engagedPp_um, 1180, 0};
+            row.figures = {trial.measured.saec_mm,
+                           trial.measured.peak_um,
+                           trial.measured.rms_um,
+                           trial.measured.engagedPp_um,
+                           1180,
+                           0};
             row.settings = settingsOf(trial.settings);
             row.accepted = trial.step.accepted;
             view.trials.push_back(row);

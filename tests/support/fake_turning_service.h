@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "ui/services/turning_service.h"
 #include "engine/process/turning/overlap.h"
 #include "engine/process/turning/turning_setup.h"
+#include "ui/services/turning_service.h"
 
 namespace kerf::test {
 

@@ -26,8 +26,8 @@ MeasurementForm* MeasurementForm::open(SheetHost& host, Look& look, BoringServic
     return form;
 }
 
-MeasurementForm::MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject, Start start,
-                                 OnDone onDone, Sheet* sheet)
+MeasurementForm::MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject,
+                                 Start start, OnDone onDone, Sheet* sheet)
     : FaceWidget(look, sheet),
       m_service(service),
       m_author(std::move(author)),

@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "ui/services/boring_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/diameter_field.h"
+#include "ui/services/boring_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
 
@@ -50,8 +50,8 @@ class MeasurementForm : public FaceWidget {
     void refresh() override;
 
  private:
-    MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject, Start start, OnDone onDone,
-                    Sheet* sheet);
+    MeasurementForm(Look& look, BoringService& service, Author author, MeasurementSubject subject, Start start,
+                    OnDone onDone, Sheet* sheet);
     void reconsider();
     void apply();
     void answered(const Result<void>& result);

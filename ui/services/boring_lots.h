@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/boring_service.h"
 #include "engine/core/param_spec.h"
+#include "ui/services/boring_service.h"
 
 /// Which lot is bored, of which part type, by which recipe. The page sees values; every change is stored first.
 namespace kerf {

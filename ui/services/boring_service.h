@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/boring/boring_types.h"
-#include "engine/core/subscription.h"
 #include "engine/core/result.h"
+#include "engine/core/subscription.h"
+#include "engine/process/boring/boring_types.h"
 
 /// What happens to bore measurements outside the cycle: the lot's parts, the entry gate, the estimator, the next
 /// schedule. The page sees values; the service stores first, then accepts, then sends the new schedule to the engine.

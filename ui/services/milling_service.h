@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/milling/milling_fields.h"
-#include "engine/core/subscription.h"
 #include "engine/core/result.h"
+#include "engine/core/subscription.h"
+#include "engine/process/milling/milling_fields.h"
 
 /// What belongs to milling outside the cycle: part types with their setup and blank profile, the tool in the spindle,
 /// the log of cuts. The page sees values; the service stores first, then hands the engine what it is to use.

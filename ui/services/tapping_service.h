@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/tapping/tapping_types.h"
 #include "engine/core/result.h"
+#include "engine/process/tapping/tapping_types.h"
 
 /// The tuning of a tapping cycle outside the engine's cycle: trials, the tuner's proposal, what the operator decides,
 /// what has been tuned before. The page sees values.

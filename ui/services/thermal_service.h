@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/process/thermal/thermal_types.h"
 #include "engine/core/result.h"
+#include "engine/process/thermal/thermal_types.h"
 
 /// Thermal models outside the engine's cycle: training on a worker, comparison, going live and back, gap-sensor
 /// sessions, history. The page sees values. Drift and shift in µm, temperatures in °C, times in minutes of the machine.

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/turning/turning_types.h"
-#include "engine/core/subscription.h"
 #include "engine/core/param_spec.h"
 #include "engine/core/result.h"
+#include "engine/core/subscription.h"
+#include "engine/process/turning/turning_types.h"
 
 /// What happens to turned surfaces outside the cycle: the setup of the cut, spectra, margins, blind tones, the archive
-/// of parts and the comparison of a cut without the loop with one under it. The page sees values; the service stores first
-/// and then sends to the engine.
+/// of parts and the comparison of a cut without the loop with one under it. The page sees values; the service stores
+/// first and then sends to the engine.
 namespace kerf {
 
 /// Amplitudes over frequency from 0 in equal steps; empty: no surface yet.

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
+#include "ui/services/boring_service.h"
 #include "ui/shell/operator_session.h"
 #include "ui/widgets/face_widget.h"
 #include "ui/widgets/lamp.h"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
+#include "ui/services/boring_service.h"
 #include "ui/shell/operator_session.h"
 
 namespace kerf {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/boring_service.h"
-#include "ui/services/boring_lots.h"
+#include "engine/core/param_spec.h"
 #include "engine/process/boring/estimator.h"
 #include "engine/process/boring/feed_law.h"
-#include "engine/core/param_spec.h"
+#include "ui/services/boring_lots.h"
+#include "ui/services/boring_service.h"
 
 namespace kerf {
 

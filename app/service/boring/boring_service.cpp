@@ -54,7 +54,8 @@ void openBoringLot(StoreWriter& writer, const BoringLotRequest& request,
     });
 }
 
-Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Links& links, LotReader& reader, LotId lot) {
+Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Links& links, LotReader& reader,
+                                                                       LotId lot) {
     const auto history = reader.history(lot);
     if (!history) {
         return tl::unexpected(history.error());
@@ -74,7 +75,7 @@ Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Lin
 }
 
 StoredBoringService::StoredBoringService(const Links& links, const LotHistory& history, BoringRecipe recipe,
-                                   boring::EstimatorKind kind)
+                                         boring::EstimatorKind kind)
     : m_links(links),
       m_lot(history.lot),
       m_recipeRevision(history.recipe.revision),
@@ -188,7 +189,7 @@ void StoredBoringService::enter(const BoreEntry& entry, Done done) {
 }
 
 void StoredBoringService::correct(MeasurementId id, double diameter_mm, const std::string& author,
-                               const std::string& reason, Done done) {
+                                  const std::string& reason, Done done) {
     queue({[=, this]() -> Result<MeasurementRow> {
                const MeasurementRow* old = m_records.standing(id);
                if (old == nullptr) {
@@ -219,7 +220,7 @@ void StoredBoringService::correct(MeasurementId id, double diameter_mm, const st
 }
 
 void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason,
-                                       Done done) {
+                                          Done done) {
     queue({[=, this]() -> Result<MeasurementRow> {
                const MeasurementRow* old = m_records.standing(id);
                if (old == nullptr) {

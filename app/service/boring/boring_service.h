@@ -10,12 +10,12 @@
 #include <string>
 
 #include "app/service/boring/boring_recipe.h"
-#include "engine/core/listeners.h"
 #include "app/service/boring/lot_records.h"
 #include "db/api/lot_reader.h"
 #include "db/api/store_writer.h"
-#include "ui/services/boring_service.h"
 #include "engine/api/engine_api.h"
+#include "engine/core/listeners.h"
+#include "ui/services/boring_service.h"
 
 namespace kerf {
 
@@ -56,7 +56,7 @@ class StoredBoringService final : public BoringService {
     };
     /// Reads the lot and goes on where it was. Links must outlive the service.
     [[nodiscard]] static Result<std::unique_ptr<StoredBoringService>> open(const Links& links, LotReader& reader,
-                                                                        LotId lot);
+                                                                           LotId lot);
 
     [[nodiscard]] const BoringServiceView& view() const override { return m_view; }
     [[nodiscard]] EntryCheck check(const BoreEntry& entry) const override;

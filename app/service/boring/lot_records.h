@@ -26,8 +26,8 @@ struct ServicePart {
     FeedTrace feed{};
 };
 
-/// Everything stored about the lot that the service works with, and what follows from it. No database, no engine: values
-/// in, values out, so that a restart is the same computation as the shift before it.
+/// Everything stored about the lot that the service works with, and what follows from it. No database, no engine:
+/// values in, values out, so that a restart is the same computation as the shift before it.
 class LotRecords {
  public:
     LotRecords(BoringRecipe recipe, boring::EstimatorKind kind);
@@ -68,7 +68,7 @@ class LotRecords {
     BoringRecipe m_recipe;
     boring::EstimatorKind m_kind;
     boring::LotTracker m_tracker;
-    std::vector<ServicePart> m_parts;       ///< by number
+    std::vector<ServicePart> m_parts;    ///< by number
     std::vector<MeasurementRow> m_rows;  ///< in the order of acceptance
 };
 

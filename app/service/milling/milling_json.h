@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/process/milling/milling_types.h"
 #include "engine/core/result.h"
+#include "engine/process/milling/milling_types.h"
 
 /// What the milling room keeps, as text: JSON in the store, CSV for a blank profile from elsewhere. Numbers come back
 /// to the last digit; bad text gives one sentence and no value.

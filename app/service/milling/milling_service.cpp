@@ -178,8 +178,8 @@ Result<MillingBlank> StoredMillingService::readBlank(const std::string& file) co
 }
 
 void StoredMillingService::store(const std::string& kind, const std::string& subject, const std::string& body,
-                              const std::string& author, const std::string& reason, Done done,
-                              std::function<void()> then) {
+                                 const std::string& author, const std::string& reason, Done done,
+                                 std::function<void()> then) {
     if (author.empty()) {
         return answer(done, tl::unexpected(signOnFirst()));
     }
@@ -209,7 +209,7 @@ std::optional<Sentence> StoredMillingService::whyBusy() const {
 }
 
 void StoredMillingService::saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
-                                  Done done) {
+                                     Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
@@ -223,7 +223,7 @@ void StoredMillingService::saveSetup(const MillingSetup& setup, const std::strin
 }
 
 void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
-                                  Done done) {
+                                     Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }

@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "engine/core/listeners.h"
 #include "app/service/milling/milling_json.h"
 #include "db/api/part_reader.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
+#include "engine/core/listeners.h"
 #include "ui/services/milling_service.h"
 
 namespace kerf {

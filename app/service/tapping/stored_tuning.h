@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/services/tapping_service.h"
 #include "engine/process/tapping/z_servo_model.h"
+#include "ui/services/tapping_service.h"
 
 namespace kerf::tapping {
 

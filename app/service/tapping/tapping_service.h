@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/api/engine_api.h"
 #include "app/service/tapping/stored_tuning.h"
+#include "engine/api/engine_api.h"
 #include "engine/process/tapping/tuning_session.h"
 
 namespace kerf {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/core/result.h"
 #include "app/service/tapping/stored_tuning.h"
+#include "engine/core/result.h"
 
 /// A tuning as the database keeps it: versioned JSON, numbers under keys that end in their unit. Gains keep all their
 /// digits, the trim a tenth of a nanometre, curves a hundredth of a µm. A text of another version, or with a field

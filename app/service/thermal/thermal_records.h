@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/thermal_service.h"
 #include "engine/core/result.h"
 #include "engine/process/thermal/history.h"
+#include "ui/services/thermal_service.h"
 
 /// Bodies of the thermal room's records, JSON with units in the keys. A body that cannot be read gives nothing: it is
 /// of another version or was damaged, and the service goes on without it.

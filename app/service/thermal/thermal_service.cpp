@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/files/thermal_files.h"
+#include "app/files/thermal_model_json.h"
 #include "app/service/thermal/thermal_places.h"
 #include "app/service/thermal/thermal_records.h"
-#include "app/files/thermal_model_json.h"
-#include "app/files/thermal_files.h"
 #include "engine/process/thermal/plant/simulated_day.h"
 #include "engine/process/thermal/plant/simulated_elements.h"
 
@@ -125,7 +125,7 @@ void StoredThermalService::loadModels(RoomRecordReader& reader) {
 }
 
 void StoredThermalService::keep(const char* kind, std::string body, const std::string& author, std::string reason,
-                             std::function<void()> stored) {
+                                std::function<void()> stored) {
     AddRoomRecord record{ProcessId::Thermal,
                          kind,
                          std::string(m_links.engine.capabilities().machineName.data()),

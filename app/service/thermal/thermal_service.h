@@ -11,8 +11,8 @@
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
-#include "ui/services/thermal_service.h"
 #include "engine/process/thermal/thermal_exchange.h"
+#include "ui/services/thermal_service.h"
 
 namespace kerf {
 

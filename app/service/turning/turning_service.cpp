@@ -124,7 +124,7 @@ Result<double> StoredTurningService::overlap(double toolRadius_um, double depth_
 }
 
 void StoredTurningService::store(const char* kind, std::string subject, std::string json, const std::string& author,
-                              Done done, std::function<void()> stored) {
+                                 Done done, std::function<void()> stored) {
     AddRoomRecord record;
     record.process = ProcessId::Turning;
     record.kind = kind;

@@ -9,15 +9,16 @@
 
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
-#include "engine/core/listeners.h"
 #include "engine/api/engine_api.h"
-#include "ui/services/turning_service.h"
+#include "engine/core/listeners.h"
 #include "engine/process/turning/turning_exchange.h"
+#include "ui/services/turning_service.h"
 
 namespace kerf {
 
-/// The turning service on the database: setup, controller and every part are kept as room records ("setup", "controller",
-/// "part"), stored first and then sent to the engine. A restart reads them again and goes on where it was.
+/// The turning service on the database: setup, controller and every part are kept as room records ("setup",
+/// "controller", "part"), stored first and then sent to the engine. A restart reads them again and goes on where it
+/// was.
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
 class StoredTurningService final : public TurningService {

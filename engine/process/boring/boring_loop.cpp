@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/process/boring/boring_alarms.h"
 #include "engine/cycle/event_sink.h"
+#include "engine/process/boring/boring_alarms.h"
 
 namespace kerf {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/core/sentence.h"
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/boring/estimator.h"
-#include "engine/core/sentence.h"
 
 /// From an estimate to the feed schedule of the next part, to the bore it predicts, and to the gate for entries.
 namespace kerf::boring {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/boring/boring_types.h"
 #include "engine/core/result.h"
+#include "engine/process/boring/boring_types.h"
 
 /// A feed schedule as a part program, for controls that Kerf has no live link to.
 namespace kerf::boring {

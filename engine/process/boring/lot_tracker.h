@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/boring/estimator.h"
 #include "engine/process/boring/feed_law.h"
-#include "engine/core/result.h"
 
 namespace kerf::boring {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/process/boring/model.h"
 #include "engine/core/random.h"
+#include "engine/process/boring/model.h"
 
 /// The spindle as it really is, for the simulator: eq. 2 with constants that change, drift, and differ from the
 /// estimate.

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/process/milling/milling_types.h"
 #include "engine/process/milling/blank_profile.h"
 #include "engine/process/milling/feed_law.h"
+#include "engine/process/milling/milling_types.h"
 
 namespace kerf::milling {
 

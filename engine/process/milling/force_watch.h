@@ -12,8 +12,8 @@ namespace kerf::milling {
 ///
 ///   blind      no trusted, changing sample for half a revolution (by angle or, if samples stay away, by time)
 ///   collapsed  the highest sample of two teeth running is below 30 % of a tooth just before them that was well in the
-///              work and as high as a revolution earlier: what a breaking tool does. Between them may lie the tooth that
-///              broke on its way through the work. Steps of the blank and the way out of it take longer than a
+///              work and as high as a revolution earlier: what a breaking tool does. Between them may lie the tooth
+///              that broke on its way through the work. Steps of the blank and the way out of it take longer than a
 ///              revolution, so there the tooth before has fallen already
 ///
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
@@ -58,10 +58,10 @@ class ForceWatch {
     std::int64_t m_tooth{0};
     double m_peakNow_N{0.0};  ///< of the tooth in the work
     static constexpr int kMaxFlutes = 16;
-    static constexpr std::size_t kTeethKept = 32;       ///< more than a revolution and the teeth that collapse
-    std::array<double, kTeethKept> m_peak_N{};          ///< highest sample of the last whole teeth, a ring; 0: not known
-    std::array<double, kMaxFlutes> m_mean_N{};          ///< mean force of the last teeth, a ring
-    int m_teeth{0};                                     ///< whole teeth since the last gap
+    static constexpr std::size_t kTeethKept = 32;  ///< more than a revolution and the teeth that collapse
+    std::array<double, kTeethKept> m_peak_N{};     ///< highest sample of the last whole teeth, a ring; 0: not known
+    std::array<double, kMaxFlutes> m_mean_N{};     ///< mean force of the last teeth, a ring
+    int m_teeth{0};                                ///< whole teeth since the last gap
     double m_sumNow_N{0.0};
     int m_countNow{0};
     bool m_collapsed{false};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/process/milling/milling_types.h"
 #include "engine/core/param_spec.h"
+#include "engine/process/milling/milling_types.h"
 
 namespace kerf {
 

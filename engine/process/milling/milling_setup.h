@@ -4,9 +4,9 @@
 #include <optional>
 #include <span>
 
-#include "engine/process/milling/milling_fields.h"
 #include "engine/process/milling/cut_record.h"
 #include "engine/process/milling/feed_controller.h"
+#include "engine/process/milling/milling_fields.h"
 
 /// From the plain values of engine/api to what the room works with. All functions may run in the cycle.
 namespace kerf::milling {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/process/milling/milling_types.h"
 #include "engine/core/units.h"
+#include "engine/process/milling/milling_types.h"
 
 namespace kerf::milling {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/process/tapping/tapping_types.h"
 #include "engine/core/latest_value.h"
+#include "engine/process/tapping/tapping_types.h"
 
 namespace kerf {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/process/thermal/thermal_types.h"
 #include "engine/core/result.h"
 #include "engine/core/spsc_ring.h"
 #include "engine/process/thermal/thermal_estimator.h"
+#include "engine/process/thermal/thermal_types.h"
 
 namespace kerf {
 
@@ -33,8 +33,8 @@ struct LiveModel {
     std::array<SentenceArg, thermal::kMaxModelSensors> name{};
 };
 
-/// What passes between the loop (engine thread) and the service (one other thread) beside commands and status. A model is
-/// made and destroyed by the service; the cycle only takes the pointer and hands the old one back.
+/// What passes between the loop (engine thread) and the service (one other thread) beside commands and status. A model
+/// is made and destroyed by the service; the cycle only takes the pointer and hands the old one back.
 class ThermalExchange {
  public:
     ThermalExchange() = default;

@@ -35,8 +35,8 @@ struct TurningForceTrace {
     std::array<float, kPieces> high_N{};
 };
 
-/// What passes from the loop (engine thread) to the service (one other thread) beside status and part records. Large, so
-/// it is made once, on the heap, before the engine starts.
+/// What passes from the loop (engine thread) to the service (one other thread) beside status and part records. Large,
+/// so it is made once, on the heap, before the engine starts.
 struct TurningExchange {
     LatestValue<TurningSurface> surfaces{};   ///< written every 1.6 s of cutting
     LatestValue<TurningForceTrace> traces{};  ///< written at the end of a part

@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "engine/process/turning/turning_types.h"
 #include "engine/core/param_spec.h"
+#include "engine/process/turning/turning_types.h"
 
 namespace kerf::turning {
 

@@ -2,8 +2,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "engine/process/boring/boring_alarms.h"
 #include "engine/cycle/machine_alarms.h"
+#include "engine/process/boring/boring_alarms.h"
 #include "tests/support/boring_bench.h"
 
 using namespace kerf;

@@ -44,8 +44,8 @@ void BoringPage::build() {
     m_feed = new FeedPanel(look(), this);
     m_next = new NextPartPanel(look(), this);
     m_estimates = new EstimatePanel(look(), this);
-    m_entry =
-        new EntryPanel(look(), *m_service, {[this] { return context().session.author(); }, context().withOperator}, this);
+    m_entry = new EntryPanel(look(), *m_service,
+                             {[this] { return context().session.author(); }, context().withOperator}, this);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "ui/services/boring_service.h"
 #include "ui/entry/diameter_field.h"
 #include "ui/entry/gauge_reading.h"
+#include "ui/services/boring_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keypad.h"

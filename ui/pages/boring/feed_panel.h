@@ -5,9 +5,9 @@
 #include <array>
 #include <span>
 
-#include "ui/services/boring_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
+#include "ui/services/boring_service.h"
 #include "ui/widgets/card.h"
 
 class QLabel;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/boring_service.h"
 #include "engine/api/status.h"
+#include "ui/services/boring_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/lamp.h"

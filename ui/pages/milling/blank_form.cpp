@@ -27,7 +27,8 @@ MillingBlankForm* MillingBlankForm::open(SheetHost& host, Look& look, MillingSer
     return form;
 }
 
-MillingBlankForm::MillingBlankForm(Look& look, MillingService& service, Author author, const QString& file, Sheet* sheet)
+MillingBlankForm::MillingBlankForm(Look& look, MillingService& service, Author author, const QString& file,
+                                   Sheet* sheet)
     : FaceWidget(look, sheet),
       m_service(service),
       m_author(std::move(author)),

@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "ui/services/milling_service.h"
 #include "ui/charts/chart.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
@@ -22,7 +22,8 @@ class MillingBlankForm : public FaceWidget {
     Q_OBJECT
  public:
     using Author = std::function<std::string()>;
-    static MillingBlankForm* open(SheetHost& host, Look& look, MillingService& service, Author author, const QString& file);
+    static MillingBlankForm* open(SheetHost& host, Look& look, MillingService& service, Author author,
+                                  const QString& file);
 
  protected:
     void refresh() override;

@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/lamp.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/services/milling_service.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/services/milling_service.h"
 
 namespace kerf::ui {
 

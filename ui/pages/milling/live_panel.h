@@ -4,9 +4,9 @@
 #include <QElapsedTimer>
 #include <span>
 
-#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/live_plot.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number_display.h"
 

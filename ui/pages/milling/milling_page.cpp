@@ -49,7 +49,8 @@ void MillingPage::build() {
     };
     const auto author = [this] { return context().session.author(); };
     m_setup = add("millingSetup", [this, author] {
-        context().withOperator([this, author] { MillingSetupForm::open(context().sheets, look(), *m_service, author); });
+        context().withOperator(
+            [this, author] { MillingSetupForm::open(context().sheets, look(), *m_service, author); });
     });
     m_blank = add("millingBlank", [this, author] {
         context().withOperator([this, author] {

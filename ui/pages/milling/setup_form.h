@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/services/milling_service.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
@@ -20,8 +20,8 @@ namespace kerf::ui {
 /// Save keeps them under the name in the box (a new name makes a part type), Open goes to that part type as stored.
 ///
 /// Object names: millingPartType (name), millingPartTypes (stored ones), millingGroup0…2,
-/// millingField0…16 in the order of MillingService::fields(), millingSetupHint, millingSetupMessage, millingSetupCancel,
-/// millingSetupOpen, millingSetupSave
+/// millingField0…16 in the order of MillingService::fields(), millingSetupHint, millingSetupMessage,
+/// millingSetupCancel, millingSetupOpen, millingSetupSave
 class MillingSetupForm : public FaceWidget {
     Q_OBJECT
  public:

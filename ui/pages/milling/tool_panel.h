@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number_display.h"
 

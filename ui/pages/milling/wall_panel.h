@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "ui/services/milling_service.h"
 #include "engine/api/status.h"
 #include "ui/charts/chart.h"
+#include "ui/services/milling_service.h"
 #include "ui/widgets/card.h"
 
 class QLabel;

@@ -5,10 +5,10 @@
 #include <QTimer>
 #include <memory>
 
-#include "ui/services/boring_service.h"
 #include "ui/models/parts_model.h"
 #include "ui/pages/parts/part_detail_panel.h"
 #include "ui/pages/parts/part_export.h"
+#include "ui/services/boring_service.h"
 #include "ui/shell/page.h"
 
 class QLineEdit;

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/services/tapping_service.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/services/tapping_service.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/services/tapping_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/engine_client.h"
+#include "ui/services/tapping_service.h"
 #include "ui/widgets/action_button.h"
 
 namespace kerf::ui {

@@ -80,9 +80,11 @@ void TappingPage::connectActions() {
     connect(m_gains, &GainsPanel::modeRequested, this, [this](LoopMode mode) {
         context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});
     });
-    connect(m_actions, &TapActions::jobRequested, this, [this] { JobForm::open(context().sheets, look(), *m_service); });
+    connect(m_actions, &TapActions::jobRequested, this,
+            [this] { JobForm::open(context().sheets, look(), *m_service); });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
-        context().withOperator([this] { tell(m_service->begin(context().session.author(), m_service->view().automatic)); });
+        context().withOperator(
+            [this] { tell(m_service->begin(context().session.author(), m_service->view().automatic)); });
     });
     connect(m_actions, &TapActions::tapRequested, this,
             [this] { context().client.sendAction(StartPart{ProcessId::Tapping}); });

@@ -5,12 +5,12 @@
 #include <optional>
 #include <tuple>
 
-#include "ui/services/tapping_service.h"
 #include "ui/pages/tapping/contour_chart.h"
 #include "ui/pages/tapping/gains_panel.h"
 #include "ui/pages/tapping/speed_chart.h"
 #include "ui/pages/tapping/tap_actions.h"
 #include "ui/pages/tapping/trial_bars.h"
+#include "ui/services/tapping_service.h"
 #include "ui/shell/page.h"
 
 namespace kerf::ui {

@@ -56,7 +56,8 @@ void ErrorMap::paintEvent(QPaintEvent*) {
     const auto box = [&](std::uint32_t column, std::uint32_t row) {
         // Whole pixels: neighbours neither overlap nor leave a gap.
         const QPointF topLeft(std::round(plot.left() + column * w), std::round(plot.bottom() - (row + 1) * h));
-        return QRectF(topLeft, QPointF(std::round(plot.left() + (column + 1) * w), std::round(plot.bottom() - row * h)));
+        return QRectF(topLeft,
+                      QPointF(std::round(plot.left() + (column + 1) * w), std::round(plot.bottom() - row * h)));
     };
     for (std::uint32_t row = 0; row < m_map.rows; ++row) {
         for (std::uint32_t column = 0; column < m_map.columns; ++column) {

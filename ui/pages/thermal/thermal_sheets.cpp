@@ -71,7 +71,8 @@ void ThermalSheets::openModel() {
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     sheet->body()->addWidget(table, 1);
     ActionButton* back = named(m_context.look, "thermalRollBack", tr("Back to the model before"));
-    back->setPredicate([this] { return m_service.view().canRollBack ? QString() : tr("there is no model before this"); });
+    back->setPredicate(
+        [this] { return m_service.view().canRollBack ? QString() : tr("there is no model before this"); });
     sheet->addButton(
         back, [this] { withAuthor([this](const std::string& author) { return m_service.rollBack(author); }); }, false);
     ActionButton* train = named(m_context.look, "thermalTrainOpen", tr("Train a new one"));
@@ -258,7 +259,8 @@ void ThermalSheets::openMeasure() {
         session,
         [this] {
             withAuthor([this](const std::string& author) {
-                return m_service.view().session.recording ? m_service.endSession(author) : m_service.beginSession(author);
+                return m_service.view().session.recording ? m_service.endSession(author)
+                                                          : m_service.beginSession(author);
             });
         },
         false);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "ui/services/turning_service.h"
 #include "ui/charts/chart.h"
+#include "ui/services/turning_service.h"
 
 namespace kerf::ui {
 

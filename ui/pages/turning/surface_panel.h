@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/api/status.h"
-#include "ui/services/turning_service.h"
 #include "ui/pages/turning/spectrum_chart.h"
+#include "ui/services/turning_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number_display.h"

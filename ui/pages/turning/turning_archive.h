@@ -3,9 +3,9 @@
 
 #include <QPointer>
 
-#include "ui/services/turning_service.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/pages/turning/spectrum_chart.h"
+#include "ui/services/turning_service.h"
 
 class QGridLayout;
 class QTableWidget;

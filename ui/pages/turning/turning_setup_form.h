@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/services/turning_service.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/services/turning_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
