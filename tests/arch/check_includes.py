@@ -14,6 +14,7 @@ ALLOWED = {
     "engine/core": ["engine/core/"],
     "engine/port": ["engine/core/", "engine/port/"],
     "engine/limits": ["engine/core/", "engine/port/", "engine/limits/"],
+    "engine/quality": ["engine/core/", "engine/quality/"],
     "engine/api": ["engine/core/", "engine/api/", "engine/port/machine_port.h", *TYPES],
     "engine/cycle": ["engine/core/", "engine/port/", "engine/limits/", "engine/api/", "engine/cycle/"],
     "engine/machine": ["engine/core/", "engine/port/", "engine/machine/", "engine/process/"],

@@ -158,6 +158,37 @@ void beginWeights(KalmanState& state, const KalmanParams& params, const Gaussian
     state.movingProbability = params.startMoving / (params.startMoving + params.stopMoving);
 }
 
+/// Both models one part on, before the part is seen.
+struct Prediction {
+    std::array<Gaussian, kKalmanModels> models;
+    double movingProbability;
+};
+
+Prediction predictionOf(const KalmanState& before, const KalmanParams& params, std::uint32_t part,
+                        const KalmanState& point) noexcept {
+    const double parts = part > before.part ? static_cast<double>(part - before.part) : 1.0;
+    const double wasMoving = before.movingProbability;
+    const double moving = (1.0 - wasMoving) * params.startMoving + wasMoving * (1.0 - params.stopMoving);
+    const Gaussian quiet = gaussianOf(before.modes[kQuiet]);
+    const Gaussian movingBefore = gaussianOf(before.modes[kMoving]);
+    Prediction prediction{{mixture(quiet, movingBefore, wasMoving * params.stopMoving / (1.0 - moving)),
+                           mixture(quiet, movingBefore, wasMoving * (1.0 - params.stopMoving) / moving)},
+                          moving};
+    auto& prior = prediction.models;
+    prior[kQuiet].p = bounded(prior[kQuiet].p + covarianceOf(params.quiet, parts, point), params.ceiling, point);
+    prior[kMoving].p = bounded(prior[kMoving].p + covarianceOf(params.moving, parts, point), params.ceiling, point);
+    return prediction;
+}
+
+/// `before` with the working point of a part's bores.
+KalmanState pointOf(const KalmanState& before, const PartVisit& visit, const Bores& bores) noexcept {
+    KalmanState point = before;
+    point.part = visit.part;
+    point.lnFeed = bores.x.col(1).mean();
+    point.lnOverhang = bores.x.col(2).mean();
+    return point;
+}
+
 }  // namespace
 
 double changeThreshold(std::size_t bores) noexcept {
@@ -170,16 +201,24 @@ Estimate combined(const KalmanState& state) noexcept {
     return {state.ready, mode.law, mode.covariance};
 }
 
+Estimate predictedFor(const KalmanState& before, const KalmanParams& params, const PartVisit& visit) noexcept {
+    if (!before.ready || visit.count == 0) {
+        return combined(before);
+    }
+    const KalmanState point = pointOf(before, visit, boresOf(visit));
+    const Prediction prediction = predictionOf(before, params, visit.part, point);
+    const KalmanMode mode =
+        modeOf(mixture(prediction.models[kQuiet], prediction.models[kMoving], prediction.movingProbability));
+    return {true, mode.law, mode.covariance};
+}
+
 KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
                    ChangeKnowledge knowledge) noexcept {
     if (visit.count == 0) {
         return before;
     }
     const Bores bores = boresOf(visit);
-    KalmanState state = before;
-    state.part = visit.part;
-    state.lnFeed = bores.x.col(1).mean();
-    state.lnOverhang = bores.x.col(2).mean();
+    KalmanState state = pointOf(before, visit, bores);
     bool changed = false;
     double t2 = 0.0;
     if (!before.ready) {
@@ -187,17 +226,9 @@ KalmanState update(const KalmanState& before, const KalmanParams& params, const 
         beginWeights(state, params, posterior(prior, bores, params.sigma_mm).theta);
         state.ready = true;
     } else {
-        const double parts = visit.part > before.part ? static_cast<double>(visit.part - before.part) : 1.0;
-        const double wasMoving = before.movingProbability;
-        const double moving = (1.0 - wasMoving) * params.startMoving + wasMoving * (1.0 - params.stopMoving);
-        const Gaussian quiet = gaussianOf(before.modes[kQuiet]);
-        const Gaussian movingBefore = gaussianOf(before.modes[kMoving]);
-        std::array<Gaussian, kKalmanModels> prior{
-            mixture(quiet, movingBefore, wasMoving * params.stopMoving / (1.0 - moving)),
-            mixture(quiet, movingBefore, wasMoving * (1.0 - params.stopMoving) / moving)};
-        prior[kQuiet].p = bounded(prior[kQuiet].p + covarianceOf(params.quiet, parts, state), params.ceiling, state);
-        prior[kMoving].p = bounded(prior[kMoving].p + covarianceOf(params.moving, parts, state), params.ceiling, state);
-
+        const Prediction predicted = predictionOf(before, params, visit.part, state);
+        const std::array<Gaussian, kKalmanModels>& prior = predicted.models;
+        const double moving = predicted.movingProbability;
         Gaussian weighted = mixture(prior[kQuiet], prior[kMoving], moving);
         t2 = posterior(weighted, bores, params.sigma_mm).cost;
         changed = knowledge == ChangeKnowledge::Changed ||

@@ -73,6 +73,10 @@ enum class ChangeKnowledge : std::uint8_t {
 /// χ² quantile the part test uses for 1…kMaxBoreDepths bores.
 [[nodiscard]] double changeThreshold(std::size_t bores) noexcept;
 
+/// What is believed of θ just before `visit` is seen: the estimate with the process noise of the parts between.
+[[nodiscard]] Estimate predictedFor(const KalmanState& before, const KalmanParams& params,
+                                    const PartVisit& visit) noexcept;
+
 /// Takes one part with all its bores measured so far. A bore that comes later means: step again from the state before.
 /// A visit without bores leaves the state as it is. `outcome` may be null.
 [[nodiscard]] KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit,

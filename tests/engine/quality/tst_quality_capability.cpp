@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/quality/capability.h"
+#include "engine/quality/verdict.h"
+
+namespace {
+
+using namespace kerf::quality;
+
+QString printed(double value, int decimals) {
+    return QString::number(value, 'f', decimals);
+}
+
+/// n values with mean 0 and s with n − 1 of exactly 1.
+std::vector<double> standardised(std::size_t n) {
+    std::vector<double> values(n);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        values[i] = static_cast<double>(i) - static_cast<double>(n - 1) / 2.0;
+        squares += values[i] * values[i];
+    }
+    for (double& value : values) {
+        value /= std::sqrt(squares / static_cast<double>(n - 1));
+    }
+    return values;
+}
+
+}  // namespace
+
+class TestQualityCapability : public QObject {
+    Q_OBJECT
+ private slots:
+    void indicesAndTheirIntervals() {
+        const auto values = standardised(50);
+        const Capability result = capability(values, {-4.0, 5.0}, true);
+        QCOMPARE(result.count, std::size_t{50});
+        QVERIFY(std::abs(result.mean) < 1e-12 && std::abs(result.deviation - 1.0) < 1e-12);
+        QCOMPARE(printed(result.pp->value, 9), QString("1.500000000"));
+        QCOMPARE(printed(result.ppk->value, 9), QString("1.333333333"));
+        // 1.333333 ± 1.959964·√(1/450 + 1.777778/98)
+        QCOMPARE(printed(result.ppk->low, 6), QString("1.053650"));
+        QCOMPARE(printed(result.ppk->high, 6), QString("1.613017"));
+        // χ²₄₉: 31.5549 and 70.2224
+        QCOMPARE(printed(result.pp->low, 4), printed(1.5 * std::sqrt(31.554916 / 49.0), 4));
+        QCOMPARE(printed(result.pp->high, 4), printed(1.5 * std::sqrt(70.222414 / 49.0), 4));
+        QVERIFY(!result.preliminary);
+        QVERIFY(result.reason.empty());
+        QCOMPARE(result.cp->value, result.pp->value);
+        QCOMPARE(result.cpk->value, result.ppk->value);
+    }
+    void aSignalTakesTheCapabilityAndLeavesThePerformance() {
+        const Capability result = capability(standardised(50), {-4.0, 5.0}, false);
+        QVERIFY(result.pp && result.ppk && !result.cp && !result.cpk);
+        QVERIFY(!result.reason.empty());
+    }
+    void oneSidedTolerancesHaveOneSidedIndices() {
+        const Capability upper = capability(standardised(60), {std::nullopt, 3.0}, true);
+        QVERIFY(!upper.pp && !upper.cp);
+        QCOMPARE(printed(upper.ppk->value, 9), QString("1.000000000"));
+        const Capability lower = capability(standardised(60), {-6.0, std::nullopt}, true);
+        QCOMPARE(printed(lower.ppk->value, 9), QString("2.000000000"));
+    }
+    void fewPartsSaySo() {
+        const Capability nine = capability(standardised(9), {-4.0, 5.0}, true);
+        QVERIFY(!nine.pp && !nine.ppk && !nine.cp && !nine.cpk);
+        QCOMPARE(nine.count, std::size_t{9});
+        QVERIFY(!nine.reason.empty());
+        QVERIFY(capability(standardised(10), {-4.0, 5.0}, true).preliminary);
+        QVERIFY(capability(standardised(49), {-4.0, 5.0}, true).preliminary);
+        QVERIFY(!capability(std::vector<double>{}, {-4.0, 5.0}, true).ppk);
+    }
+    void alikeValuesAndNoToleranceGiveNoIndex() {
+        QVERIFY(!capability(std::vector<double>(30, 1.0), {0.0, 2.0}, true).ppk);
+        QVERIFY(!capability(standardised(30), {}, true).ppk);
+    }
+    void aMeanOutsideIsNegative() { QVERIFY(capability(standardised(30), {1.0, 2.0}, true).ppk->value < 0.0); }
+    void verdicts() {
+        const Tolerance bore{49.985, 50.015, ReworkSide::Below};
+        QVERIFY(judge(50.0, bore) == Verdict::Good);
+        QVERIFY(judge(49.985, bore) == Verdict::Good);
+        QVERIFY(judge(50.015, bore) == Verdict::Good);
+        QVERIFY(judge(49.9849, bore) == Verdict::Rework);
+        QVERIFY(judge(50.0151, bore) == Verdict::Scrap);
+        QVERIFY(judge(std::nullopt, bore) == Verdict::NotJudged);
+        QVERIFY(judge(std::numeric_limits<double>::quiet_NaN(), bore) == Verdict::NotJudged);
+        QVERIFY(judge(50.0, {}) == Verdict::NotJudged);
+        const Tolerance surface{std::nullopt, 0.8, ReworkSide::None};
+        QVERIFY(judge(0.81, surface) == Verdict::Scrap);
+        QVERIFY(judge(0.1, surface) == Verdict::Good);
+        const Tolerance wall{9.9, 10.1, ReworkSide::Above};
+        QVERIFY(judge(10.2, wall) == Verdict::Rework && judge(9.8, wall) == Verdict::Scrap);
+    }
+    void theWorstVerdictIsThePartsAndNotJudgedIsNotGood() {
+        QVERIFY(worse(Verdict::Good, Verdict::NotJudged) == Verdict::NotJudged);
+        QVERIFY(worse(Verdict::Rework, Verdict::NotJudged) == Verdict::Rework);
+        QVERIFY(worse(Verdict::Rework, Verdict::Scrap) == Verdict::Scrap);
+        for (const Verdict verdict : {Verdict::Good, Verdict::NotJudged, Verdict::Rework, Verdict::Scrap}) {
+            QVERIFY(verdictOf(verdictKey(verdict)) == verdict);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestQualityCapability)
+#include "tst_quality_capability.moc"
