@@ -1,0 +1,613 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "app/files/dfq.h"
+
+namespace kerf::dfq {
+namespace {
+
+constexpr char kBetweenCharacteristics = '\x0F';
+constexpr char kBetweenFields = '\x14';
+constexpr std::uint32_t kMostCharacteristics = 100'000;
+/// What editors and printers have made of the two separators: ¤ and ¶, or the pictures of the control characters.
+constexpr std::array<std::string_view, 2> kForCharacteristics{"\xC2\xA4", "\xE2\x90\x8F"};
+constexpr std::array<std::string_view, 2> kForFields{"\xC2\xB6", "\xE2\x90\x94"};
+
+constexpr std::array<int, 10> kVariableOrder{1, 2, 4, 5, 6, 7, 8, 10, 11, 12};
+constexpr std::array<int, 12> kAttributeOrder{20, 21, -3, 2, 4, 5, 6, 7, 8, 10, 11, 12};
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    return first == std::string_view::npos ? std::string_view{}
+                                           : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t begin = 0;;) {
+        const auto end = text.find(at, begin);
+        pieces.push_back(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) {
+            return pieces;
+        }
+        begin = end + 1;
+    }
+}
+
+std::string keyName(int key) {
+    return key < 0 ? fmt::format("place {}", -key) : fmt::format("K{:04}", key);
+}
+
+bool isZeroTime(std::string_view text) {
+    return text.find_first_of("123456789") == std::string_view::npos;
+}
+
+std::string replaced(std::string text, std::string_view what, char with) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        text.replace(at, what.size(), 1, with);
+    }
+    return text;
+}
+
+class Reader {
+ public:
+    explicit Reader(File& file) : m_file(file) {
+        for (const Entry& entry : file.entries) {
+            note(entry);
+        }
+        for (std::size_t i = 0; i < file.values.size(); ++i) {
+            Track& track = m_tracks[file.values[i].characteristic];
+            track.values.push_back(i);
+            track.row = std::max(track.row, file.values[i].row);
+            m_row = std::max(m_row, track.row);
+        }
+    }
+
+    tl::expected<void, Problem> run(std::string_view bytes) {
+        Encoding encoding{};
+        const std::string text = decoded(bytes, encoding);
+        m_file.encoding = encoding;
+        if (encoding != Encoding::Windows1252) {
+            odd(0, fmt::format("the text is {}, not Windows-1252", encodingName(encoding)));
+        }
+        bool bareFeeds = false;
+        for (std::size_t begin = 0; begin < text.size() && !m_problem;) {
+            const auto end = std::min(text.find_first_of("\r\n", begin), text.size());
+            ++m_line;
+            const std::string_view line = std::string_view(text).substr(begin, end - begin);
+            const bool pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
+            bareFeeds = bareFeeds || (end < text.size() && !pair);
+            takeLine(line);
+            begin = end + (pair ? 2 : 1);
+        }
+        if (bareFeeds) {
+            odd(0, "lines end without CR LF");
+        }
+        if (m_problem) {
+            return tl::unexpected(*m_problem);
+        }
+        return finish();
+    }
+
+ private:
+    /// What is known of one characteristic's values.
+    struct Track {
+        std::vector<std::size_t> values{};
+        std::uint32_t row{0};
+        std::set<int> keys{};  ///< of the newest value, as far as K lines made it
+        bool byLine{false};    ///< the newest value came in a value line
+    };
+
+    void odd(std::size_t line, std::string text) {
+        constexpr std::size_t kMostOddities = 1000;
+        const bool oncePerFile = line == 0;
+        const auto same = [&](const Oddity& other) { return other.line == line && other.text == text; };
+        if (oncePerFile && std::ranges::any_of(m_file.oddities, same)) {
+            return;
+        }
+        if (m_file.oddities.size() < kMostOddities) {
+            m_file.oddities.push_back({line, std::move(text)});
+        } else if (m_file.oddities.size() == kMostOddities) {
+            m_file.oddities.push_back({line, "and more of them"});
+        }
+    }
+    void bad(std::string field, std::string text) {
+        if (!m_problem) {
+            m_problem = Problem{m_line, std::move(field), std::move(text)};
+        }
+    }
+
+    void note(const Entry& entry) {
+        if (entry.key == 2004 && !entry.text.empty()) {
+            m_kinds[entry.index.value_or(1)] = entry.text;
+        }
+        if (entry.key >= 2000 && entry.key < 3000) {
+            m_described = std::max(m_described, entry.index.value_or(1));
+        }
+    }
+
+    void takeLine(std::string_view line) {
+        if (line.find('\0') != std::string_view::npos) {
+            bad("line", "a zero byte; this is no text file");
+            return;
+        }
+        const std::string_view plain = trimmed(line);
+        if (plain.empty()) {
+            return;
+        }
+        if (plain == "\x1A") {  // the end mark of old editors
+            return;
+        }
+        const bool isKey =
+            plain.size() >= 2 && (plain[0] == 'K' || plain[0] == 'k') && plain[1] >= '0' && plain[1] <= '9';
+        if (isKey) {
+            if (plain.size() != line.size() && line.front() != 'K' && line.front() != 'k') {
+                odd(m_line, "blanks in front of the key");
+            }
+            takeKeyLine(plain);
+            return;
+        }
+        const bool numeric = plain.find_first_of("0123456789+-.,") == 0;
+        const bool separated = line.find(kBetweenFields) != std::string_view::npos ||
+                               line.find(kBetweenCharacteristics) != std::string_view::npos;
+        if (numeric || separated) {
+            takeValueLine(line);
+        } else if (m_described == 0 && m_file.entries.empty() && m_file.values.empty()) {
+            bad("line", "neither a K field nor values; expected a DFQ, DFD or DFX file");
+        } else if (!m_file.values.empty()) {
+            bad("K0001", fmt::format("'{}' is neither a K field nor values", plain.substr(0, 40)));
+        } else if (!m_file.entries.empty()) {
+            odd(m_line, fmt::format("a line without a key, taken as more of {}", keyName(m_file.entries.back().key)));
+            std::string& text = m_file.entries.back().text;
+            text += text.empty() ? "" : " ";
+            text += plain;
+        }
+    }
+
+    /// `Knnnn`, `Knnnn/i`, `Knnnn/i/j`, then blank or tab, then text.
+    void takeKeyLine(std::string_view line) {
+        if (line[0] == 'k') {
+            odd(m_line, "a key in small letters");
+        }
+        std::size_t at = 1;
+        int key = 0;
+        while (at < line.size() && at < 6 && line[at] >= '0' && line[at] <= '9') {
+            key = key * 10 + (line[at++] - '0');
+        }
+        const std::size_t digits = at - 1;
+        if (digits != 4) {
+            odd(m_line, fmt::format("a key of {} digits", digits));
+        }
+        std::optional<std::uint32_t> index;
+        std::string sub;
+        const std::size_t blank = std::min(line.find_first_of(" \t", at), line.size());
+        std::string_view address = line.substr(at, blank - at);
+        std::string text(trimmed(line.substr(blank)));
+        if (!address.empty() && address.front() == '/') {
+            address.remove_prefix(1);
+            const auto slash = std::min(address.find('/'), address.size());
+            const std::string_view number = address.substr(0, slash);
+            sub = address.substr(std::min(slash + 1, address.size()));
+            if (number.empty()) {
+                odd(m_line, "an empty index, taken as 1");
+                index = 1;
+            } else {
+                std::uint32_t value = 0;
+                const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+                if (error != std::errc{} || stop != number.data() + number.size() || value > kMostCharacteristics) {
+                    bad(keyName(key), fmt::format("'{}' is no index", number));
+                    return;
+                }
+                index = value;
+            }
+        } else if (!address.empty()) {
+            odd(m_line, "no blank between key and text");
+            text = std::string(address) + (text.empty() ? "" : " " + text);
+        }
+        if (key == 100) {
+            std::uint32_t count = 0;
+            const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+            if (error != std::errc{} || stop != text.data() + text.size() || count > kMostCharacteristics) {
+                bad("K0100", fmt::format("'{}' is no number of characteristics", text));
+                return;
+            }
+            m_announced = count;
+        } else if (key > 0 && key < 100) {
+            takeValueKey(key, index.value_or(1), sub, std::move(text));
+        } else {
+            if (!sub.empty()) {
+                odd(m_line, "a value's index on a key of the description");
+            }
+            m_file.entries.push_back({key, index, std::move(sub), std::move(text)});
+            note(m_file.entries.back());
+        }
+    }
+
+    void takeValueKey(int key, std::uint32_t characteristic, const std::string& sub, std::string text) {
+        if (!sub.empty()) {
+            takeIndexedKey(key, characteristic, sub, std::move(text));
+            return;
+        }
+        if (characteristic > 0) {
+            addByKey(characteristic, key, std::move(text));
+            return;
+        }
+        bool any = false;
+        for (auto& [number, track] : m_tracks) {
+            if (!track.values.empty() && track.row == m_row) {
+                addByKey(number, key, text);
+                any = true;
+            }
+        }
+        if (!any) {
+            odd(m_line, fmt::format("{} for all characteristics before any value, kept for the first", keyName(key)));
+            m_pending.push_back({key, std::move(text)});
+        }
+    }
+
+    /// K…/i/j: the j-th value of characteristic i; 0 stands for all.
+    void takeIndexedKey(int key, std::uint32_t characteristic, const std::string& sub, std::string text) {
+        std::uint32_t place = 0;
+        const auto [stop, error] = std::from_chars(sub.data(), sub.data() + sub.size(), place);
+        if (error != std::errc{} || stop != sub.data() + sub.size()) {
+            bad(keyName(key), fmt::format("'{}' is no index of a value", sub));
+            return;
+        }
+        bool any = false;
+        for (auto& [number, track] : m_tracks) {
+            if (characteristic != 0 && number != characteristic) {
+                continue;
+            }
+            for (std::size_t i = 0; i < track.values.size(); ++i) {
+                if (place == 0 || i + 1 == place) {
+                    set(m_file.values[track.values[i]], key, text);
+                    any = true;
+                }
+            }
+        }
+        if (!any) {
+            bad(keyName(key), fmt::format("there is no value {} of characteristic {}", sub, characteristic));
+        }
+    }
+
+    void addByKey(std::uint32_t characteristic, int key, std::string text) {
+        Track& track = m_tracks[characteristic];
+        const bool opens = key == 1 || key == 20;
+        const bool another = track.values.empty() || (track.byLine ? opens : track.keys.contains(key));
+        if (another) {
+            begin(characteristic, track, track.row + 1, false);
+        }
+        const std::string* before = m_file.values[track.values.back()].find(key);
+        if (track.byLine && before != nullptr && !before->empty()) {
+            odd(m_line, fmt::format("{} stands twice for one value", keyName(key)));
+        }
+        track.keys.insert(key);
+        set(m_file.values[track.values.back()], key, std::move(text));
+    }
+
+    void begin(std::uint32_t characteristic, Track& track, std::uint32_t row, bool byLine) {
+        track.values.push_back(m_file.values.size());
+        track.row = row;
+        track.keys.clear();
+        track.byLine = byLine;
+        m_row = std::max(m_row, row);
+        m_file.values.push_back({characteristic, row, {}, {}, kValid, {}, {}});
+        if (track.values.size() == 1) {
+            for (const Field& field : m_pending) {
+                set(m_file.values.back(), field.key, field.text);
+            }
+        }
+        if (characteristic > m_described && m_missing.insert(characteristic).second) {
+            odd(m_line, fmt::format("a value of characteristic {}, which nothing describes", characteristic));
+        }
+    }
+
+    /// Checks a field, brings it to the form that is written, and keeps it.
+    void set(Value& value, int key, std::string text) {
+        switch (key) {
+            case 1:
+            case 20:
+            case 21:
+                if (!text.empty()) {
+                    const auto number = numberOf(text);
+                    if (!number) {
+                        bad(keyName(key), fmt::format("'{}' is no number", text));
+                        return;
+                    }
+                    if (text.find(',') != std::string::npos) {
+                        odd(0, "decimal commas");
+                        std::ranges::replace(text, ',', '.');
+                    }
+                    if (key == 1) {
+                        value.value = number;
+                    }
+                } else if (key == 1) {
+                    value.value.reset();
+                }
+                break;
+            case 2:
+                if (!text.empty()) {
+                    int attribute = 0;
+                    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), attribute);
+                    if (error != std::errc{} || stop != text.data() + text.size()) {
+                        bad(keyName(key), fmt::format("'{}' is no attribute; expected 0, 255, 256 …", text));
+                        return;
+                    }
+                    value.attribute = attribute;
+                }
+                break;
+            case 4:
+                setTime(value, text);
+                break;
+            case 5:
+                setEvents(value, text);
+                break;
+            default:
+                break;
+        }
+        const auto same = std::ranges::find(value.fields, key, &Field::key);
+        if (same != value.fields.end() && key != 9) {
+            same->text = std::move(text);
+        } else {
+            value.fields.push_back({key, std::move(text)});
+        }
+    }
+
+    void setTime(Value& value, std::string& text) {
+        if (text.empty()) {
+            return;
+        }
+        // An offset of ISO 8601 is kept as it stands; the clock in front of it is what counts here.
+        std::string_view local = text;
+        const auto t = local.find('T');
+        bool offset = false;
+        if (t != std::string_view::npos) {
+            const auto zone = local.find_first_of("+-Z", t);
+            offset = zone != std::string_view::npos;
+            local = local.substr(0, zone);
+        }
+        value.time = timeOf(local);
+        if (!value.time) {
+            if (!isZeroTime(text)) {
+                bad("K0004", fmt::format("'{}' is no time; expected dd.MM.yyyy/HH:mm:ss", text));
+                return;
+            }
+            odd(m_line, "a time of zeros, taken as none");
+        } else if (!offset) {
+            const std::string canonical = timeText(*value.time);
+            if (canonical != text) {
+                odd(0, fmt::format("times in another form than dd.MM.yyyy/HH:mm:ss ('{}')", text.substr(0, 32)));
+                text = canonical;
+            }
+        }
+    }
+
+    void setEvents(Value& value, const std::string& text) {
+        value.events.clear();
+        for (const std::string_view piece : split(text, ',')) {
+            const std::string_view number = trimmed(piece);
+            std::uint32_t event = 0;
+            const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), event);
+            if (!number.empty() && error == std::errc{} && stop == number.data() + number.size()) {
+                value.events.push_back(event);
+            } else if (!number.empty()) {
+                odd(m_line, fmt::format("'{}' is no event's number, kept as text", number.substr(0, 32)));
+            }
+        }
+    }
+
+    void takeValueLine(std::string_view given) {
+        std::string line(given);
+        repairSeparators(line);
+        std::vector<std::vector<std::string_view>> characteristics;
+        if (line.find(kBetweenFields) == std::string::npos && line.find(kBetweenCharacteristics) == std::string::npos &&
+            !numberOf(trimmed(line))) {
+            if (!splitAtBlanks(line, characteristics)) {
+                bad("K0001", fmt::format("'{}' is no number", std::string(trimmed(line)).substr(0, 40)));
+                return;
+            }
+            odd(0, "values apart by blanks instead of 0x14 and 0x0F");
+        } else {
+            for (const std::string_view piece : split(line, kBetweenCharacteristics)) {
+                characteristics.push_back(split(piece, kBetweenFields));
+            }
+            while (characteristics.size() > 1 && isEmpty(characteristics.back())) {
+                characteristics.pop_back();  // a separator at the end of the line
+            }
+        }
+        const std::uint32_t row = m_row + 1;
+        bool any = false;
+        for (std::size_t i = 0; i < characteristics.size() && !m_problem; ++i) {
+            if (!isEmpty(characteristics[i])) {
+                addByLine(static_cast<std::uint32_t>(i + 1), row, characteristics[i]);
+                any = true;
+            }
+        }
+        if (any) {
+            for (auto& [number, track] : m_tracks) {
+                track.row = row;
+            }
+        }
+    }
+
+    static bool isEmpty(const std::vector<std::string_view>& fields) {
+        return std::ranges::all_of(fields, [](std::string_view field) { return trimmed(field).empty(); });
+    }
+
+    void repairSeparators(std::string& line) {
+        // Only where what follows could begin a field: such a sign may also stand in a batch's name.
+        const auto follows = [&](std::size_t after) {
+            return after >= line.size() || line.find_first_of("0123456789+-.#\x0F\x14 \xC2\xE2", after) == after;
+        };
+        const auto repair = [&](char right, const auto& wrong, const char* name) {
+            if (line.find(right) != std::string::npos) {
+                return;
+            }
+            for (const std::string_view picture : wrong) {
+                bool separates = line.find(picture) != std::string::npos;
+                for (auto at = line.find(picture); at != std::string::npos; at = line.find(picture, at + 1)) {
+                    separates = separates && follows(at + picture.size());
+                }
+                if (separates) {
+                    line = replaced(line, picture, right);
+                    odd(0, fmt::format("a printed sign instead of {}", name));
+                }
+            }
+        };
+        repair(kBetweenCharacteristics, kForCharacteristics, "0x0F");
+        repair(kBetweenFields, kForFields, "0x14");
+    }
+
+    /// Blanks, tabs or semicolons between everything: a characteristic begins two places before each time, or every
+    /// token is a value when there are as many as characteristics.
+    bool splitAtBlanks(const std::string& line, std::vector<std::vector<std::string_view>>& out) const {
+        std::vector<std::string_view> tokens;
+        const std::string_view text = line;
+        for (std::size_t begin = text.find_first_not_of(" \t;"); begin != std::string_view::npos;) {
+            const auto end = std::min(text.find_first_of(" \t;", begin), text.size());
+            tokens.push_back(text.substr(begin, end - begin));
+            begin = text.find_first_not_of(" \t;", end);
+        }
+        std::vector<std::size_t> starts;
+        for (std::size_t i = 2; i < tokens.size(); ++i) {
+            if (tokens[i].size() > 7 && timeOf(tokens[i])) {
+                starts.push_back(i - 2);
+            }
+        }
+        const std::uint32_t known = std::max(m_described, m_announced.value_or(0));
+        if (starts.empty() && tokens.size() == known) {
+            for (std::size_t i = 0; i < tokens.size(); ++i) {
+                starts.push_back(i);
+            }
+        }
+        if (starts.empty() || starts.front() != 0) {
+            return false;
+        }
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : tokens.size();
+            out.emplace_back(tokens.begin() + static_cast<std::ptrdiff_t>(starts[i]),
+                             tokens.begin() + static_cast<std::ptrdiff_t>(end));
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool isAttribute(std::uint32_t characteristic, const std::vector<std::string_view>& fields) const {
+        auto kind = m_kinds.find(characteristic);
+        if (kind == m_kinds.end()) {
+            kind = m_kinds.find(0);
+        }
+        if (kind != m_kinds.end()) {
+            return kind->second == "1" || kind->second == "5" || kind->second == "6";
+        }
+        const auto timeAt = timePlace(fields);
+        return timeAt == 3 || timeAt == 4 || (timeAt == 0 && fields.size() > kVariableOrder.size());
+    }
+
+    static std::size_t timePlace(const std::vector<std::string_view>& fields) {
+        for (std::size_t i = 2; i < std::min<std::size_t>(fields.size(), 5); ++i) {
+            if (timeOf(trimmed(fields[i]))) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    void addByLine(std::uint32_t characteristic, std::uint32_t row, const std::vector<std::string_view>& fields) {
+        Track& track = m_tracks[characteristic];
+        begin(characteristic, track, row, true);
+        const std::size_t at = m_file.values.size() - 1;
+        const bool attribute = isAttribute(characteristic, fields);
+        // Attribute characteristics are written with and without the unnamed third field: their time tells.
+        const bool named = attribute && fields.size() != kAttributeOrder.size() && timePlace(fields) != 4;
+        for (std::size_t i = 0; i < fields.size() && !m_problem; ++i) {
+            const std::size_t place = named && i >= 2 ? i + 1 : i;
+            const std::size_t known = attribute ? kAttributeOrder.size() : kVariableOrder.size();
+            const int key = place >= known ? -static_cast<int>(i + 1)
+                                           : (attribute ? kAttributeOrder[place] : kVariableOrder[place]);
+            std::string text(trimmed(fields[i]));
+            if (key == 6) {
+                if (text.starts_with('#')) {
+                    text = std::string(trimmed(std::string_view(text).substr(1)));
+                } else if (!text.empty()) {
+                    odd(m_line, "a batch without # in front");
+                }
+            }
+            set(m_file.values[at], key, std::move(text));
+        }
+    }
+
+    tl::expected<void, Problem> finish() {
+        if (m_file.entries.empty() && m_file.values.empty() && !m_announced) {
+            return tl::unexpected(
+                Problem{m_line, "line", "the file holds neither a K field nor values; expected a DFQ, DFD or DFX"});
+        }
+        const std::uint32_t needed = m_tracks.empty() ? 0 : m_tracks.rbegin()->first;
+        const std::uint32_t found = std::max(m_described, needed);
+        if (!m_announced && m_file.characteristics == 0) {
+            odd(0, "K0100 is missing");
+        } else if (m_announced && *m_announced != found) {
+            odd(0, fmt::format("K0100 says {} characteristics, there are {}", *m_announced, found));
+        }
+        m_file.characteristics = std::max({m_file.characteristics, m_announced.value_or(0), found});
+        return {};
+    }
+
+    File& m_file;
+    std::size_t m_line{0};
+    std::optional<Problem> m_problem{};
+    std::optional<std::uint32_t> m_announced{};
+    std::uint32_t m_described{0};
+    std::uint32_t m_row{0};
+    std::map<std::uint32_t, Track> m_tracks{};
+    std::map<std::uint32_t, std::string> m_kinds{};
+    std::set<std::uint32_t> m_missing{};
+    std::vector<Field> m_pending{};
+};
+
+}  // namespace
+
+const std::string* Value::find(int key) const {
+    const auto found = std::ranges::find(fields, key, &Field::key);
+    return found == fields.end() ? nullptr : &found->text;
+}
+
+const std::string* File::find(int key, std::uint32_t index) const {
+    const std::string* common = nullptr;
+    const std::string* own = nullptr;
+    for (const Entry& entry : entries) {
+        if (entry.key != key) {
+            continue;
+        }
+        if (entry.index.value_or(1) == index) {
+            own = &entry.text;
+        } else if (entry.index == 0U) {
+            common = &entry.text;
+        }
+    }
+    return own != nullptr ? own : common;
+}
+
+tl::expected<File, Problem> read(std::string_view bytes) {
+    File file;
+    if (auto done = Reader(file).run(bytes); !done) {
+        return tl::unexpected(done.error());
+    }
+    return file;
+}
+
+tl::expected<void, Problem> readValues(std::string_view bytes, File& file) {
+    const Encoding described = file.encoding;
+    auto done = Reader(file).run(bytes);
+    if (described != Encoding::Windows1252) {
+        file.encoding = described;
+    }
+    return done;
+}
+
+}  // namespace kerf::dfq
