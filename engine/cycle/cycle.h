@@ -30,7 +30,7 @@ struct EngineRings {
 /// One step of the engine: read the machine, take commands, run the loops, limit, write. Has no clock and no thread;
 /// whoever calls step() decides what time is, so the console and the headless program run the same code.
 ///
-/// step() neither allocates, locks, throws, logs nor blocks (tests/engine/loop/tst_cycle_guard).
+/// step() neither allocates, locks, throws, logs nor blocks (tests/engine/cycle/tst_cycle_guard).
 class Cycle {
  public:
     Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits,
