@@ -3353,6 +3353,158 @@
             <source>What is left (%1 mm) is not a matter of gain or feed-forward.</source>
             <translation>What is left (%1 mm) is not a matter of gain or feed-forward.</translation>
         </message>
+        <message>
+            <source>%1 parts are too few for indices; they begin at %2.</source>
+            <translation>%1 parts are too few for indices; they begin at %2.</translation>
+        </message>
+        <message>
+            <source>%1 readings are too few; a type 1 study needs %2.</source>
+            <translation>%1 readings are too few; a type 1 study needs %2.</translation>
+        </message>
+        <message>
+            <source>14 in a row alternating</source>
+            <translation>14 in a row alternating</translation>
+        </message>
+        <message>
+            <source>15 in a row within 1σ</source>
+            <translation>15 in a row within 1σ</translation>
+        </message>
+        <message>
+            <source>2 of 3 beyond 2σ</source>
+            <translation>2 of 3 beyond 2σ</translation>
+        </message>
+        <message>
+            <source>4 of 5 beyond 1σ</source>
+            <translation>4 of 5 beyond 1σ</translation>
+        </message>
+        <message>
+            <source>6 in a row rising or falling</source>
+            <translation>6 in a row rising or falling</translation>
+        </message>
+        <message>
+            <source>8 in a row beyond 1σ</source>
+            <translation>8 in a row beyond 1σ</translation>
+        </message>
+        <message>
+            <source>8 in a row on one side</source>
+            <translation>8 in a row on one side</translation>
+        </message>
+        <message>
+            <source>9 in a row on one side</source>
+            <translation>9 in a row on one side</translation>
+        </message>
+        <message>
+            <source>A crossed study needs at least 2 parts, 2 persons and 2 trials; it has %1, %2, %3.</source>
+            <translation>A crossed study needs at least 2 parts, 2 persons and 2 trials; it has %1, %2, %3.</translation>
+        </message>
+        <message>
+            <source>All readings are alike: the gauge is stuck, or too coarse for a study.</source>
+            <translation>All readings are alike: the gauge is stuck, or too coarse for a study.</translation>
+        </message>
+        <message>
+            <source>All values are alike, so there are no indices: is the gauge too coarse?</source>
+            <translation>All values are alike, so there are no indices: is the gauge too coarse?</translation>
+        </message>
+        <message>
+            <source>Average and range takes at most %1 parts, persons or trials; use ANOVA.</source>
+            <translation>Average and range takes at most %1 parts, persons or trials; use ANOVA.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file has an unknown value.</source>
+            <translation>Field %1 of the model file has an unknown value.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file has the wrong length.</source>
+            <translation>Field %1 of the model file has the wrong length.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a finite number.</source>
+            <translation>Field %1 of the model file is not a finite number.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a range from low to high.</source>
+            <translation>Field %1 of the model file is not a range from low to high.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a text.</source>
+            <translation>Field %1 of the model file is not a text.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a whole number in range.</source>
+            <translation>Field %1 of the model file is not a whole number in range.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is out of range.</source>
+            <translation>Field %1 of the model file is out of range.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the stored tuning is out of range.</source>
+            <translation>Field %1 of the stored tuning is out of range.</translation>
+        </message>
+        <message>
+            <source>The model file has another unit of %1; expected %2.</source>
+            <translation>The model file has another unit of %1; expected %2.</translation>
+        </message>
+        <message>
+            <source>The model file has no field %1.</source>
+            <translation>The model file has no field %1.</translation>
+        </message>
+        <message>
+            <source>The model file has version %1; this program reads up to version %2. Use a newer program.</source>
+            <translation>The model file has version %1; this program reads up to version %2. Use a newer program.</translation>
+        </message>
+        <message>
+            <source>The model file is damaged.</source>
+            <translation>The model file is damaged.</translation>
+        </message>
+        <message>
+            <source>The model file is not JSON.</source>
+            <translation>The model file is not JSON.</translation>
+        </message>
+        <message>
+            <source>The residual chart shows a signal: these parts performed so, but it is no capability.</source>
+            <translation>The residual chart shows a signal: these parts performed so, but it is no capability.</translation>
+        </message>
+        <message>
+            <source>The stored tuning has no field %1.</source>
+            <translation>The stored tuning has no field %1.</translation>
+        </message>
+        <message>
+            <source>The stored tuning is not JSON.</source>
+            <translation>The stored tuning is not JSON.</translation>
+        </message>
+        <message>
+            <source>The stored tuning is of another version.</source>
+            <translation>The stored tuning is of another version.</translation>
+        </message>
+        <message>
+            <source>The study is not crossed: part %1, person %2, trial %3 must stand there once.</source>
+            <translation>The study is not crossed: part %1, person %2, trial %3 must stand there once.</translation>
+        </message>
+        <message>
+            <source>The tolerance must be above 0; it is %1.</source>
+            <translation>The tolerance must be above 0; it is %1.</translation>
+        </message>
+        <message>
+            <source>There is no tolerance, so there are no indices.</source>
+            <translation>There is no tolerance, so there are no indices.</translation>
+        </message>
+        <message>
+            <source>This is not a thermal model file.</source>
+            <translation>This is not a thermal model file.</translation>
+        </message>
+        <message>
+            <source>one beyond 3σ</source>
+            <translation>one beyond 3σ</translation>
+        </message>
+        <message>
+            <source>small lasting error (CUSUM)</source>
+            <translation>small lasting error (CUSUM)</translation>
+        </message>
+        <message>
+            <source>small lasting error (EWMA)</source>
+            <translation>small lasting error (EWMA)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -3352,6 +3352,158 @@
             <source>What is left (%1 mm) is not a matter of gain or feed-forward.</source>
             <translation>남은 오차(%1 mm)는 게인이나 피드포워드의 문제가 아닙니다.</translation>
         </message>
+        <message>
+            <source>%1 parts are too few for indices; they begin at %2.</source>
+            <translation>공작물 %1개로는 지수를 낼 수 없습니다. %2개부터 계산합니다.</translation>
+        </message>
+        <message>
+            <source>%1 readings are too few; a type 1 study needs %2.</source>
+            <translation>측정 %1회로는 부족합니다. 1형 게이지 평가에는 %2회가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>14 in a row alternating</source>
+            <translation>14점 연속 번갈아 오르내림</translation>
+        </message>
+        <message>
+            <source>15 in a row within 1σ</source>
+            <translation>15점 연속 1σ 이내</translation>
+        </message>
+        <message>
+            <source>2 of 3 beyond 2σ</source>
+            <translation>3점 중 2점이 2σ 밖</translation>
+        </message>
+        <message>
+            <source>4 of 5 beyond 1σ</source>
+            <translation>5점 중 4점이 1σ 밖</translation>
+        </message>
+        <message>
+            <source>6 in a row rising or falling</source>
+            <translation>6점 연속 상승 또는 하락</translation>
+        </message>
+        <message>
+            <source>8 in a row beyond 1σ</source>
+            <translation>8점 연속 1σ 밖</translation>
+        </message>
+        <message>
+            <source>8 in a row on one side</source>
+            <translation>8점 연속 한쪽</translation>
+        </message>
+        <message>
+            <source>9 in a row on one side</source>
+            <translation>9점 연속 한쪽</translation>
+        </message>
+        <message>
+            <source>A crossed study needs at least 2 parts, 2 persons and 2 trials; it has %1, %2, %3.</source>
+            <translation>교차 평가에는 공작물 2개, 측정자 2명, 반복 2회 이상이 필요합니다. 지금은 %1, %2, %3입니다.</translation>
+        </message>
+        <message>
+            <source>All readings are alike: the gauge is stuck, or too coarse for a study.</source>
+            <translation>측정값이 모두 같습니다. 게이지가 걸렸거나 평가하기에 분해능이 부족합니다.</translation>
+        </message>
+        <message>
+            <source>All values are alike, so there are no indices: is the gauge too coarse?</source>
+            <translation>값이 모두 같아 지수를 낼 수 없습니다. 게이지 분해능이 부족하지 않습니까?</translation>
+        </message>
+        <message>
+            <source>Average and range takes at most %1 parts, persons or trials; use ANOVA.</source>
+            <translation>평균-범위법은 공작물, 측정자, 반복을 각각 %1까지만 받습니다. 분산분석을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file has an unknown value.</source>
+            <translation>모델 파일 항목 %1의 값을 알 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file has the wrong length.</source>
+            <translation>모델 파일 항목 %1의 길이가 맞지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a finite number.</source>
+            <translation>모델 파일 항목 %1의 값이 유한한 수가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a range from low to high.</source>
+            <translation>모델 파일 항목 %1의 범위가 낮은 값에서 높은 값 순서가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a text.</source>
+            <translation>모델 파일 항목 %1은 글자여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is not a whole number in range.</source>
+            <translation>모델 파일 항목 %1은 범위 안의 정수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the model file is out of range.</source>
+            <translation>모델 파일 항목 %1이 범위를 벗어났습니다.</translation>
+        </message>
+        <message>
+            <source>Field %1 of the stored tuning is out of range.</source>
+            <translation>저장된 조정값 항목 %1이 범위를 벗어났습니다.</translation>
+        </message>
+        <message>
+            <source>The model file has another unit of %1; expected %2.</source>
+            <translation>모델 파일의 %1 단위가 다릅니다. %2이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The model file has no field %1.</source>
+            <translation>모델 파일에 항목 %1이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The model file has version %1; this program reads up to version %2. Use a newer program.</source>
+            <translation>모델 파일은 버전 %1이고 이 프로그램은 버전 %2까지 읽습니다. 새 프로그램을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>The model file is damaged.</source>
+            <translation>모델 파일이 손상되었습니다.</translation>
+        </message>
+        <message>
+            <source>The model file is not JSON.</source>
+            <translation>모델 파일이 JSON 형식이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The residual chart shows a signal: these parts performed so, but it is no capability.</source>
+            <translation>잔차 관리도에 이상 신호가 있습니다. 이 공작물들의 성능일 뿐 공정 능력은 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The stored tuning has no field %1.</source>
+            <translation>저장된 조정값에 항목 %1이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The stored tuning is not JSON.</source>
+            <translation>저장된 조정값이 JSON 형식이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>The stored tuning is of another version.</source>
+            <translation>저장된 조정값의 버전이 다릅니다.</translation>
+        </message>
+        <message>
+            <source>The study is not crossed: part %1, person %2, trial %3 must stand there once.</source>
+            <translation>교차 평가가 아닙니다. 공작물 %1, 측정자 %2, 반복 %3이 한 번씩 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The tolerance must be above 0; it is %1.</source>
+            <translation>공차는 0보다 커야 합니다. 지금은 %1입니다.</translation>
+        </message>
+        <message>
+            <source>There is no tolerance, so there are no indices.</source>
+            <translation>공차가 없어 지수를 낼 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>This is not a thermal model file.</source>
+            <translation>열변위 모델 파일이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>one beyond 3σ</source>
+            <translation>1점이 3σ 밖</translation>
+        </message>
+        <message>
+            <source>small lasting error (CUSUM)</source>
+            <translation>작고 지속되는 오차 (CUSUM)</translation>
+        </message>
+        <message>
+            <source>small lasting error (EWMA)</source>
+            <translation>작고 지속되는 오차 (EWMA)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
