@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/core/sentence.h"
 
-#include <cstdio>
+#include "engine/core/number_text.h"
 
 namespace kerf {
 
@@ -9,9 +9,7 @@ std::string formatArg(const SentenceArg& arg) {
     if (arg.decimals < 0) {
         return arg.name.data();
     }
-    std::array<char, 64> buffer{};
-    const int length = std::snprintf(buffer.data(), buffer.size(), "%.*f", static_cast<int>(arg.decimals), arg.value);
-    return {buffer.data(), static_cast<std::size_t>(length < 0 ? 0 : length)};
+    return fixedText(arg.value, arg.decimals);
 }
 
 std::string Sentence::english() const {

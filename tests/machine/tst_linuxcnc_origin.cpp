@@ -63,6 +63,23 @@ class TestLinuxCncOrigin : public QObject {
         };
         QTRY_VERIFY(std::abs(z_mm("get abs_act_pos") - z_mm("get rel_act_pos") - 0.012) < 1e-5);
     }
+    void shiftIsRightWhateverUnitsAndModesAreInForce() {
+        test::AtTheControl control;
+        control.say("set mode mdi");
+        control.say("set mdi g20 g91");
+        QVERIFY(until([this] { return shiftIs(22.0); }, 22.0));
+        const auto z = [&](const char* which) {
+            const QList<QByteArray> cells = control.ask(which).simplified().split(' ');
+            return cells.size() > 3 ? cells[3].toDouble() : 1e9;
+        };
+        // Positions are told in the program's units: inches now, and still inches after Kerf's subroutine.
+        QTRY_VERIFY(std::abs((z("get abs_act_pos") - z("get rel_act_pos")) * 25.4 - 0.022) < 1e-4 ||
+                    std::abs(z("get abs_act_pos") - z("get rel_act_pos") - 0.022) < 1e-5);
+        const QByteArray modes = control.ask("get program_codes");
+        QVERIFY2(modes.contains("G20") && modes.contains("G91"), modes.constData());
+        control.say("set mdi g21 g90");
+        QVERIFY(until([this] { return shiftIs(12.0); }, 12.0));
+    }
     void restartedConsoleTakesTheShiftOverWithoutAJump() {
         QVERIFY(shiftIs(12.0));
         newConsole();

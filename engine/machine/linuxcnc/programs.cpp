@@ -2,8 +2,9 @@
 #include "engine/machine/linuxcnc/programs.h"
 
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
+
+#include "engine/core/number_text.h"
 
 namespace kerf::linuxcnc {
 namespace {
@@ -11,9 +12,7 @@ namespace {
 std::string call(const char* name, std::initializer_list<double> arguments) {
     std::string line = std::string("set mdi o<") + name + "> call";
     for (const double argument : arguments) {
-        std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), " [%.6f]", argument);
-        line += text.data();
+        line += " [" + fixedText(argument, 6) + "]";
     }
     return line;
 }

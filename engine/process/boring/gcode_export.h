@@ -13,7 +13,7 @@ namespace kerf::boring {
 
 enum class GcodeDialect : std::uint8_t {
     LinuxCnc,  ///< o<name> sub … endsub
-    Macro,     ///< O<number> … M99, macro variables #101…#199 as on most controls
+    Macro,     ///< % O<number> … M99 %, macro variables #101…#149, which every control of that family has
 };
 
 struct GcodeParams {
@@ -23,14 +23,16 @@ struct GcodeParams {
     double deviation{0.008};            ///< largest share by which a segment's feed misses S(L), .001….1
 };
 
-inline constexpr std::size_t kMostGcodeSegments = 99;  ///< #101…#199
+inline constexpr std::size_t kMostGcodeSegments = 99;
 
 /// One line per element, without line ends: feeds in mm/rev as macro variables, which a person may change, then one
 /// straight cut per segment from Z = 0 (overhang `overhangFrom_mm`) downwards, in G95 so that the spindle's override
 /// does not change the feed per revolution.
 ///
 /// A segment is as long as its constant feed stays within `deviation` of S(L); where the schedule is clamped, one
-/// segment does. Refused: values out of range, or a schedule that would need more than 99 segments.
+/// segment does. The macro dialect has no % but in its first and last line, capitals, and a whole spindle speed; it
+/// sets its 49 variables anew where there are more segments. Numbers have a point in every locale. Refused: values out
+/// of range, or a schedule that would need more than 99 segments.
 [[nodiscard]] Result<std::vector<std::string>> boringSubroutine(const BoringSchedule& schedule,
                                                                 const GcodeParams& params);
 

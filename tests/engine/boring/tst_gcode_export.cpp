@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -72,11 +73,49 @@ class TestGcodeExport : public QObject {
         params.number = 812;
         const auto lines = boring::boringSubroutine(schedule(), params);
         QVERIFY(lines.has_value());
-        QCOMPARE(lines->front(), std::string("O0812"));
-        QCOMPARE(lines->back(), std::string("M99"));
+        QCOMPARE(lines->front(), std::string("%"));
+        QCOMPARE(lines->at(1), std::string("O0812"));
+        QCOMPARE(lines->at(lines->size() - 2), std::string("M99"));
+        QCOMPARE(lines->back(), std::string("%"));
         for (const std::string& line : *lines) {
             QVERIFY2(line.find('<') == std::string::npos, line.c_str());
         }
+    }
+    void macroDialectHasOnlyWhatThatFamilyTakes() {
+        BoringSchedule s = schedule();
+        s.alpha = 0.55;
+        s.spindleSpeed_rpm = 1499.7;
+        boring::GcodeParams params;
+        params.dialect = boring::GcodeDialect::Macro;
+        const auto lines = boring::boringSubroutine(s, params);
+        QVERIFY(lines.has_value());
+        for (std::size_t i = 0; i < lines->size(); ++i) {
+            const std::string& line = lines->at(i);
+            const bool frame = i == 0 || i + 1 == lines->size();
+            QVERIFY2(frame == (line.find('%') != std::string::npos), line.c_str());
+            QVERIFY2(std::ranges::none_of(line, [](char c) { return (c >= 'a' && c <= 'z') || c == ';' || c == ':'; }),
+                     line.c_str());
+            int variable = 0;
+            if (std::sscanf(line.c_str(), "#%d", &variable) == 1) {
+                QVERIFY2(variable >= 101 && variable <= 149, line.c_str());  // #150 and up are an option
+            }
+        }
+        QVERIFY(std::ranges::find(*lines, "M3 S1500") != lines->end());
+        // More segments than variables: what is cut stays the same, pass by pass.
+        params.dialect = boring::GcodeDialect::LinuxCnc;
+        const auto plain = cuts(*boring::boringSubroutine(s, params));
+        const auto passes = cuts(*lines);
+        QVERIFY(passes.size() > 49);
+        QCOMPARE(passes.size(), plain.size());
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            QCOMPARE(passes[i].to_mm, plain[i].to_mm);
+            QCOMPARE(passes[i].feed_mmPerRev, plain[i].feed_mmPerRev);
+        }
+    }
+    void callersModesComeBack() {
+        const auto lines = boring::boringSubroutine(schedule(), {});
+        QVERIFY(lines.has_value());
+        QCOMPARE(lines->at(1), std::string("M73"));
     }
     void badInputIsRefusedWithASentence() {
         BoringSchedule s = schedule();
