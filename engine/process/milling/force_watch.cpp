@@ -10,6 +10,8 @@ void ForceWatch::disarm() noexcept {
     m_peak_N = {};
     m_peakNow_N = 0.0;
     m_collapsed = false;
+    m_chipped = false;
+    m_sectorsKnown = false;
     m_teeth = 0;
     m_sumNow_N = 0.0;
     m_countNow = 0;
@@ -57,6 +59,55 @@ void ForceWatch::nextTooth(std::int64_t tooth) noexcept {
     m_tooth = tooth;
 }
 
+std::optional<double> ForceWatch::sectorPeak_N(std::int64_t first, std::int64_t last) const noexcept {
+    double highest_N = kNoSample_N;
+    for (std::int64_t sector = first; sector <= last; ++sector) {
+        highest_N = std::max(highest_N, m_sector_N[static_cast<std::size_t>(sector) % kSectorsKept]);
+    }
+    return highest_N > kNoSample_N ? std::optional(highest_N) : std::nullopt;
+}
+
+bool ForceWatch::chipsNow() const noexcept {
+    const int flutes = std::clamp(m_params.flutes, 1, kMaxFlutes);
+    const std::int64_t turn = static_cast<std::int64_t>(flutes) * kSectorsPerTooth;
+    const std::int64_t last = m_sector - 1;  // the last whole one
+    // A pitch, a sector in which the edges meet, three sectors within the pitch in question, one again, a pitch.
+    const std::array<std::array<std::int64_t, 2>, 3> spans{
+        {{last - 12, last - 9}, {last - 7, last - 5}, {last - 3, last}}};
+    if (flutes < 2 || spans[0][0] - turn < m_sectorsFrom) {
+        return false;
+    }
+    const std::array shares{m_params.steadyShare, m_params.chippedShare, m_params.steadyShare};
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const auto now_N = sectorPeak_N(spans[i][0], spans[i][1]);
+        const auto then_N = sectorPeak_N(spans[i][0] - turn, spans[i][1] - turn);
+        if (!now_N || !then_N || *then_N <= m_params.inWork_N) {
+            return false;
+        }
+        const bool fallen = *now_N < shares[i] * *then_N;
+        if (fallen != (i == 1)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void ForceWatch::nextSector(std::int64_t sector) noexcept {
+    const int flutes = std::clamp(m_params.flutes, 1, kMaxFlutes);
+    if (!m_sectorsKnown || sector < m_sector || sector - m_sector > kSectorsPerTooth * flutes / 2) {
+        m_sectorsKnown = true;  // a gap, or the angle began anew
+        m_sectorsFrom = sector;
+        m_sector_N[static_cast<std::size_t>(sector) % kSectorsKept] = kNoSample_N;
+        m_sector = sector;
+        return;
+    }
+    while (m_sector < sector) {  // a fast spindle leaves some without a sample
+        ++m_sector;
+        m_sector_N[static_cast<std::size_t>(m_sector) % kSectorsKept] = kNoSample_N;
+        m_chipped = m_chipped || chipsNow();
+    }
+}
+
 void ForceWatch::add(const FastSample& sample) noexcept {
     if (std::isfinite(sample.spindleAngle_rev)) {
         m_angle_rev = sample.spindleAngle_rev;
@@ -72,6 +123,14 @@ void ForceWatch::add(const FastSample& sample) noexcept {
     const auto tooth = static_cast<std::int64_t>(std::floor(m_angle_rev * m_params.flutes));
     if (tooth != m_tooth) {
         nextTooth(tooth);
+    }
+    const auto sector = static_cast<std::int64_t>(std::floor(m_angle_rev * m_params.flutes * kSectorsPerTooth));
+    if (sector != m_sector || !m_sectorsKnown) {
+        nextSector(sector);
+    }
+    if (sector == m_sector) {
+        double& highest_N = m_sector_N[static_cast<std::size_t>(sector) % kSectorsKept];
+        highest_N = std::max(highest_N, sample.force_N);
     }
     m_peakNow_N = std::max(m_peakNow_N, sample.force_N);
     m_sumNow_N += sample.force_N;

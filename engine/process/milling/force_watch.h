@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "engine/port/machine_port.h"
 
@@ -15,6 +16,10 @@ namespace kerf::milling {
 ///              work and as high as a revolution earlier: what a breaking tool does. Between them may lie the tooth
 ///              that broke on its way through the work. Steps of the blank and the way out of it take longer than a
 ///              revolution, so there the tooth before has fallen already
+///   chipped    over nearly one tooth's pitch, wherever in the revolution it begins, the highest sample is below half
+///   of
+///              what it was at the same angles a revolution earlier, while the pitch before and the one after it are as
+///              they were: one edge of several is gone. Steps and the way out fall and stay down, so they are none
 ///
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
 class ForceWatch {
@@ -24,6 +29,7 @@ class ForceWatch {
         double patience_rev{0.5};
         double collapseShare{0.3};
         double steadyShare{0.7};   ///< of the same edge's highest sample a revolution before; run-out does not matter
+        double chippedShare{0.5};  ///< of the same angles' highest sample a revolution before
         double inWork_N{200.0};    ///< a tooth's highest sample from which a collapse can be told
         double stuckAbove_N{1.0};  ///< below, the same number again and again is air
     };
@@ -37,6 +43,7 @@ class ForceWatch {
     /// `revolution_s`: duration of a revolution as last known.
     [[nodiscard]] bool blind(std::int64_t now_ns, double revolution_s) const noexcept;
     [[nodiscard]] bool collapsed() const noexcept { return m_collapsed; }
+    [[nodiscard]] bool chipped() const noexcept { return m_chipped; }
     /// Mean force of the last whole revolution, known anew after every tooth and so earlier than from mark to mark; 0
     /// until a revolution has been seen without a gap.
     [[nodiscard]] double revolutionMean_N() const noexcept;
@@ -48,6 +55,10 @@ class ForceWatch {
     /// Highest sample of the tooth `ago` teeth before the last whole one; 0: not known.
     [[nodiscard]] double peak_N(int ago) const noexcept;
     [[nodiscard]] bool collapsesNow() const noexcept;
+    void nextSector(std::int64_t sector) noexcept;
+    /// Highest sample of these sectors of the spindle's angle; empty: none of them holds one.
+    [[nodiscard]] std::optional<double> sectorPeak_N(std::int64_t first, std::int64_t last) const noexcept;
+    [[nodiscard]] bool chipsNow() const noexcept;
 
     Params m_params{};
     bool m_any{false};
@@ -65,6 +76,14 @@ class ForceWatch {
     double m_sumNow_N{0.0};
     int m_countNow{0};
     bool m_collapsed{false};
+    static constexpr int kSectorsPerTooth = 4;
+    static constexpr std::size_t kSectorsKept = 256;  ///< more than a revolution and three teeth
+    static constexpr double kNoSample_N = -1e300;
+    std::array<double, kSectorsKept> m_sector_N{};  ///< highest sample by sector of the angle, a ring
+    std::int64_t m_sector{0};
+    std::int64_t m_sectorsFrom{0};  ///< the first one since the last gap
+    bool m_sectorsKnown{false};
+    bool m_chipped{false};
     Quality m_quality{Quality::Missing};
 };
 

@@ -410,7 +410,7 @@ void MillingLoop::watchForStops(const MachineInputs& inputs, EventSink& events) 
     if (m_paused) {
         return;
     }
-    if (m_watch.collapsed()) {
+    if (m_watch.collapsed() || m_watch.chipped()) {
         stop(milling_alarm::kToolBroken, {}, events);
     }
     const double force_N = std::max(m_status.force_N.good() ? m_status.force_N.value : 0.0, m_watch.revolutionMean_N());
