@@ -8,6 +8,7 @@
 #include <cmath>
 #include <span>
 
+#include "app/files/json_document.h"
 #include "app/files/output.h"
 
 namespace kerf::headless {
@@ -45,13 +46,7 @@ auto keysOf(milling::CutCase& cut) {
 }  // namespace
 
 void readMillingPlant(const std::string& path, milling::CutCase& cut) {
-    nlohmann::json document;
-    try {
-        document = nlohmann::json::parse(readFile(path));
-    } catch (const nlohmann::json::parse_error& error) {
-        throw BadInput(
-            fmt::format("{}: no JSON at byte {}; expected an object with plant constants.", path, error.byte));
-    }
+    const nlohmann::json document = files::readJsonFile(path, "an object with plant constants");
     if (!document.is_object()) {
         throw BadInput(
             fmt::format("{}: not a JSON object; expected plant constants as kerf milling plant prints them.", path));

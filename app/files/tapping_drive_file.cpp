@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/files/json_document.h"
 #include "app/files/table.h"
 
 namespace kerf::headless {
@@ -30,13 +31,7 @@ std::optional<std::string> whyRefused(const DriveKey& key, double value) {
 }  // namespace
 
 DriveParams readDriveFile(const std::string& path) {
-    nlohmann::json document;
-    try {
-        document = nlohmann::json::parse(readFile(path));
-    } catch (const nlohmann::json::parse_error& error) {
-        throw BadInput(
-            fmt::format("{}: no valid JSON at byte {}; expected one object of drive constants.", path, error.byte));
-    }
+    const nlohmann::json document = files::readJsonFile(path, "one object of drive constants");
     if (!document.is_object()) {
         throw BadInput(fmt::format("{}: expected one JSON object of drive constants.", path));
     }

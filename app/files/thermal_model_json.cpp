@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/files/json_document.h"
+
 namespace kerf::formats {
 namespace {
 
@@ -386,12 +388,12 @@ std::string thermalModelToJson(const ThermalModel& model) {
 }
 
 Result<ThermalModel> thermalModelFromJson(std::string_view text) {
-    const Json file = Json::parse(text, nullptr, false);
-    if (file.is_discarded()) {
-        return fail(KERF_TEXT("The model file is not JSON."));
+    const auto file = files::parseJson(std::string(text));
+    if (!file) {
+        return tl::unexpected(file.error());
     }
     try {
-        return read(file);
+        return read(Json(*file));
     } catch (const Refused& refused) {
         return tl::unexpected(refused.reason);
     } catch (const Json::exception&) {

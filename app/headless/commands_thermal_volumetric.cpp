@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/files/json_document.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/thermal_commands.h"
@@ -68,10 +69,8 @@ class CaseReader {
 };
 
 void volumetric(const std::string& path, const std::string& mode) {
-    const Json file = Json::parse(readFile(path), nullptr, false);
-    if (file.is_discarded()) {
-        throw BadInput(fmt::format("{}: not JSON.", path));
-    }
+    const Json file =
+        files::readJsonFile(path, "a list of cases, or an object with the list 'cases' or 'random_cases'");
     const char* key = file.is_object() && file.contains("cases") ? "cases" : "random_cases";
     const bool bare = file.is_array();
     if (!bare && (!file.is_object() || !file.contains(key) || !file[key].is_array())) {

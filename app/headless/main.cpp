@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "app/files/table.h"
 #include "app/headless/commands.h"
@@ -36,6 +37,9 @@ int main(int argc, char** argv) {
         return kWrongUsage;
     } catch (const kerf::headless::BadInput& error) {
         std::fprintf(stderr, "kerf: %s\n", error.what());
+        return kBadInput;
+    } catch (const nlohmann::json::exception& error) {  // a document of the right form with a value of the wrong kind
+        std::fprintf(stderr, "kerf: the JSON file is not as expected: %s\n", error.what());
         return kBadInput;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "kerf: program fault: %s\n", error.what());
