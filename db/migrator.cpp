@@ -8,11 +8,16 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLockFile>
+#include <QTemporaryDir>
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "db/connection.h"
+#include "db/head_file.h"
 #include "db/statement.h"
+#include "db/stores/audit_log.h"
 
 namespace kerf::db {
 namespace {
@@ -74,13 +79,52 @@ std::string backupPathFor(const std::string& path, int version) {
     return QStringLiteral("%1/%2-v%3-%4.db").arg(folder, file.completeBaseName()).arg(version).arg(stamp).toStdString();
 }
 
-void checkThrough(const QSqlDatabase& database) {
+/// SQLite's own findings; empty: none.
+std::string sqliteFinding(const QSqlDatabase& database) {
     Statement check(database, "PRAGMA integrity_check(1)");
     const std::string finding = check.run().next() ? check.text(0) : "no answer";
     Statement keys(database, "PRAGMA foreign_key_check");
-    if (finding != "ok" || keys.run().next()) {
+    return finding != "ok" ? finding : keys.run().next() ? "a reference is broken" : "";
+}
+
+void checkThrough(const QSqlDatabase& database) {
+    if (const std::string finding = sqliteFinding(database); !finding.empty()) {
         throw SqlFailure(sentenceForCode(kCorrupt), kCorrupt, "integrity check: " + finding);
     }
+}
+
+/// The log's chain and what it says of the rows; both may be whole for SQLite and yet not what was stored.
+Result<void> checkLog(const QSqlDatabase& database, const std::optional<Head>& expected) {
+    const AuditVerdict verdict = verifyAudit(database);
+    if (!verdict.finding.empty()) {
+        return tl::unexpected<Sentence>(verdict.finding);
+    }
+    const Sentence missing = expected ? missingSince(*expected, database) : Sentence();
+    return missing.empty() ? Result<void>() : Result<void>(tl::unexpected<Sentence>(missing));
+}
+
+/// The same check on a connection that may write, where SQLite also takes over a log file that was left behind; on a
+/// copy, because the file itself is only read. A copy taken while somebody writes may be torn: then it says nothing.
+std::string findingOfWritableCopy(const std::string& path) {
+    QLockFile lock(QString::fromStdString(path) + QStringLiteral(".lock"));
+    lock.setStaleLockTime(0);
+    const bool ownLock = QFileInfo(QFileInfo(QString::fromStdString(path)).absolutePath()).isWritable();
+    if (ownLock && !lock.tryLock(0)) {
+        return {};
+    }
+    const QTemporaryDir folder;
+    const QString copy = folder.filePath(QStringLiteral("copy.db"));
+    if (!folder.isValid() || !QFile::copy(QString::fromStdString(path), copy)) {
+        return {};
+    }
+    QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner);
+    const QString log = QString::fromStdString(path) + QStringLiteral("-wal");
+    if (QFile::exists(log) && !QFile::copy(log, copy + QStringLiteral("-wal"))) {
+        return {};
+    }
+    lock.unlock();
+    const Connection connection(copy.toStdString(), Access::Write);
+    return sqliteFinding(connection.database());
 }
 
 }  // namespace
@@ -200,6 +244,7 @@ Result<void> backupDatabase(const std::string& path, const std::string& copyPath
         return fail(KERF_TEXT("The file %1 exists already; a backup never overwrites."), fileName(copyPath));
     }
     QFile::remove(partial);
+    const auto expected = HeadFile(path).read();
     Result<void> done = guarded([&] {
         {
             const Connection connection(path, Access::Read);
@@ -209,6 +254,12 @@ Result<void> backupDatabase(const std::string& path, const std::string& copyPath
         }
         const Connection made(partial.toStdString(), Access::Read);
         checkThrough(made.database());
+        if (integerOf(made.database(), QStringLiteral("PRAGMA user_version")) ==
+            static_cast<std::int64_t>(builtInMigrations().size())) {  // an earlier form is checked once it is adopted
+            if (const auto whole = checkLog(made.database(), expected); !whole) {
+                throw SqlFailure(whole.error(), 0, whole.error().english());
+            }
+        }
     });
     if (done && !(syncToDisk(partial) && QFile::rename(partial, copy) && syncToDisk(QFileInfo(copy).absolutePath()))) {
         done = fail(KERF_TEXT("The backup %1 could not be written completely."), fileName(copyPath));
@@ -220,9 +271,23 @@ Result<void> backupDatabase(const std::string& path, const std::string& copyPath
 }
 
 Result<void> checkDatabase(const std::string& path) {
-    return guarded([&] {
+    const auto expected = HeadFile(path).read();
+    Result<void> whole = guarded([&] {
         const Connection connection(path, Access::Read);
         checkThrough(connection.database());
+        if (const std::string finding = findingOfWritableCopy(path); !finding.empty()) {
+            throw SqlFailure(sentenceForCode(kCorrupt), kCorrupt, "integrity check of a copy: " + finding);
+        }
+    });
+    if (!whole) {
+        return whole;
+    }
+    return guarded([&] {
+        const Connection connection(path, Access::Read);
+        const Snapshot snapshot(connection.database());
+        if (const auto log = checkLog(connection.database(), expected); !log) {
+            throw SqlFailure(log.error(), 0, log.error().english());
+        }
     });
 }
 

@@ -47,10 +47,12 @@ struct MigrationReport {
 /// migrateFile() with the built-in migrations.
 [[nodiscard]] Result<MigrationReport> prepareDatabase(const std::string& path);
 
-/// One consistent copy of a database that may be in use (VACUUM INTO), checked and synced; never overwrites a file.
+/// One consistent copy of a database that may be in use (VACUUM INTO), checked as checkDatabase() does and
+/// synced; never overwrites a file.
 [[nodiscard]] Result<void> backupDatabase(const std::string& path, const std::string& copyPath);
 
-/// SQLite's own integrity check and the foreign keys. Reads the whole file.
+/// SQLite's own integrity check, on this file and on a writable copy of it, the foreign keys, the audit chain with what
+/// it says of measurements and kept records, and that nothing is missing since the last commit. Reads the whole file.
 [[nodiscard]] Result<void> checkDatabase(const std::string& path);
 
 /// Refuses what is not a Kerf database of a version this program knows, without touching it. 0: missing or empty.

@@ -3,82 +3,249 @@
 
 #include <QLockFile>
 #include <QMetaObject>
+#include <algorithm>
 #include <chrono>
 #include <future>
 #include <vector>
 
 #include "db/connection.h"
+#include "db/head_file.h"
+#include "db/outbox.h"
 #include "db/statement.h"
 #include "db/stores/store.h"
+#include "db/waiting.h"
 
 namespace kerf::db {
 namespace {
 constexpr std::size_t kPartsPerTransaction = 32;
 constexpr std::uint32_t kNoPageLimit = 0xFFFFFFFE;
+
+/// Errors that go away by themselves or by a person's hand: what failed is tried again. Others are the command's own.
+bool passes(const Sentence& failure) {
+    for (const int code : {5, 8, 10, 13, 14}) {  // busy, read-only, I/O, full, cannot open
+        if (failure.english() == sentenceForCode(code).english()) {
+            return true;
+        }
+    }
+    return failure.english() == fileGone().english();
+}
+
+bool keptWhenRefused(const StoreCommand& command) {
+    return std::holds_alternative<RaiseAlarm>(command) || std::holds_alternative<ClearAlarm>(command) ||
+           std::holds_alternative<AddAudit>(command);
+}
+
+std::string outboxText(const StoreCommand& command) {
+    if (const auto* alarm = std::get_if<RaiseAlarm>(&command)) {
+        return waitingText(*alarm);
+    }
+    if (const auto* clear = std::get_if<ClearAlarm>(&command)) {
+        return waitingText(*clear);
+    }
+    return waitingText(std::get<AddAudit>(command));
+}
+
 }  // namespace
 
-/// The thread's own side: connection, store, the parts that wait to be stored.
+/// The thread's own side: connection, store, what waits to be stored.
 class WriterThread::Worker {
  public:
     Worker(WriterThread& owner, const std::string& path)
-        : m_owner(owner), m_connection(path, Access::Write), m_store(m_connection.database()) {}
+        : m_owner(owner),
+          m_connection(path, Access::Write),
+          m_store(m_connection.database()),
+          m_presence(path),
+          m_outbox(path),
+          m_head(path) {
+        for (const std::string& text : m_outbox.found()) {
+            if (auto item = waitingOf(text)) {
+                m_before.push_back(std::move(*item));
+            }
+        }
+    }
 
     void run() {
         bool last = false;
         while (!last) {
             m_owner.m_wake.sleep(m_owner.m_options.ringPoll_ms);
             last = m_owner.m_stopping.load();  // read first: what was submitted before stop() is still done below
+            watchFile();
             Job* next = nullptr;
             while (m_owner.m_jobs.tryPop(next)) {
                 const std::unique_ptr<Job> job(next);
-                applyPageLimit();
-                m_owner.post(Answer{job->ticket, m_store.apply(job->command)});
-                storeParts(false);
+                carryOut(*job);
+                storeWaiting(false);
             }
-            storeParts(false);
+            storeWaiting(false);
         }
-        std::size_t before = 0;
-        do {  // the last ones, however many
-            before = m_waiting.size();
-            storeParts(true);
-        } while (m_waiting.empty() && before > 0);
-        SpscRing<PartRecord>* ring = m_owner.m_parts;
-        m_owner.m_unsaved.store(m_waiting.size() + (ring != nullptr ? ring->approximateSize() : 0));
+        storeWaiting(true);
+        m_owner.m_unsaved.store(unsaved());
     }
 
  private:
     using Clock = std::chrono::steady_clock;
 
-    void storeParts(bool last) {
-        if (m_owner.m_parts != nullptr) {
-            PartRecord record;
-            while (m_waiting.size() < kPartsPerTransaction && m_owner.m_parts->tryPop(record)) {
-                m_waiting.push_back(record);
-            }
-        }
-        if (m_waiting.empty() || (!last && m_failing && Clock::now() < m_retryAt)) {
-            return;
-        }
+    /// The file is looked at before a write and after its commit: what went into a deleted file is not stored.
+    template <class Write>
+    auto written(const Write& write) -> decltype(write()) {
         applyPageLimit();
-        const Result<std::vector<StoredPart>> stored = m_store.addParts(m_waiting);
-        if (!stored) {
-            m_retryAt = Clock::now() + std::chrono::milliseconds(m_owner.m_options.retry_ms);
-            if (!m_failing) {
-                m_failing = true;
-                m_owner.post(stored.error());
-            }
+        if (!m_presence.there()) {
+            return tl::unexpected<Sentence>(fileGone());
+        }
+        auto result = write();
+        if (result && !m_presence.there()) {
+            return tl::unexpected<Sentence>(fileGone());
+        }
+        if (result) {
+            noteHead();
+        }
+        return result;
+    }
+
+    void carryOut(const Job& job) {
+        if (job.keep && !m_commands.empty()) {  // in their order
+            keep(job.command);
             return;
         }
-        m_waiting.clear();
+        Result<Receipt> result = written([&] { return m_store.apply(job.command); });
+        if (!result && job.keep && passes(result.error())) {
+            keep(job.command);
+            failed(result.error());
+        }
+        m_owner.post(Answer{job.ticket, std::move(result)});
+    }
+
+    void keep(const StoreCommand& command) {
+        m_commands.push_back(command);
+        if (keptWhenRefused(command)) {
+            (void)m_outbox.add(outboxText(command));
+        }
+    }
+
+    void watchFile() {
+        if (const bool there = m_presence.there(); there != m_fileThere) {
+            m_fileThere = there;
+            if (!there) {
+                failed(fileGone());
+            } else {
+                m_retryAt = Clock::now();
+            }
+        }
+    }
+
+    void takeParts() {
+        PartRecord record;
+        while (m_owner.m_parts != nullptr && m_waiting.size() < m_owner.m_options.mostWaiting &&
+               m_owner.m_parts->tryPop(record)) {
+            m_waiting.push_back({record, utcNow_ms(), {}});
+            if (m_failing) {
+                m_safe += m_outbox.add(waitingText(m_waiting.back())) ? 1 : 0;
+            }
+        }
+        m_owner.m_partsWaiting.store(m_failing ? m_waiting.size() : 0);
+    }
+
+    void storeWaiting(bool last) {
+        takeParts();
+        const bool nothing = m_waiting.empty() && m_commands.empty() && m_before.empty();
+        if ((nothing && !(m_failing && m_fileThere)) || (!last && m_failing && Clock::now() < m_retryAt)) {
+            return;
+        }
+        if (storeBefore() && storeParts(last) && storeCommands() && m_fileThere) {
+            succeeded();
+        }
+    }
+
+    /// What the last run left in the outbox; some of it may have been stored just before it ended.
+    bool storeBefore() {
+        while (!m_before.empty()) {
+            const auto stored = written([&] { return m_store.addWaiting(m_before.front()); });
+            if (!stored && passes(stored.error())) {
+                failed(stored.error());
+                return false;
+            }
+            m_before.pop_front();
+        }
+        return true;
+    }
+
+    bool storeParts(bool last) {
+        while (!m_waiting.empty()) {
+            const std::size_t count = std::min(m_waiting.size(), kPartsPerTransaction);
+            const std::vector<FinishedPart> batch(m_waiting.begin(),
+                                                  m_waiting.begin() + static_cast<std::ptrdiff_t>(count));
+            const auto stored = written([&] { return m_store.addParts(std::span<const FinishedPart>(batch)); });
+            if (!stored) {
+                failed(stored.error());
+                return false;
+            }
+            m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(count));
+            for (const StoredPart& part : *stored) {
+                m_owner.post(part);
+            }
+            m_owner.m_partsStored.fetch_add(stored->size());
+            m_owner.m_partsStored.notify_all();
+            if (last) {
+                takeParts();  // the last ones, however many
+            }
+        }
+        return true;
+    }
+
+    bool storeCommands() {
+        while (!m_commands.empty()) {
+            const auto done = written([&] { return m_store.apply(m_commands.front()); });
+            if (!done && passes(done.error())) {
+                failed(done.error());
+                return false;
+            }
+            m_commands.pop_front();
+        }
+        return true;
+    }
+
+    void failed(const Sentence& why) {
+        m_retryAt = Clock::now() + std::chrono::milliseconds(m_owner.m_options.retry_ms);
         if (m_failing) {
-            m_failing = false;
-            m_owner.post(Sentence());
+            return;
         }
-        for (const StoredPart& part : *stored) {
-            m_owner.post(part);
+        m_failing = true;
+        for (const FinishedPart& part : m_waiting) {
+            m_safe += m_outbox.add(waitingText(part)) ? 1 : 0;
         }
-        m_owner.m_partsStored.fetch_add(stored->size());
-        m_owner.m_partsStored.notify_all();
+        m_owner.m_partsWaiting.store(m_waiting.size());
+        if (m_owner.m_options.partsRefused != nullptr) {
+            m_owner.m_options.partsRefused->store(true);
+        }
+        m_owner.post(why);
+    }
+
+    void succeeded() {
+        m_outbox.clear();
+        m_safe = 0;
+        if (!m_failing) {
+            return;
+        }
+        m_failing = false;
+        m_owner.m_partsWaiting.store(0);
+        if (m_owner.m_options.partsRefused != nullptr) {
+            m_owner.m_options.partsRefused->store(false);
+        }
+        m_owner.post(Sentence());
+    }
+
+    [[nodiscard]] std::size_t unsaved() {
+        const std::size_t kept = std::min(m_safe, m_waiting.size());
+        const SpscRing<PartRecord>* ring = m_owner.m_parts;
+        return m_waiting.size() - kept + (ring != nullptr ? ring->approximateSize() : 0);
+    }
+
+    void noteHead() {
+        try {
+            m_head.write(headOf(m_connection.database()));
+        } catch (const SqlFailure& failure) {
+            qCWarning(kerfDb, "head: %s", failure.what());
+        }
     }
 
     void applyPageLimit() {
@@ -93,7 +260,14 @@ class WriterThread::Worker {
     WriterThread& m_owner;
     Connection m_connection;
     Store m_store;
-    std::vector<PartRecord> m_waiting;
+    FilePresence m_presence;
+    Outbox m_outbox;
+    HeadFile m_head;
+    std::deque<Waiting> m_before;
+    std::deque<FinishedPart> m_waiting;
+    std::deque<StoreCommand> m_commands;
+    std::size_t m_safe{0};  ///< of m_waiting, from its front: in the outbox too
+    bool m_fileThere{true};
     bool m_failing{false};
     Clock::time_point m_retryAt{};
     std::uint32_t m_pageLimit{0};
@@ -113,14 +287,14 @@ Result<void> WriterThread::start() {
     std::promise<Result<void>> started;
     std::future<Result<void>> answer = started.get_future();
     m_thread = std::thread([this, promise = std::move(started)]() mutable {
-        QLockFile lock(QString::fromStdString(m_path) + QStringLiteral(".lock"));
-        lock.setStaleLockTime(0);  // stale only when its process is gone
-        if (!lock.tryLock(0)) {
-            promise.set_value(
-                lock.error() == QLockFile::LockFailedError
-                    ? Result<void>(fail(KERF_TEXT("Another Kerf is already working with this data file.")))
-                    : Result<void>(tl::unexpected<Sentence>(sentenceForCode(8))));
-            return;
+        std::unique_ptr<QLockFile> lock;
+        if (m_options.taken == nullptr) {
+            auto taken = lockDataFile(m_path);
+            if (!taken) {
+                promise.set_value(tl::unexpected(taken.error()));
+                return;
+            }
+            lock = std::move(*taken);
         }
         std::unique_ptr<Worker> worker;
         const Result<void> opened = guarded([&] { worker = std::make_unique<Worker>(*this, m_path); });
@@ -138,6 +312,11 @@ Result<void> WriterThread::start() {
 
 std::size_t WriterThread::stop() {
     if (m_thread.joinable()) {
+        while (!m_kept.empty()) {
+            handOverKept();
+            m_wake.wake();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the thread empties its queue without us
+        }
         m_stopping.store(true);
         m_wake.wake();
         m_thread.join();
@@ -146,17 +325,42 @@ std::size_t WriterThread::stop() {
     return m_unsaved.load();
 }
 
+bool WriterThread::handOver(std::unique_ptr<Job>& job) {
+    if (!m_thread.joinable() || !m_jobs.tryPush(job.get())) {
+        return false;
+    }
+    (void)job.release();
+    m_wake.wake();
+    return true;
+}
+
+void WriterThread::handOverKept() {
+    while (!m_kept.empty() && handOver(m_kept.front())) {
+        m_kept.pop_front();
+    }
+}
+
 void WriterThread::submit(StoreCommand command, Done done) {
     auto job = std::make_unique<Job>();
     job->ticket = ++m_lastTicket;
+    job->keep = !done;
+    if (auto* alarm = std::get_if<RaiseAlarm>(&command); alarm != nullptr && alarm->utc_ms == 0) {
+        alarm->utc_ms = utcNow_ms();
+    }
+    if (auto* clear = std::get_if<ClearAlarm>(&command); clear != nullptr && clear->utc_ms == 0) {
+        clear->utc_ms = utcNow_ms();
+    }
     job->command = std::move(command);
     const std::uint64_t ticket = job->ticket;
-    if (m_thread.joinable() && m_jobs.tryPush(job.get())) {
-        (void)job.release();
-        m_wake.wake();
-        if (done) {
-            m_waiting.emplace(ticket, std::move(done));
+    handOverKept();
+    if (job->keep) {
+        if (!m_kept.empty() || !handOver(job)) {
+            m_kept.push_back(std::move(job));  // deliver() hands it over
         }
+        return;
+    }
+    if (handOver(job)) {
+        m_waiting.emplace(ticket, std::move(done));
         return;
     }
     if (done) {
@@ -197,6 +401,7 @@ void WriterThread::post(Outcome outcome) {
 }
 
 void WriterThread::deliver() {
+    handOverKept();
     std::vector<Outcome> outcomes;
     {
         const std::lock_guard lock(m_outcomesLock);

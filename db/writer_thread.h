@@ -4,6 +4,7 @@
 #include <QObject>
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "db/api/store_writer.h"
+#include "db/data_file.h"
 #include "db/wake.h"
 #include "engine/core/listeners.h"
 #include "engine/core/spsc_ring.h"
@@ -22,13 +24,17 @@ namespace kerf::db {
 /// The only writer of a data file: one thread with its own connection. It goes on while the caller's thread stands
 /// still.
 ///
-///   caller → writer   bounded queue of commands; full: refused with a sentence, nothing waits
+///   caller → writer   bounded queue of commands; full: refused with a sentence, nothing waits. Commands nobody asks
+///   about
+///                     (alarms, entries of the audit log) wait on the caller's side instead and are never dropped
 ///   engine → writer   ring of PartRecord, looked at after every command and at least every `ringPoll_ms`
 ///   writer → caller   results, handed over by one queued event at a time
 ///
-/// Finished parts that cannot be stored are kept and tried again every `retry_ms`; meanwhile the ring is not emptied
-/// further, so that the engine notices (it starts no new part once its ring is full). Commands go on being tried.
-/// The object belongs to the caller's thread, which needs an event loop for the callbacks.
+/// Finished parts, alarms and audit entries that cannot be stored are kept, written into the outbox beside the data
+/// file (db/outbox.h), and tried again every `retry_ms`; meanwhile the engine is told to begin no part of its own.
+/// Beyond `mostWaiting` parts the ring is not emptied further. Commands go on being tried. A data file that was deleted
+/// or replaced under its name is a store that fails, said at once. The object belongs to the caller's thread, which
+/// needs an event loop for the callbacks.
 class WriterThread final : public QObject, public StoreWriter {
     Q_OBJECT
  public:
@@ -36,6 +42,9 @@ class WriterThread final : public QObject, public StoreWriter {
         std::size_t queueCapacity{256};
         int ringPoll_ms{20};
         int retry_ms{1000};
+        std::size_t mostWaiting{256};              ///< parts of the engine
+        DataFile* taken{nullptr};                  ///< the file is locked already; null: start() locks it
+        std::atomic<bool>* partsRefused{nullptr};  ///< told while finished parts cannot be stored; outlives the writer
     };
 
     /// `parts` may be null (no engine); otherwise it must outlive the writer, whose thread is its only consumer.
@@ -47,8 +56,10 @@ class WriterThread final : public QObject, public StoreWriter {
     /// Blocks until the thread has its connection or knows why not. Nothing is written before.
     [[nodiscard]] Result<void> start();
     /// Runs what was submitted, takes over the ring, ends the thread, then delivers what is left. Blocks. Returns the
-    /// number of finished parts that could not be stored (0 unless the disk has failed).
+    /// number of finished parts that are neither stored nor safe in the outbox (0 unless the disk has failed).
     std::size_t stop();
+    /// Finished parts that wait because the store does not take them. Any thread.
+    [[nodiscard]] std::size_t partsWaiting() const noexcept { return m_partsWaiting.load(); }
 
     void submit(StoreCommand command, Done done) override;
     [[nodiscard]] const Sentence& problem() const override { return m_problem; }
@@ -64,6 +75,7 @@ class WriterThread final : public QObject, public StoreWriter {
     struct Job {
         std::uint64_t ticket{0};
         StoreCommand command{};
+        bool keep{false};  ///< nobody is told: try again until it is stored
     };
     struct Answer {
         std::uint64_t ticket{0};
@@ -72,6 +84,8 @@ class WriterThread final : public QObject, public StoreWriter {
     using Outcome = std::variant<Answer, StoredPart, Sentence>;
     class Worker;
 
+    [[nodiscard]] bool handOver(std::unique_ptr<Job>& job);
+    void handOverKept();
     void post(Outcome outcome);  // writer thread
     void deliver();              // caller's thread
 
@@ -89,6 +103,8 @@ class WriterThread final : public QObject, public StoreWriter {
     std::thread m_thread;
     std::atomic<std::size_t> m_unsaved{0};
 
+    std::atomic<std::size_t> m_partsWaiting{0};
+    std::deque<std::unique_ptr<Job>> m_kept;  ///< wait for room in the queue
     std::uint64_t m_lastTicket{0};
     std::map<std::uint64_t, Done> m_waiting;
     Sentence m_problem{};

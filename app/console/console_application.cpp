@@ -17,6 +17,7 @@
 #include "db/migrator.h"
 #include "engine/process/boring/boring_loop.h"
 #include "ui/link/texts.h"
+#include "ui/shell/pin_seal.h"
 
 namespace kerf::console {
 namespace {
@@ -56,6 +57,8 @@ ConsoleApplication::~ConsoleApplication() {
     if (m_writer) {
         if (const std::size_t unsaved = m_writer->stop(); unsaved > 0) {
             spdlog::critical("{} finished parts could not be stored", unsaved);
+        } else if (const std::size_t waiting = m_writer->partsWaiting(); waiting > 0) {
+            spdlog::warn("{} finished parts wait beside the data file for the next start", waiting);
         }
     }
     m_serviceChanges.reset();
@@ -73,9 +76,12 @@ Result<void> ConsoleApplication::start() {
         return machine;
     }
     makeEngine();
-    m_writer = std::make_unique<db::WriterThread>(m_databasePath, &m_engine->partRecords());
-    if (const auto writing = m_writer->start(); !writing) {
-        return writing;
+    db::WriterThread::Options writing;
+    writing.taken = m_dataFile.get();
+    writing.partsRefused = &m_engine->partsRefused();
+    m_writer = std::make_unique<db::WriterThread>(m_databasePath, &m_engine->partRecords(), writing);
+    if (const auto started = m_writer->start(); !started) {
+        return started;
     }
     m_writer->submit(CloseAlarmsOfLastRun{}, {});
 
@@ -119,8 +125,8 @@ void ConsoleApplication::makeEngine() {
 }
 
 void ConsoleApplication::openRooms() {
-    const Room::Context context{*m_engine, *m_writer,      *m_reader,
-                                m_options, m_databasePath, [this] { return author(); }};
+    const Room::Context context{*m_engine, *m_writer, *m_reader, m_options, m_databasePath, [this] { return author(); },
+                                rights()};
     for (const auto& room : m_rooms) {
         room->open(context);
     }
@@ -138,9 +144,11 @@ Result<void> ConsoleApplication::openData() {
     }
     startLogging(folder.toStdString());
     m_databasePath = (folder + QStringLiteral("/kerf.db")).toStdString();
-    if (const auto prepared = db::prepareDatabase(m_databasePath); !prepared) {
-        return tl::unexpected(prepared.error());
+    auto file = db::DataFile::open(m_databasePath);
+    if (!file) {
+        return tl::unexpected(file.error());
     }
+    m_dataFile = std::move(*file);
     auto reader = db::DatabaseReader::open(m_databasePath);
     if (!reader) {
         return tl::unexpected(reader.error());
@@ -189,6 +197,7 @@ void ConsoleApplication::openLots() {
     first.lotSize = m_options.lotSize;
     first.author = std::string(kAuthor);
     StoredBoringService::Links links{*m_writer, *m_engine};
+    links.rights = rights();
     links.gauge = [this](const ServicePart& part, const BoringRecipe& recipe,
                          double overhang_mm) -> std::optional<double> {
         if (!m_simulator) {
@@ -254,6 +263,20 @@ std::string ConsoleApplication::author() const {
     return name.isEmpty() ? kAuthor : name.toStdString();
 }
 
+Rights ConsoleApplication::rights() {
+    return [this](const std::string& who, Trust least) -> std::optional<Sentence> {
+        if (!m_window || who == kAuthor) {  // what Kerf does by itself
+            return std::nullopt;
+        }
+        const ui::OperatorAccount* account = m_window->session().account(QString::fromStdString(who));
+        if (account != nullptr && static_cast<int>(account->role) >= static_cast<int>(least)) {
+            return std::nullopt;
+        }
+        return least == Trust::Engineer ? Sentence(KERF_TEXT("Only a process engineer may do this."))
+                                        : Sentence(KERF_TEXT("Only a setter or a process engineer may do this."));
+    };
+}
+
 ui::Services ConsoleApplication::services() {
     ui::Services services{*m_engine};
     if (m_lots) {
@@ -269,7 +292,9 @@ ui::Services ConsoleApplication::services() {
     services.alarms = m_reader.get();
     services.audit = m_reader.get();
     services.settings = m_reader.get();
-    m_savedSignOn = storedSignOn(*m_reader);
+    m_savedSignOn = storedSignOn(*m_reader, *m_reader);
+    m_savedSignOn.demonstration = m_simulator != nullptr;
+    wrapOldSeals();
     services.signOn = m_savedSignOn;
     services.savePreferences = [this](const ui::Preferences& now) {
         savePreferences(m_savedPreferences, now,
@@ -277,10 +302,19 @@ ui::Services ConsoleApplication::services() {
         m_savedPreferences = now;
     };
     services.saveSignOn = [this](const ui::SignOnSettings& now) {
-        saveSignOn(m_savedSignOn, now,
-                   [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+        saveSignOn(
+            m_savedSignOn, now, [this](const std::string& key, const std::string& value) { saveSetting(key, value); },
+            [this](SaveAccount account) {
+                account.author = author() == kAuthor ? account.name : author();
+                m_writer->submit(std::move(account), {});
+            });
         m_savedSignOn = now;
     };
+    services.saveWrongPins = [this](const QString& name, unsigned tries, qint64 last_ms) {
+        m_writer->submit(NoteWrongPin{name.toStdString(), tries, last_ms}, {});
+    };
+    services.partsWaiting = [this] { return m_writer->partsWaiting(); };
+    services.startFindings = startFindings();
     services.recordSession = [this](const QString& author, const QString& action, const QString& detail) {
         AddAudit audit;
         audit.author = author.toStdString();
@@ -295,6 +329,43 @@ ui::Services ConsoleApplication::services() {
         room->serve(services);
     }
     return services;
+}
+
+/// Seals of the first versions are a bare hash of a few digits: none is left in the file as it is.
+void ConsoleApplication::wrapOldSeals() {
+    for (ui::OperatorAccount& account : m_savedSignOn.accounts) {
+        const QString wrapped = ui::wrappedSeal(account.pin);
+        if (wrapped != account.pin) {
+            account.pin = wrapped;
+            m_writer->submit(SaveAccount{account.name.toStdString(), ui::roleKey(account.role), wrapped.toStdString(),
+                                         std::string(kAuthor), "old seal of the PIN replaced"},
+                             {});
+        }
+    }
+}
+
+std::vector<Sentence> ConsoleApplication::startFindings() const {
+    const db::DataFile::Finding& finding = m_dataFile->finding();
+    std::vector<Sentence> sentences;
+    if (!finding.missing.empty()) {
+        sentences.push_back(finding.missing);
+    }
+    if (finding.partsFound > 0) {
+        sentences.emplace_back(KERF_TEXT("%1 finished parts had waited beside the data file; they are stored now."),
+                               SentenceArg(static_cast<double>(finding.partsFound), 0));
+    }
+    if (finding.notRead > 0) {
+        sentences.emplace_back(KERF_TEXT("%1 items that waited beside the data file are of another version: they are "
+                                         "kept in a file beside it."),
+                               SentenceArg(static_cast<double>(finding.notRead), 0));
+    }
+    if (m_savedSignOn.demonstration) {
+        spdlog::info("simulated machine: roles may be taken without a process engineer");
+    }
+    for (const Sentence& sentence : sentences) {
+        spdlog::warn("{}", sentence.english());
+    }
+    return sentences;
 }
 
 void ConsoleApplication::serveFiles(ui::Services& services) {

@@ -13,6 +13,8 @@
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
 #include "app/service/boring/boring_lots.h"
+#include "app/service/rights.h"
+#include "db/data_file.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
 #include "engine/cycle/engine.h"
@@ -69,6 +71,10 @@ class ConsoleApplication : public QObject {
     void poll();
     [[nodiscard]] std::string author() const;
     void keepAlarm(const AlarmEvent& event);
+    /// What the services ask before they change anything.
+    [[nodiscard]] Rights rights();
+    void wrapOldSeals();
+    [[nodiscard]] std::vector<Sentence> startFindings() const;
     void serveFiles(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
     void announceAccepted();
@@ -76,6 +82,7 @@ class ConsoleApplication : public QObject {
 
     Options m_options;
     std::string m_databasePath;
+    std::unique_ptr<db::DataFile> m_dataFile;
     std::unique_ptr<db::DatabaseReader> m_reader;
     std::vector<std::unique_ptr<Room>> m_rooms;  ///< those that fit the machine
     std::unique_ptr<Simulator> m_simulator;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/preferences.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -12,7 +13,6 @@ constexpr const char* kLength = "ui.length_unit";
 constexpr const char* kTemperature = "ui.temperature_unit";
 constexpr const char* kTheme = "ui.theme";
 constexpr const char* kScale = "ui.scale";
-constexpr const char* kOperators = "operators";  ///< one line each: name, tab, role, tab, sealed PIN
 constexpr const char* kAutoSignOff = "session.auto_sign_off_min";
 constexpr int kLongestSignOff_min = 24 * 60;
 
@@ -53,12 +53,17 @@ ui::Preferences storedPreferences(SettingsReader& settings) {
     return stored;
 }
 
-ui::SignOnSettings storedSignOn(SettingsReader& settings) {
+ui::SignOnSettings storedSignOn(SettingsReader& settings, AccountReader& accounts) {
     ui::SignOnSettings stored;
-    const QString lines = QString::fromStdString(read(settings, kOperators).value_or(std::string()));
-    for (const QString& line : lines.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        const QStringList words = line.split(QLatin1Char('\t'));  // a list of the first version has names alone
-        stored.accounts.push_back({words.value(0), ui::roleOf(words.value(1)), words.value(2)});
+    const auto rows = accounts.accounts();
+    for (const AccountRow& row : rows ? *rows : std::vector<AccountRow>{}) {
+        ui::OperatorAccount account;
+        account.name = QString::fromStdString(row.name);
+        account.role = ui::roleOf(QString::fromStdString(row.roleKey));
+        account.pin = QString::fromStdString(row.seal);
+        account.wrongTries = row.wrongTries;
+        account.lastWrong_ms = row.lastWrongUtc_ms;
+        stored.accounts.push_back(account);
     }
     if (const auto text = read(settings, kAutoSignOff)) {
         bool number = false;
@@ -83,13 +88,13 @@ void savePreferences(const ui::Preferences& before, const ui::Preferences& now, 
     keep(kScale, std::to_string(before.scale), std::to_string(now.scale));
 }
 
-void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save) {
-    if (before.accounts != now.accounts) {
-        QStringList lines;
-        for (const ui::OperatorAccount& account : now.accounts) {
-            lines << account.name + u'\t' + QLatin1String(ui::roleKey(account.role)) + u'\t' + account.pin;
+void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save,
+                const SaveAccountRow& saveAccount) {
+    for (const ui::OperatorAccount& account : now.accounts) {
+        const auto old = std::ranges::find(before.accounts, account.name, &ui::OperatorAccount::name);
+        if (old == before.accounts.end() || old->role != account.role || old->pin != account.pin) {
+            saveAccount({account.name.toStdString(), ui::roleKey(account.role), account.pin.toStdString(), {}, {}});
         }
-        save(kOperators, lines.join(QLatin1Char('\n')).toStdString());
     }
     if (before.autoSignOff_min != now.autoSignOff_min) {
         save(kAutoSignOff, std::to_string(now.autoSignOff_min));

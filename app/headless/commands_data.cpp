@@ -109,6 +109,8 @@ void verify(const DataOptions& options) {
     report["intact"] = verdict->finding.empty();
     report["entries"] = verdict->entries;
     report["measurements"] = verdict->measurements;
+    report["room_records"] = verdict->roomRecords;
+    report["redacted"] = verdict->redacted;
     report["head_hash"] = verdict->headHash;
     if (!verdict->finding.empty()) {
         report["finding"] = verdict->finding.english();
@@ -172,9 +174,13 @@ void addDataCommands(CLI::App& kerf) {
         ->check(CLI::IsMember({"boring", "milling", "turning", "thermal", "tapping"}));
     exporting->add_option("--search", options->text,
                           "Only parts whose serial number begins with, or whose lot or part type contains this text");
-    add("verify", "Recomputes the audit chain and compares every measurement with it; exit 3 when it is broken",
+    add("verify",
+        "Recomputes the audit chain, compares measurements, kept records, recipes and settings with it, and the file "
+        "with "
+        "the head noted at its last commit; exit 3 when something is broken or missing",
         verify);
-    add("check", "SQLite's integrity check, references and version; exit 3 when damaged", check);
+    add("check", "SQLite's integrity check, references, version, and all that verify looks at; exit 3 when damaged",
+        check);
     add("backup", "A checked copy in one file, also while the console runs", backup)
         ->add_option("file", options->copy, "New file; an existing one is never overwritten")
         ->required();

@@ -15,6 +15,8 @@ namespace kerf {
 struct AuditVerdict {
     std::uint64_t entries{0};                ///< looked at
     std::uint64_t measurements{0};           ///< compared with their audit entry
+    std::uint64_t roomRecords{0};            ///< the same: setups, tunings, models
+    std::uint64_t redacted{0};               ///< entries whose text was taken out, with an entry that says why
     std::optional<std::int64_t> firstBad{};  ///< audit entry (or measurement) where it breaks
     Sentence finding{};                      ///< empty: intact
     std::string headHash{};                  ///< hash of the newest entry: note it down to notice a cut-off end

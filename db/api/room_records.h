@@ -23,6 +23,9 @@ class RoomRecordReader {
     [[nodiscard]] virtual Result<std::vector<RoomRecordRow>> roomRecords(ProcessId process, const std::string& kind,
                                                                          const std::string& subject,
                                                                          std::uint32_t limit) = 0;
+    /// The newest of each subject, oldest of those first: whatever their number, none is left out.
+    [[nodiscard]] virtual Result<std::vector<RoomRecordRow>> newestRoomRecords(ProcessId process,
+                                                                               const std::string& kind) = 0;
 };
 
 }  // namespace kerf

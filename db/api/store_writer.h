@@ -99,10 +99,14 @@ struct RaiseAlarm {
     AlarmCode code{0};
     std::uint8_t priority{3};
     Sentence detail{};
+    std::int64_t utc_ms{0};    ///< when it came; 0: the writer puts the time of submission
+    std::string detailText{};  ///< not empty: as read back from the outbox, in the place of `detail`
+    std::string detailArgs{};
 };
 /// The condition has gone: closes every standing occurrence of the code.
 struct ClearAlarm {
     AlarmCode code{0};
+    std::int64_t utc_ms{0};  ///< as in RaiseAlarm
 };
 /// At start: what stood when the console ended stands no longer unless the engine raises it again.
 struct CloseAlarmsOfLastRun {};
@@ -137,10 +141,25 @@ struct AddRoomRecord {
     std::string reason{};
 };
 
-using StoreCommand =
-    std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot, SetActiveLot, AddPart,
-                 SetPartSerial, AcceptMeasurement, StoreSchedule, AcceptSchedule, RaiseAlarm, ClearAlarm,
-                 CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit, AddRoomRecord>;
+/// A person known at this machine: made, or changed. The seal never reaches the audit log.
+struct SaveAccount {
+    std::string name{};
+    std::string roleKey{};  ///< "operator", "setter", "engineer"
+    std::string seal{};     ///< of the PIN (app/service/pin_seal.h); empty: none is asked
+    std::string author{};   ///< never empty
+    std::string reason{};
+};
+/// Wrong PINs of an account since the last right one: kept, so that a restart does not end the wait.
+struct NoteWrongPin {
+    std::string name{};
+    std::uint32_t tries{0};
+    std::int64_t last_utc_ms{0};
+};
+
+using StoreCommand = std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot,
+                                  SetActiveLot, AddPart, SetPartSerial, AcceptMeasurement, StoreSchedule,
+                                  AcceptSchedule, RaiseAlarm, ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm,
+                                  ChangeSetting, AddAudit, AddRoomRecord, SaveAccount, NoteWrongPin>;
 
 /// What a command has made; each command says what it puts here.
 struct Receipt {
@@ -162,6 +181,7 @@ struct StoredPart {
 /// When it fails: a command's transaction is rolled back and `done` gets the sentence; nothing is half-stored and the
 /// caller still has the values (a measurement counts as accepted only when `done` says so). Finished parts of the
 /// engine are not answered but kept and tried again, oldest first, until they are stored; meanwhile problem() says why.
+/// So are commands without a `done`: alarms and entries of the audit log that nobody else holds.
 /// Commands run in the order they were submitted, each before any part that the engine finishes later.
 class StoreWriter {
  public:

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "db/head_file.h"
 #include "db/row_io.h"
 #include "db/statement.h"
 #include "db/stores/audit_log.h"
@@ -217,10 +218,35 @@ Result<std::vector<RoomRecordRow>> DatabaseReader::roomRecords(ProcessId process
     });
 }
 
+Result<std::vector<RoomRecordRow>> DatabaseReader::newestRoomRecords(ProcessId process, const std::string& kind) {
+    return guarded([&] {
+        Statement find(database(), select(kRoomRecordColumns,
+                                          "FROM room_records o WHERE o.id IN (SELECT max(id) FROM room_records WHERE "
+                                          "process = ? AND kind = ? GROUP BY subject) ORDER BY o.id"));
+        find.bind(processKey(process)).bind(kind);
+        return readAll(find, readRoomRecord);
+    });
+}
+
+Result<std::vector<AccountRow>> DatabaseReader::accounts() {
+    return guarded([&] {
+        Statement find(database(),
+                       "SELECT name, role, seal, wrong_tries, last_wrong_utc_ms FROM accounts ORDER BY name");
+        return readAll<AccountRow>(find, [](const Statement& row) {
+            return AccountRow{row.text(0), row.text(1), row.text(2), row.count(3), row.integer(4)};
+        });
+    });
+}
+
 Result<AuditVerdict> DatabaseReader::verifyAudit() {
     return guarded([&] {
+        const auto expected = HeadFile(m_path).read();  // first: the writer may go on meanwhile
         const Snapshot snapshot(database());
-        return db::verifyAudit(database());
+        AuditVerdict verdict = db::verifyAudit(database());
+        if (verdict.finding.empty() && expected) {
+            verdict.finding = missingSince(*expected, database());
+        }
+        return verdict;
     });
 }
 

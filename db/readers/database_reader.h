@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "db/api/account_reader.h"
 #include "db/api/alarm_reader.h"
 #include "db/api/audit_reader.h"
 #include "db/api/lot_reader.h"
@@ -20,7 +21,8 @@ class DatabaseReader final : public PartReader,
                              public SettingsReader,
                              public AlarmReader,
                              public AuditReader,
-                             public RoomRecordReader {
+                             public RoomRecordReader,
+                             public AccountReader {
  public:
     /// The file must have been brought up to date by prepareDatabase().
     [[nodiscard]] static Result<std::unique_ptr<DatabaseReader>> open(const std::string& path);
@@ -46,14 +48,19 @@ class DatabaseReader final : public PartReader,
     [[nodiscard]] Result<std::vector<AuditRow>> auditAfter(std::int64_t after, std::uint32_t limit) override;
     [[nodiscard]] Result<AuditVerdict> verifyAudit() override;
 
+    [[nodiscard]] Result<std::vector<AccountRow>> accounts() override;
+
+    [[nodiscard]] Result<std::vector<RoomRecordRow>> newestRoomRecords(ProcessId process,
+                                                                       const std::string& kind) override;
     [[nodiscard]] Result<std::vector<RoomRecordRow>> roomRecords(ProcessId process, const std::string& kind,
                                                                  const std::string& subject,
                                                                  std::uint32_t limit) override;
 
  private:
-    explicit DatabaseReader(const std::string& path) : m_connection(path, Access::Read) {}
+    explicit DatabaseReader(const std::string& path) : m_path(path), m_connection(path, Access::Read) {}
     [[nodiscard]] const QSqlDatabase& database() const noexcept { return m_connection.database(); }
 
+    std::string m_path;
     Connection m_connection;
 };
 

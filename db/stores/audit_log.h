@@ -20,7 +20,21 @@ void appendAudit(const QSqlDatabase& database, AuditRow row);
 /// What the audit log says about a measurement when it is accepted; compared again by verifyAudit().
 [[nodiscard]] std::string measurementText(const MeasurementRow& row);
 
-/// Recomputes the whole chain and compares every measurement with its entry. @throws SqlFailure
+/// What the audit log says about a room record: its subject and the hash of its body.
+[[nodiscard]] std::string roomRecordText(const std::string& subject, const std::string& body);
+/// One hash over all room records up to `last`, for those kept before each had its own. @throws SqlFailure
+[[nodiscard]] std::string roomRecordsSeal(const QSqlDatabase& database, std::int64_t last);
+inline constexpr const char* kRoomRecordsSealed = "room records sealed";
+
+/// Takes text out of old entries, and leaves the chain whole: the entry keeps the hash it was written with, so that the
+/// next one still follows from it, and a new entry "entry redacted" says why and what the entry reads now (its hash as
+/// it stands). verifyAudit() accepts a changed entry only so. @throws SqlFailure
+void redactAudit(const QSqlDatabase& database, const AuditRow& asItShallRead, const std::string& author,
+                 const std::string& reason);
+inline constexpr const char* kRedacted = "entry redacted";
+
+/// Recomputes the whole chain and compares every measurement, room record, recipe and setting with its entry. @throws
+/// SqlFailure
 [[nodiscard]] AuditVerdict verifyAudit(const QSqlDatabase& database);
 
 }  // namespace kerf::db

@@ -12,9 +12,9 @@ Receipt Store::run(const RaiseAlarm& command) {
         "INSERT INTO alarms (code, priority, raised_utc_ms, detail_text, detail_args) VALUES (?, ?, ?, ?, ?)");
     insert.bind(static_cast<std::int64_t>(command.code))
         .bind(static_cast<std::int64_t>(command.priority))
-        .bind(utcNow_ms())
-        .bind(command.detail.text)
-        .bind(packArgs(command.detail))
+        .bind(command.utc_ms != 0 ? command.utc_ms : utcNow_ms())
+        .bind(command.detailText.empty() ? std::string(command.detail.text) : command.detailText)
+        .bind(command.detailText.empty() ? packArgs(command.detail) : command.detailArgs)
         .run();
     return {insert.lastId()};
 }
@@ -22,7 +22,7 @@ Receipt Store::run(const RaiseAlarm& command) {
 Receipt Store::run(const ClearAlarm& command) {
     Statement(m_database,
               "UPDATE alarms SET cleared_utc_ms = ?, clear_cause = 'gone' WHERE code = ? AND cleared_utc_ms IS NULL")
-        .bind(utcNow_ms())
+        .bind(command.utc_ms != 0 ? command.utc_ms : utcNow_ms())
         .bind(static_cast<std::int64_t>(command.code))
         .run();
     return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "db/row_io.h"
 #include "db/stores/audit_log.h"
@@ -19,8 +20,9 @@ bool storable(const BoringSchedule& s) {
            std::isfinite(s.overhangTo_mm) && std::isfinite(s.spindleSpeed_rpm);
 }
 
-Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot, const PartRecord& record,
+Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot, const FinishedPart& part,
                    const std::string& serial) {
+    const PartRecord& record = part.record;
     std::optional<ScheduleId> schedule;
     if (record.process == ProcessId::Boring && storable(record.schedule)) {
         ScheduleRow row;
@@ -44,7 +46,7 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
         .bind(record.complete)
         .bind(record.begin_ns)
         .bind(std::max(record.begin_ns, record.end_ns))
-        .bind(utcNow_ms())
+        .bind(part.endedUtc_ms != 0 ? part.endedUtc_ms : utcNow_ms())
         .bind(schedule)
         .run();
     const PartId id = insert.lastId();
@@ -54,10 +56,11 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
             .bind(packTrace(record.feed))
             .run();
     }
-    if (const std::vector<PartResult> results = partResults(record); !results.empty()) {
+    const std::vector<PartResult> results = partResults(record);
+    if (!results.empty() || !part.figuresJson.empty()) {
         Statement(database, "INSERT INTO part_results (part_id, results) VALUES (?, ?)")
             .bind(id)
-            .bind(packFigures(results))
+            .bind(part.figuresJson.empty() ? packFigures(results) : part.figuresJson)
             .run();
     }
     return {id, next};
@@ -67,6 +70,29 @@ std::optional<LotId> activeLotOf(const QSqlDatabase& database, ProcessId process
     Statement setting(database,
                       "SELECT l.id FROM settings s JOIN lots l ON l.id = CAST(s.value AS INTEGER) WHERE s.key = ?");
     return setting.bind(activeLotKey(process)).run().next() ? std::optional(setting.integer(0)) : std::nullopt;
+}
+
+/// The lot named on the part, which is the one it was begun for; the active one where none is named.
+std::optional<LotId> lotOf(const QSqlDatabase& database, const PartRecord& record) {
+    if (record.lot > 0) {
+        Statement named(database, "SELECT id FROM lots WHERE id = ?");
+        if (named.bind(record.lot).run().next()) {
+            return record.lot;
+        }
+    }
+    return activeLotOf(database, record.process);
+}
+
+bool storedAlready(const QSqlDatabase& database, const FinishedPart& part) {
+    Statement find(database,
+                   "SELECT id FROM parts WHERE process = ? AND machine_begin_ns = ? AND machine_end_ns = ? AND "
+                   "ended_utc_ms = ?");
+    return find.bind(processKey(part.record.process))
+        .bind(part.record.begin_ns)
+        .bind(std::max(part.record.begin_ns, part.record.end_ns))
+        .bind(part.endedUtc_ms)
+        .run()
+        .next();
 }
 
 }  // namespace
@@ -127,22 +153,63 @@ ScheduleId findOrAddSchedule(const QSqlDatabase& database, const ScheduleRow& ro
         .lastId();
 }
 
-Result<std::vector<StoredPart>> Store::addParts(std::span<const PartRecord> records) {
+Result<std::vector<StoredPart>> Store::addParts(std::span<const FinishedPart> parts) {
     return guarded([&] {
         std::vector<StoredPart> stored;
         Transaction transaction(m_database);
-        for (const PartRecord& record : records) {
-            const std::optional<LotId> lot = activeLotOf(m_database, record.process);
-            const Receipt receipt = insertPart(m_database, lot, record, {});
-            stored.push_back({receipt.id, lot, static_cast<std::uint32_t>(receipt.second), record});
+        for (const FinishedPart& part : parts) {
+            const std::optional<LotId> lot = lotOf(m_database, part.record);
+            const Receipt receipt = insertPart(m_database, lot, part, {});
+            stored.push_back({receipt.id, lot, static_cast<std::uint32_t>(receipt.second), part.record});
         }
         transaction.commit();
         return stored;
     });
 }
 
+Result<std::vector<StoredPart>> Store::addParts(std::span<const PartRecord> records) {
+    std::vector<FinishedPart> parts;
+    for (const PartRecord& record : records) {
+        parts.push_back({record, utcNow_ms(), {}});
+    }
+    return addParts(parts);
+}
+
+Result<bool> Store::addWaiting(const Waiting& item) {
+    return guarded([&] {
+        if (const auto* part = std::get_if<FinishedPart>(&item)) {
+            Transaction transaction(m_database);
+            if (storedAlready(m_database, *part)) {
+                return false;
+            }
+            (void)insertPart(m_database, lotOf(m_database, part->record), *part, {});
+            transaction.commit();
+            return true;
+        }
+        if (const auto* alarm = std::get_if<RaiseAlarm>(&item)) {
+            Statement find(m_database, "SELECT id FROM alarms WHERE code = ? AND raised_utc_ms = ?");
+            if (find.bind(static_cast<std::int64_t>(alarm->code)).bind(alarm->utc_ms).run().next()) {
+                return false;
+            }
+        }
+        const StoreCommand command = std::visit(
+            [](const auto& each) -> StoreCommand {
+                if constexpr (std::is_same_v<std::decay_t<decltype(each)>, FinishedPart>) {
+                    return AddPart{};
+                } else {
+                    return each;
+                }
+            },
+            item);
+        if (const Result<Receipt> done = apply(command); !done) {
+            throw SqlFailure(done.error(), 0, done.error().english());
+        }
+        return true;
+    });
+}
+
 Receipt Store::run(const AddPart& command) {
-    return insertPart(m_database, command.lot, command.record, command.serial);
+    return insertPart(m_database, command.lot, {command.record, utcNow_ms(), {}}, command.serial);
 }
 
 Receipt Store::run(const SetPartSerial& command) {

@@ -19,12 +19,12 @@ Receipt Store::run(const AddRoomRecord& command) {
         .bind(utcNow_ms())
         .run();
     const std::int64_t id = insert.lastId();
-    // The body stays where it is: the audit entry says who kept what, and why.
+    // The body stays where it is: the audit entry says who kept what, and why, and by its hash that it is this one.
     appendAudit(m_database, {.author = command.author,
                              .action = std::string(processKey(command.process)) + " " + command.kind + " kept",
                              .object = "room record",
                              .objectId = id,
-                             .newValue = command.subject,
+                             .newValue = roomRecordText(command.subject, command.bodyJson),
                              .reason = command.reason});
     return {id};
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "db/api/store_writer.h"
+#include "db/waiting.h"
 
 namespace kerf::db {
 
@@ -17,8 +18,14 @@ class Store {
 
     /// One command, one transaction. A failure leaves the database as it was.
     [[nodiscard]] Result<Receipt> apply(const StoreCommand& command);
-    /// Finished parts of the engine in one transaction, each into the active lot of its process.
+    /// Finished parts of the engine in one transaction, each into its own lot, else the active one of its process.
+    [[nodiscard]] Result<std::vector<StoredPart>> addParts(std::span<const FinishedPart> parts);
     [[nodiscard]] Result<std::vector<StoredPart>> addParts(std::span<const PartRecord> records);
+    /// An item of the outbox; false: it had been stored already when the program ended.
+    [[nodiscard]] Result<bool> addWaiting(const Waiting& item);
+    /// What versions before this one kept in another way: people among the settings, their seals in the audit log, room
+    /// records without a hash. Does nothing when there is nothing of it.
+    [[nodiscard]] Result<void> adoptEarlierForms();
 
  private:
     Receipt run(const EnsureMachine& command);
@@ -40,6 +47,8 @@ class Store {
     Receipt run(const ChangeSetting& command);
     Receipt run(const AddAudit& command);
     Receipt run(const AddRoomRecord& command);
+    Receipt run(const SaveAccount& command);
+    Receipt run(const NoteWrongPin& command);
 
     QSqlDatabase m_database;
 };

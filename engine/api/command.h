@@ -39,6 +39,12 @@ struct LoadBoringSchedule {
     BoringSchedule schedule{};
 };
 
+/// Boring: whose parts the next ones are, when a lot has been chosen and no schedule of it accepted yet.
+struct NameBoringLot {
+    static constexpr ProcessId kProcess = ProcessId::Boring;
+    std::int64_t lot{0};
+};
+
 /// Turning: the cut of the next part. A part being cut keeps the one it began with.
 struct LoadTurningSetup {
     static constexpr ProcessId kProcess = ProcessId::Turning;
@@ -144,10 +150,10 @@ struct StopWarmUp {
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
     std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
-                 LoadTurningSetup, SetTurningController, LoadTappingJob, LoadTapGains, AbortTap, RecoverTap,
-                 LoadMillingSetup, LoadMillingBlank, SetMillingLaw, SetMillingReference, TeachMillingReference,
-                 ReleaseMillingStop, RestoreMillingTool, NewMillingTool, LoadThermalSetup, TakeThermalReference,
-                 LoadGapZero, MeasureOrigin, AdoptMeasurement, RecordGaps, StopWarmUp>
+                 NameBoringLot, LoadTurningSetup, SetTurningController, LoadTappingJob, LoadTapGains, AbortTap,
+                 RecoverTap, LoadMillingSetup, LoadMillingBlank, SetMillingLaw, SetMillingReference,
+                 TeachMillingReference, ReleaseMillingStop, RestoreMillingTool, NewMillingTool, LoadThermalSetup,
+                 TakeThermalReference, LoadGapZero, MeasureOrigin, AdoptMeasurement, RecordGaps, StopWarmUp>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

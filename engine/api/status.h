@@ -97,6 +97,7 @@ struct PartRecord {
     bool complete{true};       ///< false: aborted
     std::int64_t begin_ns{0};  ///< machine time
     std::int64_t end_ns{0};
+    std::int64_t lot{0};  ///< the lot whose recipe it was begun with; 0: none was named, the active one counts
     BoringSchedule schedule{};
     FeedTrace feed{};
     double forceMean_N{0.0};  ///< of processes that measure force

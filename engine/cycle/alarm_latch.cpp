@@ -31,12 +31,16 @@ void EventSink::clear(AlarmCode code) noexcept {
 
 void EventSink::finishPart(const PartRecord& record) noexcept {
     flush();
+    m_unrecordedNow = false;
     if (m_pendingCount == 0 && parts.tryPush(record)) {
         return;
     }
     if (m_pendingCount < m_pending.size()) {
         m_pending[m_pendingCount++] = record;
+        return;
     }
+    m_unrecordedNow = true;
+    ++m_unrecorded;
 }
 
 void EventSink::flush() noexcept {

@@ -84,7 +84,10 @@ void Cycle::watchMachine() noexcept {
     m_linkWasUp = linkUp;
     m_events.set(machine_alarm::kLinkDown, !linkUp);
     m_events.set(machine_alarm::kEmergencyStop, linkUp && m_inputs.emergencyStop);
-    m_events.set(machine_alarm::kPartStoreFull, m_events.partsBlocked());
+    m_events.set(machine_alarm::kPartStoreFull, partsBlocked());
+    m_events.set(machine_alarm::kPartUnrecorded, m_events.unrecordedNow(),
+                 Sentence(KERF_TEXT("%1 finished parts are not recorded."),
+                          SentenceArg(static_cast<double>(m_events.partsUnrecorded()), 0)));
 }
 
 void Cycle::takeCommands() noexcept {
@@ -141,7 +144,7 @@ CommandResult Cycle::startPart(const Command& command, ProcessId process) noexce
     if (!cycleStart.fitted) {
         return CommandResult::refused(cycleStart.why);
     }
-    if (m_events.partsBlocked()) {
+    if (partsBlocked()) {
         return CommandResult::refused(Sentence(KERF_TEXT("The last part is not stored yet: no new part until it is.")));
     }
     if (m_supervisor.held()) {
@@ -165,7 +168,7 @@ void Cycle::publish(const CycleStats& stats) noexcept {
     status.emergencyStop = m_inputs.emergencyStop;
     status.feedHold = m_inputs.feedHold;
     status.held = m_supervisor.held();
-    status.partsBlocked = m_events.partsBlocked();
+    status.partsBlocked = partsBlocked();
     status.operatorOverride = m_inputs.operatorOverride;
     status.simulationSpeed = m_simulationSpeed;
     status.feedScale = m_outputs.feedScale;

@@ -23,6 +23,7 @@ struct EngineRings {
     SpscRing<Sample> samples{8192};
     SpscRing<AlarmEvent> alarms{256};
     SpscRing<PartRecord> parts{64};
+    std::atomic<bool> partsRefused{false};  ///< set by the store while it takes none: no part of Kerf's begins
     LatestValue<Status> status{};
     std::atomic<std::uint32_t> holdsAsked{0};  ///< counts presses of hold-all
 };
@@ -55,6 +56,9 @@ class Cycle {
     [[nodiscard]] CommandResult startPart(const Command& command, ProcessId process) noexcept;
     [[nodiscard]] ProcessLoop* find(ProcessId id) const noexcept { return m_byProcess[static_cast<std::size_t>(id)]; }
     void watchMachine() noexcept;
+    [[nodiscard]] bool partsBlocked() const noexcept {
+        return m_events.partsBlocked() || m_rings.partsRefused.load(std::memory_order_relaxed);
+    }
 
     MachinePort& m_port;
     std::vector<std::unique_ptr<ProcessLoop>> m_loops;

@@ -25,6 +25,8 @@ class Engine final : public EngineApi {
 
     /// For the database's writer thread, the only consumer.
     [[nodiscard]] SpscRing<PartRecord>& partRecords() noexcept { return m_rings.parts; }
+    /// Set by the writer thread while it cannot store finished parts: the engine begins none of its own.
+    [[nodiscard]] std::atomic<bool>& partsRefused() noexcept { return m_rings.partsRefused; }
     [[nodiscard]] Cycle& cycle() noexcept { return m_cycle; }
 
     [[nodiscard]] std::optional<std::uint32_t> send(const Command& command) noexcept override;

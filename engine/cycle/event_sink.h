@@ -28,10 +28,15 @@ struct EventSink {
         condition ? raise(code, detail) : clear(code);
     }
     /// Hand a part record to the database. When the ring is full the record is kept here, `partsBlocked` latches and
-    /// no new part may begin until flush() has got rid of it: a part is never lost.
+    /// no part of Kerf's may begin until flush() has got rid of it. Parts that a person begins at the control all the
+    /// same may find no place at last: those are counted, and said to be unrecorded.
     void finishPart(const PartRecord& record) noexcept;
     void flush() noexcept;
     [[nodiscard]] bool partsBlocked() const noexcept { return m_pendingCount > 0; }
+    /// Finished parts that nobody keeps, since the engine started.
+    [[nodiscard]] std::uint32_t partsUnrecorded() const noexcept { return m_unrecorded; }
+    /// The newest finished part was one of them.
+    [[nodiscard]] bool unrecordedNow() const noexcept { return m_unrecordedNow; }
 
     std::int64_t now_ns{0};  ///< set by the cycle
 
@@ -42,6 +47,8 @@ struct EventSink {
     std::size_t m_activeCount{0};
     std::array<PartRecord, 4> m_pending{};
     std::size_t m_pendingCount{0};
+    std::uint32_t m_unrecorded{0};
+    bool m_unrecordedNow{false};
 };
 
 }  // namespace kerf

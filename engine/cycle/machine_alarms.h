@@ -12,6 +12,7 @@ inline constexpr AlarmCode kLinkDown = 1;
 inline constexpr AlarmCode kEmergencyStop = 2;
 inline constexpr AlarmCode kPartStoreFull = 3;
 inline constexpr AlarmCode kOverruns = 4;
+inline constexpr AlarmCode kPartUnrecorded = 9;
 
 inline constexpr std::array kSpecs{
     AlarmSpec{
@@ -27,6 +28,12 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("The database does not take records: disk full, or the file is locked."),
               KERF_TEXT("The finished part is kept in memory. No new part can be started."),
               KERF_TEXT("Free disk space or end the program that locks the file. Storing goes on by itself.")},
+    AlarmSpec{
+        kPartUnrecorded, 1, KERF_TEXT("A finished part was not recorded"),
+        KERF_TEXT("A part was begun at the control while finished parts could not be stored, and there is no place "
+                  "left to keep them."),
+        KERF_TEXT("This part and those after it stand nowhere: neither figures nor feed of them are kept."),
+        KERF_TEXT("Begin no part at the control until storing goes on. Note these parts down by hand.")},
     AlarmSpec{kOverruns, 3, KERF_TEXT("The engine misses its deadlines"),
               KERF_TEXT("This computer is too busy, or real-time scheduling is not allowed."),
               KERF_TEXT("Loops react later than designed. Feed and offsets stay inside their limits."),

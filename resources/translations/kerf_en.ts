@@ -25,6 +25,37 @@
         </message>
     </context>
     <context>
+        <name>FirstEngineer</name>
+        <message>
+            <source>The first process engineer</source>
+            <translation>The first process engineer</translation>
+        </message>
+        <message>
+            <source>This machine knows nobody yet who may change recipes, limits and roles. Until then everybody who signs on is an operator.</source>
+            <translation>This machine knows nobody yet who may change recipes, limits and roles. Until then everybody who signs on is an operator.</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>PIN, %1 to %2 digits</source>
+            <translation>PIN, %1 to %2 digits</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>Later</translation>
+        </message>
+        <message>
+            <source>A name and a PIN of %1 to %2 digits are needed.</source>
+            <translation>A name and a PIN of %1 to %2 digits are needed.</translation>
+        </message>
+        <message>
+            <source>Make and sign on</source>
+            <translation>Make and sign on</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -2814,10 +2845,6 @@
             <translation>RMS, second half</translation>
         </message>
         <message>
-            <source>Sign on first: a setup needs a name.</source>
-            <translation>Sign on first: a setup needs a name.</translation>
-        </message>
-        <message>
             <source>The mean force has fallen: no trim in this part.</source>
             <translation>The mean force has fallen: no trim in this part.</translation>
         </message>
@@ -3458,10 +3485,6 @@
             <translation>The model file is damaged.</translation>
         </message>
         <message>
-            <source>The model file is not JSON.</source>
-            <translation>The model file is not JSON.</translation>
-        </message>
-        <message>
             <source>The residual chart shows a signal: these parts performed so, but it is no capability.</source>
             <translation>The residual chart shows a signal: these parts performed so, but it is no capability.</translation>
         </message>
@@ -3504,6 +3527,94 @@
         <message>
             <source>small lasting error (EWMA)</source>
             <translation>small lasting error (EWMA)</translation>
+        </message>
+        <message>
+            <source>%1 finished parts are not recorded.</source>
+            <translation>%1 finished parts are not recorded.</translation>
+        </message>
+        <message>
+            <source>%1 finished parts had waited beside the data file; they are stored now.</source>
+            <translation>%1 finished parts had waited beside the data file; they are stored now.</translation>
+        </message>
+        <message>
+            <source>%1 items that waited beside the data file are of another version: they are kept in a file beside it.</source>
+            <translation>%1 items that waited beside the data file are of another version: they are kept in a file beside it.</translation>
+        </message>
+        <message>
+            <source>%1 setups, tunings and models were kept, %2 are stored.</source>
+            <translation>%1 setups, tunings and models were kept, %2 are stored.</translation>
+        </message>
+        <message>
+            <source>A finished part was not recorded</source>
+            <translation>A finished part was not recorded</translation>
+        </message>
+        <message>
+            <source>A part was begun at the control while finished parts could not be stored, and there is no place left to keep them.</source>
+            <translation>A part was begun at the control while finished parts could not be stored, and there is no place left to keep them.</translation>
+        </message>
+        <message>
+            <source>Audit entry %1 is not the one that had been written: this is another file.</source>
+            <translation>Audit entry %1 is not the one that had been written: this is another file.</translation>
+        </message>
+        <message>
+            <source>Begin no part at the control until storing goes on. Note these parts down by hand.</source>
+            <translation>Begin no part at the control until storing goes on. Note these parts down by hand.</translation>
+        </message>
+        <message>
+            <source>One of the first %1 kept setups, tunings or models was changed after it was kept.</source>
+            <translation>One of the first %1 kept setups, tunings or models was changed after it was kept.</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may do this.</source>
+            <translation>Only a process engineer may do this.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer may do this.</source>
+            <translation>Only a setter or a process engineer may do this.</translation>
+        </message>
+        <message>
+            <source>Recipe revision %1 differs from what was logged when it was saved.</source>
+            <translation>Recipe revision %1 differs from what was logged when it was saved.</translation>
+        </message>
+        <message>
+            <source>Record %1 (%2) differs from what was logged when it was kept.</source>
+            <translation>Record %1 (%2) differs from what was logged when it was kept.</translation>
+        </message>
+        <message>
+            <source>Setting %1 differs from what was logged when it was changed.</source>
+            <translation>Setting %1 differs from what was logged when it was changed.</translation>
+        </message>
+        <message>
+            <source>The JSON holds %1; numbers are expected within ±1e60.</source>
+            <translation>The JSON holds %1; numbers are expected within ±1e60.</translation>
+        </message>
+        <message>
+            <source>The JSON holds a number too large to be stored; numbers are expected within ±1e60.</source>
+            <translation>The JSON holds a number too large to be stored; numbers are expected within ±1e60.</translation>
+        </message>
+        <message>
+            <source>The JSON is nested deeper than %1 levels.</source>
+            <translation>The JSON is nested deeper than %1 levels.</translation>
+        </message>
+        <message>
+            <source>The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end Kerf and start it anew; what waits is kept beside it.</source>
+            <translation>The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end Kerf and start it anew; what waits is kept beside it.</translation>
+        </message>
+        <message>
+            <source>The newest entries are missing: %1 had been written to the audit log, it ends at %2. A log file (-wal) was cut or deleted, or an older copy was put back.</source>
+            <translation>The newest entries are missing: %1 had been written to the audit log, it ends at %2. A log file (-wal) was cut or deleted, or an older copy was put back.</translation>
+        </message>
+        <message>
+            <source>The newest rows of %1 are missing: %2 had been written, %3 are left. A log file (-wal) was cut or deleted, or an older copy was put back.</source>
+            <translation>The newest rows of %1 are missing: %2 had been written, %3 are left. A log file (-wal) was cut or deleted, or an older copy was put back.</translation>
+        </message>
+        <message>
+            <source>This is not JSON: no valid JSON at byte %1.</source>
+            <translation>This is not JSON: no valid JSON at byte %1.</translation>
+        </message>
+        <message>
+            <source>This part and those after it stand nowhere: neither figures nor feed of them are kept.</source>
+            <translation>This part and those after it stand nowhere: neither figures nor feed of them are kept.</translation>
         </message>
     </context>
     <context>
@@ -4596,6 +4707,26 @@
             <source>gone since %1, not seen yet</source>
             <translation>gone since %1, not seen yet</translation>
         </message>
+        <message>
+            <source>The data file</source>
+            <translation>The data file</translation>
+        </message>
+        <message>
+            <source>Finished parts wait</source>
+            <translation>Finished parts wait</translation>
+        </message>
+        <message>
+            <source>The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next start stores them.</source>
+            <translation>The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next start stores them.</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>Stay</translation>
+        </message>
+        <message>
+            <source>End Kerf</source>
+            <translation>End Kerf</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -5284,6 +5415,10 @@
         <message>
             <source>Only a process engineer may give this role.</source>
             <translation>Only a process engineer may give this role.</translation>
+        </message>
+        <message>
+            <source>Several wrong PINs were typed: wait %1 s.</source>
+            <translation>Several wrong PINs were typed: wait %1 s.</translation>
         </message>
     </context>
     <context>

@@ -25,6 +25,37 @@
         </message>
     </context>
     <context>
+        <name>FirstEngineer</name>
+        <message>
+            <source>The first process engineer</source>
+            <translation>첫 공정 엔지니어</translation>
+        </message>
+        <message>
+            <source>This machine knows nobody yet who may change recipes, limits and roles. Until then everybody who signs on is an operator.</source>
+            <translation>이 기계에는 레시피·한계·역할을 바꿀 수 있는 사람이 아직 없습니다. 그때까지 로그인하는 사람은 모두 작업자입니다.</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>이름</translation>
+        </message>
+        <message>
+            <source>PIN, %1 to %2 digits</source>
+            <translation>PIN, 숫자 %1~%2자리</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>나중에</translation>
+        </message>
+        <message>
+            <source>A name and a PIN of %1 to %2 digits are needed.</source>
+            <translation>이름과 숫자 %1~%2자리의 PIN이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Make and sign on</source>
+            <translation>만들고 로그인</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -2813,10 +2844,6 @@
             <translation>RMS, 후반</translation>
         </message>
         <message>
-            <source>Sign on first: a setup needs a name.</source>
-            <translation>먼저 로그인하십시오. 설정에는 이름이 필요합니다.</translation>
-        </message>
-        <message>
             <source>The mean force has fallen: no trim in this part.</source>
             <translation>평균 힘이 떨어져 이 공작물은 보정하지 않습니다.</translation>
         </message>
@@ -3457,10 +3484,6 @@
             <translation>모델 파일이 손상되었습니다.</translation>
         </message>
         <message>
-            <source>The model file is not JSON.</source>
-            <translation>모델 파일이 JSON 형식이 아닙니다.</translation>
-        </message>
-        <message>
             <source>The residual chart shows a signal: these parts performed so, but it is no capability.</source>
             <translation>잔차 관리도에 이상 신호가 있습니다. 이 공작물들의 성능일 뿐 공정 능력은 아닙니다.</translation>
         </message>
@@ -3503,6 +3526,94 @@
         <message>
             <source>small lasting error (EWMA)</source>
             <translation>작고 지속되는 오차 (EWMA)</translation>
+        </message>
+        <message>
+            <source>%1 finished parts are not recorded.</source>
+            <translation>완성된 부품 %1개가 기록되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>%1 finished parts had waited beside the data file; they are stored now.</source>
+            <translation>완성된 부품 %1개가 데이터 파일 옆에서 기다리고 있었으며 이제 저장되었습니다.</translation>
+        </message>
+        <message>
+            <source>%1 items that waited beside the data file are of another version: they are kept in a file beside it.</source>
+            <translation>데이터 파일 옆에서 기다리던 항목 %1개는 다른 버전의 것입니다. 그 옆의 파일에 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>%1 setups, tunings and models were kept, %2 are stored.</source>
+            <translation>설정·튜닝·모델 %1건이 보관되었으나 %2건만 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>A finished part was not recorded</source>
+            <translation>완성된 부품이 기록되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>A part was begun at the control while finished parts could not be stored, and there is no place left to keep them.</source>
+            <translation>완성된 부품을 저장할 수 없는 동안 제어기에서 부품이 시작되었고, 보관할 자리가 더 없습니다.</translation>
+        </message>
+        <message>
+            <source>Audit entry %1 is not the one that had been written: this is another file.</source>
+            <translation>감사 항목 %1이 기록했던 것과 다릅니다. 다른 파일입니다.</translation>
+        </message>
+        <message>
+            <source>Begin no part at the control until storing goes on. Note these parts down by hand.</source>
+            <translation>저장이 다시 될 때까지 제어기에서 부품을 시작하지 마십시오. 이 부품들은 손으로 적어 두십시오.</translation>
+        </message>
+        <message>
+            <source>One of the first %1 kept setups, tunings or models was changed after it was kept.</source>
+            <translation>처음 보관된 설정·튜닝·모델 %1건 중 하나가 보관된 뒤 바뀌었습니다.</translation>
+        </message>
+        <message>
+            <source>Only a process engineer may do this.</source>
+            <translation>공정 엔지니어만 할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Only a setter or a process engineer may do this.</source>
+            <translation type="unfinished">셋업 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Recipe revision %1 differs from what was logged when it was saved.</source>
+            <translation>레시피 개정 %1이 저장될 때 기록된 것과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Record %1 (%2) differs from what was logged when it was kept.</source>
+            <translation>기록 %1(%2)이 보관될 때 기록된 것과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Setting %1 differs from what was logged when it was changed.</source>
+            <translation>설정 %1이 변경될 때 기록된 것과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>The JSON holds %1; numbers are expected within ±1e60.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The JSON holds a number too large to be stored; numbers are expected within ±1e60.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The JSON is nested deeper than %1 levels.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end Kerf and start it anew; what waits is kept beside it.</source>
+            <translation>Kerf 실행 중에 데이터 파일이 삭제·이동되거나 바뀌었습니다. 아무것도 저장되지 않습니다. 파일을 되돌려 놓거나 Kerf를 끝내고 다시 시작하십시오. 기다리는 항목은 그 옆에 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>The newest entries are missing: %1 had been written to the audit log, it ends at %2. A log file (-wal) was cut or deleted, or an older copy was put back.</source>
+            <translation>최근 항목이 없습니다. 감사 기록은 %1까지 쓰였으나 %2에서 끝납니다. 로그 파일(-wal)이 잘리거나 삭제되었거나, 이전 사본이 놓였습니다.</translation>
+        </message>
+        <message>
+            <source>The newest rows of %1 are missing: %2 had been written, %3 are left. A log file (-wal) was cut or deleted, or an older copy was put back.</source>
+            <translation>%1의 최근 행이 없습니다. %2까지 쓰였으나 %3만 남아 있습니다. 로그 파일(-wal)이 잘리거나 삭제되었거나, 이전 사본이 놓였습니다.</translation>
+        </message>
+        <message>
+            <source>This is not JSON: no valid JSON at byte %1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>This part and those after it stand nowhere: neither figures nor feed of them are kept.</source>
+            <translation>이 부품과 그 뒤의 부품은 어디에도 남지 않습니다. 수치도 이송도 보관되지 않습니다.</translation>
         </message>
     </context>
     <context>
@@ -4594,6 +4705,26 @@
             <source>gone since %1, not seen yet</source>
             <translation>%1 해소, 아직 확인 안 함</translation>
         </message>
+        <message>
+            <source>The data file</source>
+            <translation>데이터 파일</translation>
+        </message>
+        <message>
+            <source>Finished parts wait</source>
+            <translation>완성된 부품이 기다립니다</translation>
+        </message>
+        <message>
+            <source>The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next start stores them.</source>
+            <translation>완성된 부품 %1개가 저장되지 않고 있습니다. Kerf를 끝내면 데이터 파일 옆에 보관되고, 다음 시작 때 저장됩니다.</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>머무르기</translation>
+        </message>
+        <message>
+            <source>End Kerf</source>
+            <translation>Kerf 끝내기</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -5281,6 +5412,10 @@
         <message>
             <source>Only a process engineer may give this role.</source>
             <translation>이 역할은 공정 엔지니어만 줄 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Several wrong PINs were typed: wait %1 s.</source>
+            <translation>틀린 PIN이 여러 번 입력되었습니다. %1초 기다리십시오.</translation>
         </message>
     </context>
     <context>

@@ -30,6 +30,7 @@ class TestConsoleTapping : public QObject {
         QVERIFY(m_bench.press("operator"));
         QTRY_VERIFY(m_bench.find<QLineEdit>("operatorName") != nullptr);
         QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
+        QVERIFY(m_bench.press("roleEngineer"));
         QVERIFY(m_bench.press("signOn"));
         // The lot's only bore is cut first; it waits for its gauge and leaves the machine free.
         QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 60'000);

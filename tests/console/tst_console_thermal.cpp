@@ -36,6 +36,7 @@ class TestConsoleThermal : public QObject {
         QTRY_VERIFY(m_bench.find<QLineEdit>("operatorName") != nullptr);
         QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
         QTRY_VERIFY(m_bench.find("signOn") != nullptr);
+        QVERIFY(m_bench.press("roleEngineer"));
         QVERIFY(m_bench.press("signOn"));
     }
     /// QTRY_VERIFY looks twice: only looking may stand in it.

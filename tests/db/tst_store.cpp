@@ -2,8 +2,10 @@
 #include <QTest>
 #include <limits>
 
+#include "db/data_file.h"
 #include "db/row_io.h"
 #include "db/stores/audit_log.h"
+#include "db/writer_thread.h"
 #include "db_test_support.h"
 #include "engine/api/part_results.h"
 
@@ -335,6 +337,93 @@ class TestStore : public QObject {
         QVERIFY(verdict);
         QVERIFY(!verdict->finding.empty());
         QVERIFY(verdict->firstBad);
+    }
+    void aKeptModelChangedByOneDigitIsFound_data() {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("kept model") << "UPDATE room_records SET body = '{\"half_um\":2.2}' WHERE id = 1";
+        QTest::newRow("kept model, last one gone") << "DELETE FROM room_records WHERE id = 2";
+        QTest::newRow("recipe")
+            << "UPDATE recipe_revisions SET parameters = '{\"target_diameter_mm\":51}' WHERE id = 1";
+        QTest::newRow("setting") << "UPDATE settings SET value = 'inch' WHERE key = 'display.unit'";
+    }
+    void aKeptModelChangedByOneDigitIsFound() {
+        QFETCH(QString, sql);
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        for (int i = 0; i < 2; ++i) {
+            (void)shop.must(AddRoomRecord{ProcessId::Thermal, "model", "Z", R"({"half_um":2.1})", "Lee", "trained"});
+        }
+        (void)shop.must(ChangeSetting{"display.unit", "mm", "Lee", "drawing"});
+        QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+        QCOMPARE(shop.reader()->verifyAudit()->roomRecords, std::uint64_t{2});
+        for (const char* trigger : {"room_records_no_update", "room_records_no_delete", "recipe_revisions_no_update"}) {
+            QVERIFY(test::tryExecute(shop.database(), QStringLiteral("DROP TRIGGER %1").arg(trigger).toUtf8()));
+        }
+        QVERIFY(test::tryExecute(shop.database(), sql.toUtf8()));
+        QVERIFY(!shop.reader()->verifyAudit()->finding.empty());
+        const auto whole = db::checkDatabase(scratch.path());
+        QVERIFY(!whole);
+        QVERIFY(!db::backupDatabase(scratch.path(), scratch.file("copy.db")));
+        QVERIFY(!QFile::exists(QString::fromStdString(scratch.file("copy.db"))));
+    }
+    void aLogFileThatWasCutIsNoticed() {
+        test::ScratchDatabase scratch;
+        const QString path = QString::fromStdString(scratch.path());
+        const QString kept = path + QStringLiteral(".kept");
+        {
+            db::WriterThread writer(scratch.path(), nullptr);
+            QVERIFY(writer.start());
+            QVERIFY(QFile::copy(path, kept));  // as if the log file behind it had been thrown away
+            int done = 0;
+            for (int i = 0; i < 5; ++i) {
+                writer.submit(ChangeSetting{"k", std::to_string(i), "Lee", ""}, [&](const auto&) { ++done; });
+            }
+            QTRY_COMPARE(done, 5);
+        }
+        {
+            const auto whole = db::DataFile::open(scratch.path());
+            QVERIFY(whole);
+            QVERIFY((*whole)->finding().missing.empty());
+        }
+        QFile::remove(path + QStringLiteral("-wal"));
+        QFile::remove(path + QStringLiteral("-shm"));
+        QVERIFY(QFile::remove(path) && QFile::rename(kept, path));
+        const auto verdict = (*db::DatabaseReader::open(scratch.path()))->verifyAudit();
+        QVERIFY(verdict);
+        QVERIFY2(verdict->finding.english().find("missing") != std::string::npos, verdict->finding.english().c_str());
+        const auto opened = db::DataFile::open(scratch.path());
+        QVERIFY(opened);
+        QVERIFY(!(*opened)->finding().missing.empty());  // said, and noted in the log
+        const auto log = (*db::DatabaseReader::open(scratch.path()))->audit(std::nullopt, 1);
+        QCOMPARE(log->front().action, std::string("data found missing"));
+    }
+    void oldSealsLeaveTheLogAndTheChainStaysWhole() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        (void)shop.must(ChangeSetting{"operators", "Kim\tengineer\tsalt1:abcdef", "Kim", ""});
+        (void)shop.must(ChangeSetting{"operators", "Kim\tengineer\tsalt2:fedcba\nLee\toperator\t", "Kim", ""});
+        QVERIFY(shop.store().adoptEarlierForms());
+        const auto verdict = shop.reader()->verifyAudit();
+        QVERIFY2(verdict->finding.empty(), verdict->finding.english().c_str());
+        QCOMPARE(verdict->redacted, std::uint64_t{2});
+        const auto entries = shop.reader()->audit(std::nullopt, 100);
+        for (const AuditRow& row : *entries) {
+            QVERIFY(row.oldValue.find("abcdef") == std::string::npos &&
+                    row.newValue.find("abcdef") == std::string::npos);
+            QVERIFY(row.newValue.find("fedcba") == std::string::npos);
+        }
+        const auto accounts = *shop.reader()->accounts();
+        QCOMPARE(accounts.size(), std::size_t{2});
+        QCOMPARE(accounts[0].roleKey, std::string("engineer"));
+        QCOMPARE(accounts[0].seal, std::string("old:salt2:fedcba"));
+        QVERIFY(!*shop.reader()->setting("operators"));
+        QVERIFY(shop.store().adoptEarlierForms());  // a second time: nothing to do
+        QCOMPARE(shop.reader()->verifyAudit()->redacted, std::uint64_t{2});
+        // A redacted entry that is changed once more is found.
+        QVERIFY(test::tryExecute(shop.database(), "DROP TRIGGER audit_no_update"));
+        QVERIFY(
+            test::tryExecute(shop.database(), "UPDATE audit SET new_value = 'x' WHERE object = 'setting operators'"));
+        QVERIFY(!shop.reader()->verifyAudit()->finding.empty());
     }
     void everyFieldOfAnEntryIsHashed() {
         const AuditRow row{1, 2, "a", "b", "c", 3, "d", "e", "f", "g", ""};

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <thread>
 
+#include "db/data_file.h"
 #include "db/writer_thread.h"
 #include "db_test_support.h"
 
@@ -256,6 +257,103 @@ class TestWriterThread : public QObject {
         }
         bench.blockUntilStored(1);
         QCOMPARE(bench.count("measurements"), std::int64_t{0});
+    }
+    void partsGoToTheLotTheyWereBegunFor() {
+        Bench bench;
+        LotId other = 0;
+        bench.writer.submit(EnsureLot{1, 1, 1, "13", 30, "kalman", "Lee"}, [&](const auto& done) { other = done->id; });
+        QTRY_VERIFY(other != 0);
+        int mine = 0;
+        for (std::uint32_t i = 1; i <= 50; ++i) {  // the active lot changes while parts are on their way
+            PartRecord part = test::boringPart(i);
+            part.lot = i % 3 == 0 ? other : bench.lot;
+            mine += i % 3 == 0 ? 1 : 0;
+            bench.writer.submit(SetActiveLot{ProcessId::Boring, i % 2 == 0 ? other : bench.lot, "Lee"}, {});
+            while (!bench.ring.tryPush(part)) {
+                std::this_thread::yield();
+            }
+        }
+        bench.blockUntilStored(50);
+        const db::Connection reader(bench.scratch.path(), db::Access::Read);
+        db::Statement count(reader.database(), "SELECT count(*) FROM parts WHERE lot_id = ?");
+        QVERIFY(count.bind(other).run().next());
+        QCOMPARE(count.integer(0), static_cast<std::int64_t>(mine));
+        QCOMPARE(bench.count("parts"), std::int64_t{51});
+    }
+    void partsThatWaitAreFoundAgainAtTheNextStart() {
+        Bench bench(64);
+        bench.writer.limitPages(1);
+        bool full = false;
+        for (int i = 0; i < 2000 && !full; ++i) {
+            bool answered = false;
+            bench.writer.submit(entry(bench.part, 50.0), [&](const Result<Receipt>& done) {
+                answered = true;
+                full = !done;
+            });
+            QTRY_VERIFY(answered);
+        }
+        QVERIFY(full);
+        const std::int64_t before = bench.count("parts");
+        constexpr std::uint32_t kMade = 40;
+        for (std::uint32_t i = 1; i <= kMade; ++i) {
+            QVERIFY(bench.ring.tryPush(test::boringPart(i)));
+        }
+        bench.writer.submit(RaiseAlarm{7, 1, Sentence("Link lost")}, {});
+        QTRY_VERIFY(bench.writer.partsWaiting() > 0);
+        QCOMPARE(bench.writer.stop(), std::size_t{0});  // nothing of it is lost
+        const std::int64_t stored = bench.count("parts") - before;
+        QVERIFY(stored < kMade);
+        const auto file = db::DataFile::open(bench.scratch.path());
+        QVERIFY(file);
+        QCOMPARE((*file)->finding().partsFound, static_cast<std::size_t>(kMade - stored));
+        QVERIFY((*file)->finding().missing.empty());
+        QCOMPARE(bench.count("parts"), before + kMade);
+        QCOMPARE(bench.count("alarms"), std::int64_t{1});
+        QCOMPARE(bench.count("feed_traces"), before + kMade);
+        QVERIFY(db::checkDatabase(bench.scratch.path()));
+    }
+    void alarmsAreKeptWhileTheStoreIsBusy() {
+        Bench bench(64, {.queueCapacity = 4, .ringPoll_ms = 1, .retry_ms = 2});
+        for (int i = 0; i < 400; ++i) {
+            bench.writer.submit(RaiseAlarm{static_cast<AlarmCode>(100 + i), 2, Sentence("Bore outside")}, {});
+        }
+        QCOMPARE(bench.writer.stop(), std::size_t{0});
+        QCOMPARE(bench.count("alarms"), std::int64_t{400});
+    }
+    void alarmsOfALockedFileComeWithTheirOwnTime() {
+        Bench bench;
+        std::int64_t raised_ms = 0;
+        {
+            const db::Connection other(bench.scratch.path(), db::Access::Write);
+            const db::Transaction busy(other.database());
+            raised_ms = db::utcNow_ms();
+            bench.writer.submit(RaiseAlarm{7, 1, Sentence("Link lost")}, {});
+            QTRY_VERIFY_WITH_TIMEOUT(!bench.writer.problem().empty(), 20000);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(bench.count("alarms"), std::int64_t{1}, 20000);
+        const auto reader = db::DatabaseReader::open(bench.scratch.path());
+        QVERIFY((*reader)->alarms(std::nullopt, 1)->front().raisedUtc_ms - raised_ms < 1000);
+    }
+    void deletedFileIsSaidAtOnceAndTakesNothing() {
+        std::atomic<bool> refused{false};
+        WriterThread::Options options = kQuick;
+        options.partsRefused = &refused;
+        Bench bench(64, options);
+        const QString path = QString::fromStdString(bench.scratch.path());
+        QVERIFY(QFile::rename(path, path + QStringLiteral(".away")));
+        QTRY_VERIFY(!bench.writer.problem().empty());
+        QVERIFY(bench.writer.problem().english().find("deleted") != std::string::npos);
+        QVERIFY(refused.load());
+        std::optional<bool> accepted;
+        bench.writer.submit(entry(bench.part, 50.0), [&](const Result<Receipt>& done) { accepted = done.has_value(); });
+        QVERIFY(bench.ring.tryPush(test::boringPart(1)));
+        QTRY_VERIFY(accepted);
+        QVERIFY(!*accepted);
+        QCOMPARE(bench.writer.partsStored().load(), std::uint64_t{0});
+        QVERIFY(QFile::rename(path + QStringLiteral(".away"), path));  // put back
+        bench.blockUntilStored(1);
+        QTRY_VERIFY(bench.writer.problem().empty());
+        QVERIFY(!refused.load());
     }
     void secondWriterIsRefused() {
         Bench bench;

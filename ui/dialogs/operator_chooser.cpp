@@ -42,7 +42,8 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
         if (account != nullptr && !account->pin.isEmpty() && name != session.name()) {
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
-                [&session, name](const QString& pin) { return session.signOn(name, Role::Operator, pin); }, then);
+                [&session, name](const QString& pin) { return session.signOn(name, Role::Operator, pin); }, then,
+                [&session, name] { return session.whyNotYet(name); });
             return;
         }
         session.signOn(name, kRoles[static_cast<std::size_t>(qMax(0, roles->checkedId()))]);

@@ -17,7 +17,7 @@ struct PinSheet {
 }  // namespace
 
 void askPin(Look& look, SheetHost& host, const QString& title, const QString& text, const QString& refusal,
-            std::function<bool(const QString&)> take, std::function<void()> then) {
+            std::function<bool(const QString&)> take, std::function<void()> then, std::function<QString()> whyNotYet) {
     Sheet* sheet = host.open(title, text);
     auto* field = new QLineEdit(sheet);
     field->setObjectName(QStringLiteral("pinField"));
@@ -34,7 +34,7 @@ void askPin(Look& look, SheetHost& host, const QString& title, const QString& te
     sheet->body()->addWidget(keypad);
     sheet->addButton(PinSheet::tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
     QObject::connect(field, &QLineEdit::textEdited, message, [message] { message->clear(); });
-    QObject::connect(field, &QLineEdit::returnPressed, sheet, [sheet, field, message, take, then, refusal] {
+    QObject::connect(field, &QLineEdit::returnPressed, sheet, [sheet, field, message, take, then, refusal, whyNotYet] {
         if (take(field->text())) {
             sheet->close();
             if (then) {
@@ -42,7 +42,8 @@ void askPin(Look& look, SheetHost& host, const QString& title, const QString& te
             }
         } else {
             field->clear();
-            message->setText(refusal);
+            const QString wait = whyNotYet ? whyNotYet() : QString();
+            message->setText(wait.isEmpty() ? refusal : wait);
         }
     });
     field->setFocus();

@@ -2,6 +2,7 @@
 #include "ui/shell/main_window.h"
 
 #include <QApplication>
+#include <QCloseEvent>
 #include <QDateTime>
 #include <QDir>
 #include <QElapsedTimer>
@@ -10,6 +11,7 @@
 #include <QResizeEvent>
 #include <cstring>
 
+#include "ui/dialogs/first_engineer_sheet.h"
 #include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/settings_sheet.h"
 #include "ui/link/texts.h"
@@ -63,6 +65,11 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
                     m_services.recordSession(author, action, detail);
                 }
             });
+    connect(&m_session, &OperatorSession::wrongPins, this, [this](const QString& name, unsigned tries, qint64 last_ms) {
+        if (m_services.saveWrongPins) {
+            m_services.saveWrongPins(name, tries, last_ms);
+        }
+    });
     // One place for all pages: nobody switches a loop who is not trusted with it.
     m_client.setGuard([this](const Command& command) {
         const bool mode = std::holds_alternative<SetLoopMode>(command.action);
@@ -85,6 +92,36 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
     refresh();
     m_client.tick();
     m_client.start();
+    sayStartFindings();
+}
+
+void MainWindow::sayStartFindings() {
+    QStringList lines;
+    for (const Sentence& finding : m_services.startFindings) {
+        lines << sentenceText(finding, m_look.units());
+    }
+    if (!lines.isEmpty()) {
+        m_sheets->tell(tr("The data file"), lines.join(QStringLiteral("\n")));
+    } else if (m_session.firstEngineerMissing()) {
+        askFirstEngineer(m_look, *m_sheets, m_session);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const std::size_t waiting = m_services.partsWaiting ? m_services.partsWaiting() : 0;
+    if (waiting == 0 || m_closeAnyway) {
+        QMainWindow::closeEvent(event);
+        return;
+    }
+    event->ignore();
+    m_sheets->ask(tr("Finished parts wait"),
+                  tr("The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next "
+                     "start stores them.")
+                      .arg(waiting),
+                  tr("Stay"), tr("End Kerf"), [this] {
+                      m_closeAnyway = true;
+                      close();
+                  });
 }
 
 MainWindow::~MainWindow() {

@@ -47,8 +47,11 @@ class MainWindow : public QMainWindow {
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    /// Asks first while finished parts wait for the store.
+    void closeEvent(QCloseEvent* event) override;
 
  private:
+    void sayStartFindings();
     void buildFrame();
     void refresh();
     void onStatus(const Status& status);
@@ -74,6 +77,7 @@ class MainWindow : public QMainWindow {
     AlarmBar* m_alarmBar{nullptr};
     HoldAllButton* m_holdAll{nullptr};
     QWidget* m_bottom{nullptr};
+    bool m_closeAnyway{false};
     std::vector<Page*> m_made;
 };
 

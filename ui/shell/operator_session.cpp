@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/operator_session.h"
 
-#include <QCryptographicHash>
-#include <QRandomGenerator>
+#include <QDateTime>
 #include <algorithm>
+
+#include "ui/shell/pin_seal.h"
 
 namespace kerf::ui {
 namespace {
 
-constexpr int kDigestRounds = 5000;  // some milliseconds for each try
 constexpr qint64 kMinute_ms = 60'000;
-
-QString digest(const QString& salt, const QString& pin) {
-    QByteArray bytes = (salt + u':' + pin).toUtf8();
-    for (int i = 0; i < kDigestRounds; ++i) {
-        bytes = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-    }
-    return salt + u':' + QString::fromLatin1(bytes.toHex());
-}
-
-QString sealed(const QString& pin) {
-    return digest(QString::number(QRandomGenerator::system()->generate64(), 16), pin);
-}
-
-bool opens(const QString& stored, const QString& pin) {
-    return stored.isEmpty() || digest(stored.section(u':', 0, 0), pin) == stored;
-}
 
 }  // namespace
 
@@ -60,7 +44,7 @@ Role roleOf(const QString& key) {
 }
 
 OperatorSession::OperatorSession(SignOnSettings settings, QObject* parent)
-    : QObject(parent), m_settings(std::move(settings)) {}
+    : QObject(parent), m_settings(std::move(settings)), m_now_ms(&QDateTime::currentMSecsSinceEpoch) {}
 
 QStringList OperatorSession::known() const {
     QStringList names;
@@ -96,7 +80,8 @@ QString OperatorSession::whyNot(Role least) const {
 QString OperatorSession::whyNoRoles() const {
     const bool engineerKnown = std::ranges::any_of(
         m_settings.accounts, [](const OperatorAccount& known) { return known.role == Role::Engineer; });
-    return !engineerKnown || role() == Role::Engineer ? QString() : tr("Only a process engineer may give this role.");
+    const bool free = !engineerKnown && m_settings.demonstration;
+    return free || role() == Role::Engineer ? QString() : tr("Only a process engineer may give this role.");
 }
 
 bool OperatorSession::signOn(const QString& name, Role roleOfNew, const QString& pin) {
@@ -104,21 +89,70 @@ bool OperatorSession::signOn(const QString& name, Role roleOfNew, const QString&
     if (trimmed.isEmpty() || trimmed == m_name) {
         return !trimmed.isEmpty();
     }
-    const OperatorAccount* known = account(trimmed);
-    if (known != nullptr && !opens(known->pin, pin)) {
+    OperatorAccount* known = find(trimmed);
+    if (known != nullptr && !whyNotYet(trimmed).isEmpty()) {
+        return false;
+    }
+    if (known != nullptr && !opensSeal(known->pin, pin)) {
+        known->lastWrong_ms = m_now_ms();
+        emit wrongPins(trimmed, ++known->wrongTries, known->lastWrong_ms);
         emit audited(trimmed, QStringLiteral("PIN refused"), {});
         return false;
     }
+    if (known != nullptr && known->wrongTries > 0) {
+        known->wrongTries = 0;
+        emit wrongPins(trimmed, 0, 0);
+    }
+    const bool mayChoose = whyNoRoles().isEmpty();
     if (signedOn()) {
         emit audited(m_name, QStringLiteral("signed off"), {});
     }
     m_name = trimmed;
     m_lastTouch_ms.reset();
     if (known == nullptr) {
-        m_settings.accounts.push_back({trimmed, roleOfNew, {}});
+        OperatorAccount fresh;
+        fresh.name = trimmed;
+        fresh.role = mayChoose ? roleOfNew : Role::Operator;
+        m_settings.accounts.push_back(fresh);
         emit settingsChanged(m_settings);
     }
     emit audited(m_name, QStringLiteral("signed on"), QLatin1String(roleKey(*role())));
+    emit changed();
+    return true;
+}
+
+QString OperatorSession::whyNotYet(const QString& name) const {
+    const OperatorAccount* known = account(name);
+    const qint64 left_ms = known == nullptr ? 0 : known->lastWrong_ms + pinWait_ms(known->wrongTries) - m_now_ms();
+    return left_ms <= 0 || known->wrongTries == 0
+               ? QString()
+               : tr("Several wrong PINs were typed: wait %1 s.").arg((left_ms + 999) / 1000);
+}
+
+bool OperatorSession::firstEngineerMissing() const {
+    return !m_settings.demonstration && std::ranges::none_of(m_settings.accounts, [](const OperatorAccount& known) {
+        return known.role == Role::Engineer;
+    });
+}
+
+bool OperatorSession::makeFirstEngineer(const QString& name, const QString& pin) {
+    const QString trimmed = name.simplified();
+    const bool digits = std::ranges::all_of(pin, [](QChar c) { return c >= u'0' && c <= u'9'; });
+    if (!firstEngineerMissing() || trimmed.isEmpty() || !digits || pin.size() < kShortestPin ||
+        pin.size() > kLongestPin) {
+        return false;
+    }
+    std::erase_if(m_settings.accounts, [&trimmed](const OperatorAccount& known) { return known.name == trimmed; });
+    OperatorAccount first;
+    first.name = trimmed;
+    first.role = Role::Engineer;
+    first.pin = sealPin(pin);
+    m_settings.accounts.push_back(first);
+    m_name = trimmed;
+    m_lastTouch_ms.reset();
+    emit settingsChanged(m_settings);
+    emit audited(m_name, QStringLiteral("first process engineer made"), {});
+    emit audited(m_name, QStringLiteral("signed on"), QLatin1String(roleKey(Role::Engineer)));
     emit changed();
     return true;
 }
@@ -151,10 +185,14 @@ void OperatorSession::setRole(const QString& name, Role role) {
 bool OperatorSession::setPin(const QString& name, const QString& pin) {
     const bool digits = std::ranges::all_of(pin, [](QChar c) { return c >= u'0' && c <= u'9'; });
     OperatorAccount* known = find(name);
-    if (known == nullptr || !digits || (!pin.isEmpty() && (pin.size() < kShortestPin || pin.size() > kLongestPin))) {
+    // Somebody else's PIN is set by a process engineer, one's own by oneself.
+    const bool mine =
+        name == m_name || role() == Role::Engineer || (m_settings.demonstration && whyNoRoles().isEmpty());
+    if (known == nullptr || !digits || !mine ||
+        (!pin.isEmpty() && (pin.size() < kShortestPin || pin.size() > kLongestPin))) {
         return false;
     }
-    known->pin = pin.isEmpty() ? QString() : sealed(pin);
+    known->pin = pin.isEmpty() ? QString() : sealPin(pin);
     emit audited(m_name.isEmpty() ? name : m_name,
                  pin.isEmpty() ? QStringLiteral("PIN removed") : QStringLiteral("PIN set"), name);
     emit settingsChanged(m_settings);

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,9 @@ enum class Role {
 struct OperatorAccount {
     QString name{};
     Role role{Role::Operator};
-    QString pin{};  ///< "salt:digest", never the PIN itself; empty: none is asked
+    QString pin{};           ///< its seal (ui/shell/pin_seal.h), never the PIN itself; empty: none is asked
+    unsigned wrongTries{0};  ///< wrong PINs in a row, and when the last was typed, ms since 1970
+    qint64 lastWrong_ms{0};
 
     friend bool operator==(const OperatorAccount&, const OperatorAccount&) = default;
 };
@@ -31,6 +34,9 @@ struct SignOnSettings {
     static constexpr int kNever = 0;
 
     std::vector<OperatorAccount> accounts{};
+    /// A simulated machine: a new name may take any role while no process engineer is known. On a real one the first
+    /// engineer is made with a PIN at first start, and everybody else begins as an operator.
+    bool demonstration{true};
     int autoSignOff_min{15};  ///< without a touch or key; kNever: stays signed on
 
     friend bool operator==(const SignOnSettings&, const SignOnSettings&) = default;
@@ -64,10 +70,20 @@ class OperatorSession : public QObject {
     [[nodiscard]] QString whyNot(Role least) const;
     /// Signed on, and trusted with it.
     [[nodiscard]] bool may(Role least) const { return signedOn() && whyNot(least).isEmpty(); }
-    /// Why nobody's role can be set now; a machine without an engineer lets anybody name one.
+    /// Why nobody's role can be set now; only a demonstration without an engineer lets anybody name one.
     [[nodiscard]] QString whyNoRoles() const;
 
-    /// A name not yet known is added with `roleOfNew`. False when a PIN is asked for and `pin` is not it.
+    /// Why a PIN of this account is not even looked at now ("Wait %1 s …"); empty: it is.
+    [[nodiscard]] QString whyNotYet(const QString& name) const;
+    /// A real machine without a process engineer: the first one has to be made, with a PIN.
+    [[nodiscard]] bool firstEngineerMissing() const;
+    /// Makes the first process engineer and signs him on. False: there is one, or the PIN is none.
+    bool makeFirstEngineer(const QString& name, const QString& pin);
+    /// Milliseconds since 1970, for the wait after wrong PINs; tests hand in their own.
+    void setClock(std::function<qint64()> now_ms) { m_now_ms = std::move(now_ms); }
+
+    /// A name not yet known is added with `roleOfNew`, or as operator where whyNoRoles() says so. False when a PIN is
+    /// asked for and `pin` is not it, or it is too early after wrong ones.
     bool signOn(const QString& name, Role roleOfNew = Role::Engineer, const QString& pin = {});
     void signOff();
     /// @pre whyNoRoles() is empty
@@ -85,6 +101,8 @@ class OperatorSession : public QObject {
     /// Another person, another role, or nobody.
     void changed();
     void settingsChanged(const kerf::ui::SignOnSettings& settings);
+    /// A wrong PIN, or the right one after wrong ones.
+    void wrongPins(const QString& name, unsigned tries, qint64 last_ms);
     /// For the audit log, in English: "signed on", "signed off", "PIN refused", "role set" …
     void audited(const QString& author, const QString& action, const QString& detail);
 
@@ -94,6 +112,7 @@ class OperatorSession : public QObject {
 
     SignOnSettings m_settings;
     QString m_name;
+    std::function<qint64()> m_now_ms;
     std::optional<qint64> m_lastTouch_ms{};
 };
 

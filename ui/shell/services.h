@@ -51,6 +51,12 @@ struct Services {
     std::function<void(const Preferences&)> savePreferences{};
     /// Called when somebody new has signed on, or a role or PIN is another one; the application stores it.
     std::function<void(const SignOnSettings&)> saveSignOn{};
+    /// A wrong PIN, or the right one after wrong ones: kept over a restart.
+    std::function<void(const QString& name, unsigned tries, qint64 last_ms)> saveWrongPins{};
+    /// Finished parts that wait because the store does not take them.
+    std::function<std::size_t()> partsWaiting{};
+    /// What was found when the data file was opened; said once.
+    std::vector<Sentence> startFindings{};
     /// Who signed on or off, who changed a role: for the audit log.
     std::function<void(const QString& author, const QString& action, const QString& detail)> recordSession{};
     /// Called on the GUI thread when it is done, or has failed and why.

@@ -28,7 +28,7 @@ std::unique_ptr<ProcessLoop> MillingRoom::makeLoop() {
 }
 
 void MillingRoom::open(const Context& context) {
-    StoredMillingService::Links links{context.writer, context.engine, context.author, {}};
+    StoredMillingService::Links links{context.writer, context.engine, context.author, {}, context.rights};
     if (m_plant != nullptr) {
         links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/console/options.h"
+#include "app/service/rights.h"
 #include "db/api/store_writer.h"
 #include "db/readers/database_reader.h"
 #include "engine/api/engine_api.h"
@@ -29,6 +30,7 @@ class Room {
         const Options& options;
         const std::string& databasePath;      ///< for connections of a worker's own
         std::function<std::string()> author;  ///< who is signed on; "Kerf" when nobody is
+        Rights rights;
     };
 
     Room() = default;

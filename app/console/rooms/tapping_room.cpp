@@ -3,6 +3,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <limits>
+
 #include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated/simulated_tapping.h"
@@ -12,7 +14,7 @@ namespace kerf::console {
 namespace {
 
 constexpr const char* kTuning = "tuning";
-constexpr std::uint32_t kMostTunings = 500;
+constexpr std::uint32_t kMostTunings = std::numeric_limits<std::int32_t>::max();  // none vanishes
 constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
 
 /// Oldest first; one that cannot be read is left out and named in the log.
@@ -59,6 +61,7 @@ void TappingRoom::open(const Context& context) {
         params.assumed = linuxcnc::assumedDrive(linuxcnc::kAssumedBandwidth_perS);
         params.abortOverAllowed = kSlavedAbortOverAllowed;
     }
+    params.rights = context.rights;
     params.known = storedTunings(context.reader);
     params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
     m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));

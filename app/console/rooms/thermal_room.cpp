@@ -75,6 +75,7 @@ void ThermalRoom::open(const Context& context) {
         }
     }
     StoredThermalService::Links links{context.engine, context.writer, *m_exchange};
+    links.rights = context.rights;
     links.dayFolder = folder.filePath(QStringLiteral("thermal")).toStdString();
     links.machineSeed = m_machineSeed;
     m_service = std::make_unique<StoredThermalService>(links, context.reader);

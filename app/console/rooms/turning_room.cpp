@@ -28,7 +28,7 @@ std::unique_ptr<ProcessLoop> TurningRoom::makeLoop() {
 
 void TurningRoom::open(const Context& context) {
     m_service = std::make_unique<StoredTurningService>(
-        StoredTurningService::Links{context.writer, context.engine, *m_exchange, context.reader});
+        StoredTurningService::Links{context.writer, context.engine, *m_exchange, context.reader, context.rights});
 }
 
 void TurningRoom::serve(ui::Services& services) {

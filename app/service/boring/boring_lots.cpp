@@ -181,6 +181,9 @@ Result<EnsureLot> StoredBoringLots::ensureLot(const BoringLotOrder& order) {
 }
 
 void StoredBoringLots::open(const BoringLotOrder& order, Done done) {
+    if (const auto may = permitted(m_links.rights, order.author, Trust::Setter); !may) {
+        return answer(done, may);
+    }
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
     }
@@ -204,8 +207,8 @@ void StoredBoringLots::choose(LotId lot, const std::string& author, Done done) {
     if (lot == m_current) {
         return answer(done, {});
     }
-    if (author.empty()) {
-        return answer(done, fail(KERF_TEXT("Sign on first: this change needs a name.")));
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, may);
     }
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
@@ -229,6 +232,9 @@ void StoredBoringLots::close(const std::string& author, const std::string& reaso
     if (const auto why = whyNoWords(author, reason)) {
         return answer(done, tl::unexpected(*why));
     }
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, may);
+    }
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
     }
@@ -244,8 +250,8 @@ void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeFo
     if (!known) {
         return refuse(known.error());
     }
-    if (author.empty()) {
-        return refuse(Sentence(KERF_TEXT("Sign on first: this change needs a name.")));
+    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+        return refuse(may.error());
     }
     if (blank(name)) {
         return refuse(Sentence(KERF_TEXT("A part type needs a name.")));
@@ -272,6 +278,9 @@ void StoredBoringLots::saveRecipe(PartTypeId partType, const BoringRecipeForm& f
     if (const auto why = whyUnusable(form)) {
         return answer(done, tl::unexpected(*why));
     }
+    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+        return answer(done, may);
+    }
     submit(SaveRecipe{partType, recipeJson(recipeOf(form)), author, reason, {}}, std::move(done));
 }
 
@@ -279,6 +288,9 @@ void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision
                                      const std::string& reason, Done done) {
     if (const auto why = whyNoWords(author, reason)) {
         return answer(done, tl::unexpected(*why));
+    }
+    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+        return answer(done, may);
     }
     submit(RestoreRecipe{partType, revision, author, reason}, std::move(done));
 }

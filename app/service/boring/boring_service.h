@@ -11,6 +11,7 @@
 
 #include "app/service/boring/boring_recipe.h"
 #include "app/service/boring/lot_records.h"
+#include "app/service/rights.h"
 #include "db/api/lot_reader.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
@@ -51,6 +52,7 @@ class StoredBoringService final : public BoringService {
             gauge{};
         /// Mode of the loop; empty: as the engine's status says.
         std::function<LoopMode()> mode{};
+        Rights rights{};
         /// The view's revision goes on from here when this service follows that of another lot.
         std::uint64_t firstRevision{0};
     };
@@ -106,6 +108,7 @@ class StoredBoringService final : public BoringService {
 
     Links m_links;
     LotRow m_lot;
+    bool m_lotNamed{false};
     std::uint32_t m_recipeRevision;
     boring::EstimatorKind m_kind;
     LotRecords m_records;

@@ -12,7 +12,6 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t kCutsShown = 25;
-constexpr std::uint32_t kPartTypesRead = 500;
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
 
@@ -80,25 +79,31 @@ void StoredMillingService::restore(RoomRecordReader& records, PartReader& parts)
 }
 
 void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
-    PartType first;
-    first.setup.revision = 1;
+    const PartType first = [] {
+        PartType type;
+        type.setup.revision = 1;
+        return type;
+    }();
     const auto read = [&](const char* kind) {
-        return keep(records.roomRecords(ProcessId::Milling, kind, {}, kPartTypesRead), std::vector<RoomRecordRow>{});
+        return keep(records.newestRoomRecords(ProcessId::Milling, kind), std::vector<RoomRecordRow>{});
     };
-    const auto chosen = read("part_type");
-    if (!chosen.empty()) {
-        m_type = chosen.front().subject;
+    const auto chosen = read("part_type");  // what was chosen last comes last
+    for (const RoomRecordRow& row : chosen) {
+        m_type = row.subject;
+        PartType type = first;
+        if (const auto begun = millingSetupFromJson(row.bodyJson); begun && row.bodyJson != "{}") {
+            type.setup = *begun;
+        }
+        m_types.try_emplace(m_type, type);
     }
-    m_types[m_type] = first;
-    const auto setups = read("setup");
-    for (auto row = setups.rbegin(); row != setups.rend(); ++row) {  // the newest wins
-        m_types.try_emplace(row->subject, first).first->second.setup =
-            keep(millingSetupFromJson(row->bodyJson), first.setup);
+    m_types.try_emplace(m_type, first);
+    for (const RoomRecordRow& row : read("setup")) {
+        m_types.try_emplace(row.subject, first).first->second.setup =
+            keep(millingSetupFromJson(row.bodyJson), first.setup);
     }
-    const auto blanks = read("blank");
-    for (auto row = blanks.rbegin(); row != blanks.rend(); ++row) {
-        m_types.try_emplace(row->subject, first).first->second.blank =
-            keep(millingBlankFromJson(row->bodyJson), NamedBlank{});
+    for (const RoomRecordRow& row : read("blank")) {
+        m_types.try_emplace(row.subject, first).first->second.blank =
+            keep(millingBlankFromJson(row.bodyJson), NamedBlank{});
     }
 }
 
@@ -216,6 +221,10 @@ void StoredMillingService::saveSetup(const MillingSetup& setup, const std::strin
     if (const auto why = whyUnusable(setup)) {
         return answer(done, tl::unexpected(*why));
     }
+    const bool limits = setup.overload_N > m_setup.overload_N || setup.highestFeed_mmPerS > m_setup.highestFeed_mmPerS;
+    if (const auto may = permitted(m_links.rights, author, limits ? Trust::Engineer : Trust::Setter); !may) {
+        return answer(done, may);
+    }
     store("setup", m_type, millingSetupJson(setup), author, reason, std::move(done), [this, setup, type = m_type] {
         m_types[type].setup = setup;
         use(m_type);
@@ -229,6 +238,9 @@ void StoredMillingService::saveBlank(const MillingBlank& blank, const std::strin
     }
     if (const auto why = milling::whyUnusable(blank)) {
         return answer(done, tl::unexpected(*why));
+    }
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, may);
     }
     const NamedBlank named{blank, source};
     store("blank", m_type, millingBlankJson(named), author, {}, std::move(done), [this, named, type = m_type] {
@@ -244,9 +256,15 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
     if (name.empty()) {
         return answer(done, fail(KERF_TEXT("A part type needs a name.")));
     }
-    store("part_type", name, "{}", author, {}, std::move(done), [this, name] {
-        PartType like;
-        like.setup = m_types[m_type].setup;
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, may);
+    }
+    PartType like;
+    like.setup = m_types[m_type].setup;
+    const auto known = m_types.find(name);
+    const MillingSetup& setup = known == m_types.end() ? like.setup : known->second.setup;
+    // With the setup it begins with: until one is saved for it, a restart knows no other.
+    store("part_type", name, millingSetupJson(setup), author, {}, std::move(done), [this, name, like] {
         m_types.try_emplace(name, like);
         m_type = name;
         use(name);
@@ -256,6 +274,9 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
 void StoredMillingService::newTool(const std::string& author, Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
+    }
+    if (const auto may = permitted(m_links.rights, author, Trust::Operator); !may) {
+        return answer(done, may);
     }
     MillingToolRecord fresh;
     fresh.since = m_tool.lastPart;

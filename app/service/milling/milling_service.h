@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/service/milling/milling_json.h"
+#include "app/service/rights.h"
 #include "db/api/part_reader.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
@@ -32,6 +33,7 @@ class StoredMillingService final : public MillingService {
         /// A new tool is in the spindle, or `parts` have been cut with the one that is (simulated machines). May be
         /// empty.
         std::function<void(std::uint32_t parts)> toolChanged{};
+        Rights rights{};
     };
     static constexpr const char* kFirstPartType = "Rail";
 

@@ -203,6 +203,7 @@ Result<void> StoredTappingService::load(const TapChoice& wanted) {
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
+    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
     const Capability& gains = m_engine.capabilities().servoGains;
@@ -238,13 +239,20 @@ void StoredTappingService::oneMore() {
     rebuild();
 }
 
+void StoredTappingService::refused(const Sentence& why) {
+    m_view.reason = why;
+    ++m_view.revision;
+}
+
 void StoredTappingService::accept(const std::string& author) {
+    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return refused(may.error());
     m_author = author;
     if (m_session) m_session->accept();
     rebuild();
 }
 
 void StoredTappingService::rollBack(const std::string& author) {
+    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return refused(may.error());
     m_author = author;
     if (!m_session) return;
     const bool wasDone = m_session->state() == TuningSession::State::Done;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/service/rights.h"
 #include "app/service/tapping/stored_tuning.h"
 #include "engine/api/engine_api.h"
 #include "engine/process/tapping/tuning_session.h"
@@ -23,6 +24,7 @@ class StoredTappingService final : public TappingService {
         int maxTaps{8};
         std::vector<tapping::StoredTuning> known{};                 ///< oldest first
         std::function<void(const tapping::StoredTuning&)> store{};  ///< an accepted tuning; may be empty
+        Rights rights{};
     };
     /// Engine and exchange outlive the service.
     StoredTappingService(EngineApi& engine, TapExchange& exchange, Params params);
@@ -53,6 +55,7 @@ class StoredTappingService final : public TappingService {
     void showStored();
     void watchProduction();
     void rebuild();
+    void refused(const Sentence& why);
     void decided(const std::string& author, bool rolledBack);
 
     EngineApi& m_engine;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/service/rights.h"
 #include "app/service/thermal/thermal_trainer.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
@@ -30,6 +31,7 @@ class StoredThermalService final : public ThermalService {
         std::string dayFolder{};       ///< history files (CSV) are looked for here
         std::uint64_t machineSeed{1};  ///< of the simulated machine
         std::uint64_t daysSeed{1};
+        Rights rights{};
     };
     /// Loads what was kept and offers the live model. `reader` is used here only; the other links outlive the service.
     StoredThermalService(const Links& links, RoomRecordReader& reader);

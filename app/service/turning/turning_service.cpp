@@ -152,9 +152,9 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
         }
         return;
     }
-    if (author.empty()) {
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
         if (done) {
-            done(fail(KERF_TEXT("Sign on first: a setup needs a name.")));
+            done(may);
         }
         return;
     }
@@ -169,9 +169,9 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
 }
 
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
-    if (author.empty()) {
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
         if (done) {
-            done(fail(KERF_TEXT("Sign on first: a setup needs a name.")));
+            done(may);
         }
         return;
     }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/service/rights.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
@@ -28,6 +29,7 @@ class StoredTurningService final : public TurningService {
         EngineApi& engine;
         TurningExchange& exchange;
         RoomRecordReader& reader;
+        Rights rights{};
     };
     /// Reads what was kept and sends the engine its setup with the next poll(). Links must outlive the service.
     explicit StoredTurningService(const Links& links);

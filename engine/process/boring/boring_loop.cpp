@@ -33,7 +33,13 @@ CommandResult BoringLoop::handle(const Command& command) noexcept {
             return CommandResult::refused(
                 Sentence(KERF_TEXT("The feed schedule has a value outside its range; the last one stays.")));
         }
+        const std::int64_t lot = load->schedule.lot != 0 ? load->schedule.lot : m_next.lot;
         m_next = load->schedule;
+        m_next.lot = lot;
+        return CommandResult::ok();
+    }
+    if (const auto* name = std::get_if<NameBoringLot>(&command.action)) {
+        m_next.lot = name->lot;
         return CommandResult::ok();
     }
     if (std::holds_alternative<StartPart>(command.action)) {
@@ -149,6 +155,7 @@ void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part.partSequence = inputs.partSequence;
     m_part.begin_ns = inputs.time_ns;
     m_part.schedule = m_next;
+    m_part.lot = m_next.lot;
     m_lastSequence = inputs.partSequence;
     m_inPart = true;
     m_offScheduleSince_ns = -1;

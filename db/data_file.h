@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "db/migrator.h"
+#include "engine/core/result.h"
+
+class QLockFile;
+
+namespace kerf::db {
+
+/// A data file taken by this program, until the object ends: locked, then brought up to date, then what had waited
+/// beside it is stored. Nobody else writes in between. Wherever it stops, the file is as it was.
+class DataFile {
+ public:
+    struct Finding {
+        MigrationReport migration{};
+        Sentence missing{};         ///< newest entries are gone since the last run (head_file.h); empty: none
+        std::size_t partsFound{0};  ///< stored now, left waiting by the last run
+        std::size_t notRead{0};     ///< items of the outbox that this version does not know: kept in a file beside it
+    };
+    /// @param path kerf.db, in an existing folder
+    [[nodiscard]] static Result<std::unique_ptr<DataFile>> open(const std::string& path);
+    DataFile(const DataFile&) = delete;
+    DataFile& operator=(const DataFile&) = delete;
+    ~DataFile();
+
+    [[nodiscard]] const std::string& path() const noexcept { return m_path; }
+    [[nodiscard]] const Finding& finding() const noexcept { return m_finding; }
+
+ private:
+    DataFile(std::string path, std::unique_ptr<QLockFile> lock);
+
+    std::string m_path;
+    std::unique_ptr<QLockFile> m_lock;
+    Finding m_finding{};
+};
+
+/// The lock of a data file alone. Stale only when its process is gone.
+[[nodiscard]] Result<std::unique_ptr<QLockFile>> lockDataFile(const std::string& path);
+
+/// Says whether a file that is open still stands under its name: one that was deleted or replaced goes on taking writes
+/// that nobody will ever find.
+class FilePresence {
+ public:
+    explicit FilePresence(std::string path);
+    /// The file of the same name is the one that was there first.
+    [[nodiscard]] bool there() const noexcept;
+
+ private:
+    std::string m_path;
+    std::uint64_t m_device{0};
+    std::uint64_t m_inode{0};
+};
+
+/// Why nothing is stored any more when it is not.
+[[nodiscard]] Sentence fileGone();
+
+}  // namespace kerf::db

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCryptographicHash>
+#include <map>
+#include <set>
+
+#include "db/row_io.h"
+#include "db/statement.h"
+#include "db/stores/audit_log.h"
+
+/// The audit log read again: is it whole, and does what is stored still say what was logged?
+namespace kerf::db {
+namespace {
+
+const std::string kGenesis(64, '0');
+constexpr const char* kHashMark = "; sha256=";
+
+std::string sha256(const std::string& text) {
+    return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().toStdString();
+}
+
+SentenceArg number(std::int64_t value) {
+    return SentenceArg(static_cast<double>(value), 0);
+}
+
+/// Found broken at an entry or row.
+struct Broken {
+    std::int64_t at{0};
+    Sentence finding{};
+};
+
+/// What each redacted entry reads now, by its number, as the redaction's own entry says.
+std::map<std::int64_t, std::string> redactions(const QSqlDatabase& database) {
+    std::map<std::int64_t, std::string> hashes;
+    Statement find(database,
+                   "SELECT object_id, new_value FROM audit WHERE object = 'audit' AND action = ? ORDER BY id");
+    find.bind(kRedacted).run();
+    while (find.next()) {
+        hashes[find.integer(0)] = find.text(1);
+    }
+    return hashes;
+}
+
+void verifyChain(const QSqlDatabase& database, AuditVerdict& verdict) {
+    const auto redacted = redactions(database);
+    Statement entries(database,
+                      QStringLiteral("SELECT %1 FROM audit u ORDER BY u.id").arg(QLatin1String(kAuditColumns)));
+    entries.run();
+    while (entries.next()) {
+        const AuditRow row = readAudit(entries);
+        ++verdict.entries;
+        if (row.id != static_cast<std::int64_t>(verdict.entries) || row.previousHash != verdict.headHash) {
+            throw Broken{row.id, Sentence(KERF_TEXT("The audit log is broken before entry %1: entries are missing."),
+                                          number(row.id))};
+        }
+        const std::string now = auditHash(row);
+        const auto allowed = redacted.find(row.id);
+        if (row.hash != now && (allowed == redacted.end() || allowed->second != now)) {
+            throw Broken{row.id,
+                         Sentence(KERF_TEXT("Audit entry %1 was changed after it was written."), number(row.id))};
+        }
+        verdict.redacted += row.hash != now ? 1 : 0;
+        verdict.headHash = row.hash;
+    }
+}
+
+void verifyMeasurements(const QSqlDatabase& database, AuditVerdict& verdict) {
+    Statement pairs(database,
+                    QStringLiteral("SELECT %1, u.author, u.new_value FROM measurements m LEFT JOIN audit u ON "
+                                   "u.object = 'measurement' AND u.object_id = m.id ORDER BY m.id")
+                        .arg(QLatin1String(kMeasurementColumns)));
+    pairs.run();
+    while (pairs.next()) {
+        const MeasurementRow row = readMeasurement(pairs);
+        ++verdict.measurements;
+        if (pairs.isNull(13) || pairs.text(13) != measurementText(row) || pairs.text(12) != row.author) {
+            throw Broken{row.id,
+                         Sentence(KERF_TEXT("Measurement %1 differs from what was logged when it was accepted."),
+                                  number(row.id))};
+        }
+    }
+    const auto logged = integerOf(database, QStringLiteral("SELECT count(*) FROM audit WHERE object = 'measurement'"));
+    if (logged != static_cast<std::int64_t>(verdict.measurements)) {
+        throw Broken{0, Sentence(KERF_TEXT("%1 measurements were accepted, %2 are stored."), number(logged),
+                                 number(static_cast<std::int64_t>(verdict.measurements)))};
+    }
+}
+
+void verifyRoomRecords(const QSqlDatabase& database, AuditVerdict& verdict) {
+    std::int64_t sealedTo = 0;
+    Statement seals(database,
+                    "SELECT object_id, new_value FROM audit WHERE object = 'room records' AND action = ? ORDER BY id");
+    seals.bind(kRoomRecordsSealed).run();
+    while (seals.next()) {
+        sealedTo = seals.integer(0);
+        if (roomRecordsSeal(database, sealedTo) != seals.text(1)) {
+            throw Broken{sealedTo, Sentence(KERF_TEXT("One of the first %1 kept setups, tunings or models was changed "
+                                                      "after it was kept."),
+                                            number(sealedTo))};
+        }
+    }
+    Statement pairs(database,
+                    "SELECT o.id, o.subject, o.body, o.kind, u.new_value FROM room_records o LEFT JOIN audit u ON "
+                    "u.object = 'room record' AND u.object_id = o.id ORDER BY o.id");
+    pairs.run();
+    while (pairs.next()) {
+        ++verdict.roomRecords;
+        const bool own = pairs.text(4).find(kHashMark) != std::string::npos;
+        const bool right = own ? pairs.text(4) == roomRecordText(pairs.text(1), pairs.text(2))
+                               : pairs.integer(0) <= sealedTo || sealedTo == 0;
+        if (!right || pairs.isNull(4)) {
+            throw Broken{pairs.integer(0), Sentence(KERF_TEXT("Record %1 (%2) differs from what was logged when it was "
+                                                              "kept."),
+                                                    number(pairs.integer(0)), SentenceArg(pairs.text(3)))};
+        }
+    }
+    const auto logged = integerOf(database, QStringLiteral("SELECT count(*) FROM audit WHERE object = 'room record'"));
+    if (logged != static_cast<std::int64_t>(verdict.roomRecords)) {
+        throw Broken{0, Sentence(KERF_TEXT("%1 setups, tunings and models were kept, %2 are stored."), number(logged),
+                                 number(static_cast<std::int64_t>(verdict.roomRecords)))};
+    }
+}
+
+void verifyRecipes(const QSqlDatabase& database) {
+    std::map<std::int64_t, std::vector<std::string>> logged;
+    Statement entries(
+        database,
+        "SELECT object_id, new_value FROM audit WHERE object = 'part_type' AND action IN ('recipe saved', "
+        "'recipe rolled back') ORDER BY id");
+    entries.run();
+    while (entries.next()) {
+        logged[entries.integer(0)].push_back(entries.text(1));
+    }
+    Statement stored(database, "SELECT id, part_type_id, revision, parameters FROM recipe_revisions ORDER BY id");
+    stored.run();
+    while (stored.next()) {
+        const auto& texts = logged[stored.integer(1)];
+        const auto revision = static_cast<std::size_t>(stored.integer(2));
+        if (revision == 0 || revision > texts.size() || texts[revision - 1] != stored.text(3)) {
+            throw Broken{stored.integer(0),
+                         Sentence(KERF_TEXT("Recipe revision %1 differs from what was logged when it "
+                                            "was saved."),
+                                  number(stored.integer(0)))};
+        }
+    }
+}
+
+void verifySettings(const QSqlDatabase& database) {
+    Statement pairs(
+        database,
+        "SELECT s.key, s.value, (SELECT u.new_value FROM audit u WHERE u.object = 'setting ' || s.key ORDER BY "
+        "u.id DESC LIMIT 1) FROM settings s");
+    pairs.run();
+    while (pairs.next()) {
+        if (pairs.text(1) != pairs.text(2)) {
+            throw Broken{0, Sentence(KERF_TEXT("Setting %1 differs from what was logged when it was changed."),
+                                     SentenceArg(pairs.text(0)))};
+        }
+    }
+}
+
+}  // namespace
+
+std::string roomRecordText(const std::string& subject, const std::string& body) {
+    return subject + kHashMark + sha256(body);
+}
+
+std::string roomRecordsSeal(const QSqlDatabase& database, std::int64_t last) {
+    Statement find(
+        database,
+        "SELECT id, process, kind, subject, body, author, reason FROM room_records WHERE id <= ? ORDER BY id");
+    find.bind(last).run();
+    std::string text;
+    while (find.next()) {
+        for (int column = 0; column < 7; ++column) {
+            const std::string field = column == 0 ? std::to_string(find.integer(0)) : find.text(column);
+            text += std::to_string(field.size()) + ':' + field;
+        }
+    }
+    return sha256(text);
+}
+
+AuditVerdict verifyAudit(const QSqlDatabase& database) {
+    AuditVerdict verdict;
+    verdict.headHash = kGenesis;
+    try {
+        verifyChain(database, verdict);
+        verifyMeasurements(database, verdict);
+        verifyRoomRecords(database, verdict);
+        verifyRecipes(database);
+        verifySettings(database);
+    } catch (const Broken& broken) {
+        verdict.firstBad = broken.at;
+        verdict.finding = broken.finding;
+    }
+    return verdict;
+}
+
+}  // namespace kerf::db
