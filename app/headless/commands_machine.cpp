@@ -12,6 +12,7 @@
 #include "app/headless/commands.h"
 #include "app/machines/machine_module_loader.h"
 #include "engine/cycle/engine.h"
+#include "engine/machine/linuxcnc/port_exposure.h"
 #include "engine/machine/linuxcnc/shared_link.h"
 
 namespace kerf::headless {
@@ -27,16 +28,20 @@ struct MachineOptions {
 };
 
 constexpr auto kLook = std::chrono::milliseconds(1);
-constexpr double kAppear_s = 1.0;  ///< how long a link may take to come up
+constexpr std::uint16_t kCommandPort = 5007;  ///< of linuxcncrsh
+constexpr double kAppear_s = 1.0;             ///< how long a link may take to come up
 
 std::int64_t now_ns() {
     return Clock::now().time_since_epoch().count();
 }
 
-std::unique_ptr<MachinePort> open(const MachineOptions& options) {
+std::unique_ptr<MachinePort> open(const MachineOptions& options, bool onlyRead) {
     auto machine = loadMachine(options.machine);
     if (!machine) {
         throw BadInput(machine.error().english());
+    }
+    if (onlyRead) {
+        (*machine)->onlyRead();
     }
     if (const auto connected = (*machine)->connect(); !connected) {
         throw BadInput(connected.error().english());
@@ -119,9 +124,17 @@ Json capabilitiesJson(const Capabilities& c) {
 }
 
 void status(const MachineOptions& options) {
-    const auto machine = open(options);
+    const auto machine = open(options, true);
     MachineInputs inputs;
     readFor(*machine, kAppear_s, inputs);
+    const std::string address = linuxcnc::openAddress(kCommandPort);
+    if (!address.empty()) {
+        std::fprintf(
+            stderr,
+            "kerf: linuxcncrsh answers on %s, port %u: whoever reaches this computer may move the machine. Close "
+            "the port in the firewall (docs/linuxcnc.md).\n",
+            address.c_str(), unsigned{kCommandPort});
+    }
     Json json;
     json["capabilities"] = capabilitiesJson(machine->capabilities());
     json["signals"] = signalsJson(inputs);
@@ -132,7 +145,7 @@ void status(const MachineOptions& options) {
 }
 
 void watch(const MachineOptions& options) {
-    const auto machine = open(options);
+    const auto machine = open(options, true);
     MachineInputs inputs;
     const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
     while (Clock::now() < end) {
@@ -169,8 +182,21 @@ Spread spreadOf(std::vector<double> late_us) {
     return spread;
 }
 
+void takeOver(const MachineOptions& options) {
+    const auto machine = open(options, true);
+    if (const auto ended = machine->endOtherClaim(); !ended) {
+        throw BadInput(ended.error().english());
+    }
+    Json json;
+    json["taken_over"] = true;
+    printJson(json);
+}
+
 void jitter(const MachineOptions& options) {
-    const auto machine = open(options);
+    const auto machine = open(options, false);
+    if (!machine->capabilities().cycleStart.fitted) {
+        throw BadInput(machine->capabilities().cycleStart.why.english());
+    }
     linuxcnc::SharedLink link;
     linuxcnc::LinkMemory* memory = link.take();
     if (memory == nullptr) {
@@ -232,10 +258,15 @@ void addMachineCommands(CLI::App& kerf) {
     watching->add_option("--period", options->period_s, "Seconds from line to line")
         ->check(CLI::Range(0.01, 60.0))
         ->capture_default_str();
+    add("take-over",
+        "Ends the claim of the program that commands the machine: the next one that is started commands it. For a "
+        "person "
+        "who has looked; a program that has died is taken over from by starting another.",
+        takeOver);
     auto* timing =
         add("jitter",
             "Runs an empty engine on the machine and compares the punctuality of its cycle with the control's "
-            "servo thread, as CSV. No console may be connected.",
+            "servo thread, as CSV. The machine is commanded by nobody else meanwhile.",
             jitter);
     timing->add_option("--seconds", options->seconds, "How long")
         ->check(CLI::Range(1.0, 3600.0))

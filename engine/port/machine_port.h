@@ -169,6 +169,13 @@ class MachinePort {
     MachinePort& operator=(const MachinePort&) = delete;
     virtual ~MachinePort() = default;
 
+    /// Before connect(): this program looks on and never commands. A machine is commanded by one program at a time.
+    virtual void onlyRead() noexcept {}
+    /// A person takes the machine over from the program that commands it: whoever connects next commands. Not in the
+    /// cycle, @pre connected.
+    [[nodiscard]] virtual Result<void> endOtherClaim() {
+        return fail(KERF_TEXT("This machine is not shared: there is nobody to take it over from."));
+    }
     /// Not in the cycle; may block. Called before the first read(), and again after disconnect().
     [[nodiscard]] virtual Result<void> connect() = 0;
     virtual void disconnect() noexcept = 0;

@@ -156,7 +156,7 @@ class TestConsoleLinuxCnc : public QObject {
     }
     void lotOfSixBoresWithEntries() {
         QVERIFY(m_bench.up());
-        m_bench.console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Setter);
+        QVERIFY(m_bench.console().window()->session().makeFirstEngineer(QStringLiteral("Kim"), QStringLiteral("1234")));
         QVERIFY(send(SetLoopMode{ProcessId::Boring, LoopMode::Control}));
         for (std::uint32_t number = 1; number <= kParts; ++number) {
             makeBore(number);

@@ -45,7 +45,24 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept {
         why(Sentence(KERF_TEXT("This LinuxCNC brings no temperatures: without them nothing can be predicted."))));
     set(host(ProcessId::Turning), false,
         why(Sentence(KERF_TEXT("Diamond turning trims the tool every 0.2 ms; this control moves once per ms."))));
+    if (known && machine.units != MachineUnits::Millimetre) {
+        refuseAll(
+            c, machine.units == MachineUnits::Inch
+                   ? Sentence(KERF_TEXT("This LinuxCNC counts in inches ([TRAJ]LINEAR_UNITS): Kerf commands machines "
+                                        "in mm only, and reads this one."))
+                   : Sentence(KERF_TEXT("The units of this LinuxCNC are not known ([TRAJ]LINEAR_UNITS): Kerf "
+                                        "commands nothing before it knows them.")));
+    }
     return c;
+}
+
+void refuseAll(Capabilities& c, const Sentence& why) noexcept {
+    for (Capability* capability : {&c.feedScale, &c.workOffset, &c.servoGains, &c.zTrim, &c.toolTrim, &c.cycleStart}) {
+        set(*capability, false, why);
+    }
+    for (Capability& host : c.process) {
+        set(host, false, why);
+    }
 }
 
 }  // namespace kerf::linuxcnc

@@ -11,4 +11,7 @@ namespace kerf::linuxcnc {
 /// What the machine can do, from what the bridge found; empty: LinuxCNC has not been reached yet.
 [[nodiscard]] Capabilities capabilitiesOf(const std::optional<Fitted>& fitted) noexcept;
 
+/// Nothing of this machine is commanded, for one reason; what it reports is still read.
+void refuseAll(Capabilities& capabilities, const Sentence& why) noexcept;
+
 }  // namespace kerf::linuxcnc

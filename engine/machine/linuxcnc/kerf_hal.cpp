@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <new>
 #include <optional>
+#include <string>
 
 #include "engine/machine/linuxcnc/hal_pins.h"
 
@@ -100,6 +101,20 @@ class Sampler {
     bool m_attached{false};
 };
 
+/// LinuxCNC tells the programs it loads which ini file it runs with.
+kerf::linuxcnc::MachineUnits readUnits() {
+    const char* name = std::getenv("INI_FILE_NAME");
+    std::string text;
+    if (std::FILE* file = name != nullptr ? std::fopen(name, "r") : nullptr; file != nullptr) {
+        char block[4096];
+        for (std::size_t got = 0; (got = std::fread(block, 1, sizeof block, file)) > 0;) {
+            text.append(block, got);
+        }
+        std::fclose(file);
+    }
+    return kerf::linuxcnc::unitsOf(text);
+}
+
 class Bridge {
  public:
     Bridge(Pins& pins, LinkMemory& link, int component) : m_pins(pins), m_link(link), m_component(component) {
@@ -154,6 +169,7 @@ class Bridge {
         m_fitted.servoRecord = m_sampler.has_value();
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
+        m_fitted.units = m_units;
         m_fitted.maxFeedScale = m_mayRise ? std::max(1.0, static_cast<double>(*m_pins.maxFeedOverride)) : 1.0;
     }
 
@@ -201,6 +217,9 @@ class Bridge {
     }
 
     void obey(const ToControl& wish) {
+        if (m_units != kerf::linuxcnc::MachineUnits::Millimetre) {
+            return;  // 10 µm would become 254: nothing is commanded in units that are not ours
+        }
         *m_pins.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 1.0;
         *m_pins.feedHold = wish.feedHold;
         for (std::size_t i = 0; i < 3 && wish.offsetEpoch == m_offsetEpoch; ++i) {
@@ -234,6 +253,7 @@ class Bridge {
     std::optional<Sampler> m_sampler{};
     int m_samplerTries{0};
     Fitted m_fitted{};
+    kerf::linuxcnc::MachineUnits m_units{readUnits()};
     bool m_mayRise{adaptiveFeedMayRise()};
     std::uint64_t m_beat{0};
     std::uint64_t m_servoPeriods{0};

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "engine/core/latest_value.h"
+#include "engine/machine/linuxcnc/ini_file.h"
+#include "engine/machine/linuxcnc/machine_claim.h"
 
 /// What the console and the HAL bridge (kerf-hal, a component loaded by LinuxCNC) share: two values, one writer each,
 /// and the servo periods, in POSIX shared memory. Neither side ever waits for the other; each tells from the
@@ -21,6 +23,7 @@ struct Fitted {
     bool servoRecord{false};      ///< a sampler brings every servo period
     bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
     bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
+    MachineUnits units{MachineUnits::Unknown};  ///< [TRAJ]LINEAR_UNITS of the control's ini file
     double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
     friend bool operator==(const Fitted&, const Fitted&) = default;
 };
@@ -128,7 +131,8 @@ struct LinkMemory {
     static constexpr std::uint32_t kMagic = 0x4B524632;  // "KRF2": layout 2
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
-    LatestValue<ToControl> toControl{};                  ///< of the one console that writes
+    Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads
+    LatestValue<ToControl> toControl{};                  ///< of the owner alone
     Broadcast<ServoPeriod, 8192> servo{};                ///< 8 s at 1 kHz
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <variant>
 
 #include "engine/machine/linuxcnc/fitted.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr std::int64_t kSilence_ns = 100'000'000;
 constexpr std::int64_t kGainsPatience_ns = 500'000'000;
 constexpr std::int64_t kShiftEvery_ns = 1'000'000'000;
+constexpr std::int64_t kStartPatience_ns = 5'000'000'000;  // from the acknowledgement until something runs
+constexpr std::int64_t kStartOver_ns = 1'000'000'000;      // it ran and ended, and no part has begun
 constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
 constexpr double kMicrometrePerMillimetre = 1000.0;
@@ -36,8 +39,19 @@ LinuxCncMachine::~LinuxCncMachine() {
 
 Result<void> LinuxCncMachine::connect() {
     m_link = std::make_unique<SharedLink>();
+    const char* file = std::getenv("KERF_LINUXCNC_PASSWORDS");
+    const auto password = readRshPassword(file != nullptr ? file : "");
+    if (!password) {
+        return tl::unexpected(password.error());
+    }
+    m_params.rsh.password = *password;
+    m_own = ownClaim();
     m_rsh = std::make_unique<RshLink>(m_params.rsh);
     m_memory = m_link->take();
+    if (m_memory != nullptr && !m_onlyRead) {
+        (void)claim(m_memory->owner);
+    }
+    watchOwner();
     FromControl seen;
     if (m_memory != nullptr && m_memory->fromControl.latest(seen)) {
         adoptFitted(seen.fitted);
@@ -48,17 +62,40 @@ Result<void> LinuxCncMachine::connect() {
 
 void LinuxCncMachine::disconnect() noexcept {
     m_rsh.reset();
+    if (m_memory != nullptr) {
+        giveUp(m_memory->owner);
+    }
+    m_mine = false;
     m_memory = nullptr;
     m_link.reset();
 }
 
+Result<void> LinuxCncMachine::endOtherClaim() {
+    LinkMemory* memory = m_link != nullptr ? m_link->take() : nullptr;
+    if (memory == nullptr) {
+        return fail(KERF_TEXT("LinuxCNC is not reached: there is nobody to take it over from."));
+    }
+    memory->owner.store(0);
+    return {};
+}
+
+void LinuxCncMachine::watchOwner() noexcept {
+    m_owner = m_memory != nullptr ? m_memory->owner.load() : 0;
+    m_mine = m_own != 0 && m_owner == m_own;
+}
+
 void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
     const std::size_t current = m_current.load(std::memory_order_relaxed);
-    if (m_fittedKnown && fitted == m_fitted) {
+    const bool shared = !m_mine && !m_onlyRead;
+    if (m_fittedKnown && fitted == m_fitted && shared == m_shared) {
         return;
     }
+    m_shared = shared;
     if (current + 1 < kMachinesSeen) {  // one who still reads the old ones may go on
         m_capabilities[current + 1] = capabilitiesOf(fitted);
+        if (shared) {
+            refuseAll(m_capabilities[current + 1], ownedByAnother());
+        }
         m_current.store(current + 1, std::memory_order_release);
         m_fitted = fitted;
     }
@@ -69,6 +106,9 @@ bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
     LinkMemory* memory = m_link != nullptr ? m_link->take() : nullptr;
     if (memory != m_memory) {  // another bridge: its counts begin anew
         m_memory = memory;
+        if (memory != nullptr && !m_onlyRead) {
+            (void)claimIfFree(memory->owner, m_own);
+        }
         m_nextPeriod = memory != nullptr ? memory->servo.written() : 0;
         m_beat = 0;
         m_periods = 0;
@@ -155,6 +195,31 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
     }
 }
 
+Sentence LinuxCncMachine::ownedByAnother() const noexcept {
+    return Sentence(
+        KERF_TEXT("Another program (process %1) commands this machine, this one only reads: end it, or take the "
+                  "machine over, and start this one anew."),
+        SentenceArg(static_cast<double>(processOf(m_owner)), 0));
+}
+
+/// An acknowledgement says that the line has arrived, not that anything is cut: a part has begun, or it has not.
+void LinuxCncMachine::watchStart(std::int64_t now_ns) noexcept {
+    if (m_startRequest == 0 || m_startTaken_ns < 0) {
+        return;
+    }
+    if (m_seen.programRunning) {
+        m_startRan = true;
+        m_startIdle_ns = now_ns;
+    }
+    const std::int64_t since_ns = m_startRan ? m_startIdle_ns : m_startTaken_ns;
+    if (now_ns - since_ns > (m_startRan ? kStartOver_ns : kStartPatience_ns)) {
+        answer(m_startRequest, RequestState::Refused,
+               Sentence(KERF_TEXT("The control took the command, but no part began: see its own message (soft limit, "
+                                  "tool, spindle).")));
+        m_startRequest = 0;
+    }
+}
+
 void LinuxCncMachine::answer(std::uint32_t number, RequestState state, const Sentence& reason) noexcept {
     m_reply = {number, state, reason};
 }
@@ -166,9 +231,12 @@ void LinuxCncMachine::takeReplies(std::int64_t now_ns) noexcept {
             m_shiftUnderWay = false;
         } else {
             m_reply = reply;
-            if (reply.number == m_startRequest && m_process == ProcessId::Tapping &&
-                reply.state == RequestState::Done) {
-                m_reply.state = RequestState::Accepted;  // spindle and Z get ready first; done when the tap begins
+            if (reply.number == m_startRequest && reply.state == RequestState::Done) {
+                m_reply.state = RequestState::Accepted;  // done when the part begins
+                m_startTaken_ns = now_ns;
+                m_startRan = false;
+            } else if (reply.number == m_startRequest && reply.state == RequestState::Refused) {
+                m_startRequest = 0;
             }
         }
     }
@@ -204,6 +272,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.servoRecord = false;
     inputs.servoCount = 0;
     inputs.fastCount = 0;
+    watchOwner();
     if (up) {
         adoptFitted(m_seen.fitted);
         if (m_process == ProcessId::Tapping) {
@@ -212,6 +281,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
             followProgram();
         }
         takeReplies(now_ns);
+        watchStart(now_ns);
     }
     inputs.time_ns = now_ns;
     inputs.link = up ? LinkState::Up : LinkState::Down;
@@ -269,6 +339,10 @@ void LinuxCncMachine::setGains(const PortRequest& request, const ServoGains& gai
 }
 
 void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
+    if (!m_mine) {
+        answer(request.number, RequestState::Refused, ownedByAnother());
+        return;
+    }
     if (const auto* gains = std::get_if<SetServoGains>(&request.action)) {
         setGains(request, gains->gains);
         return;
@@ -289,6 +363,7 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
         m_tapEnds = false;
         m_startRequest = request.number;
+        m_startTaken_ns = -1;
         if (m_memory != nullptr) {
             m_nextPeriod = m_memory->servo.written();
         }
@@ -326,6 +401,9 @@ void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     if (outputs.request.number != 0 && outputs.request.number != m_lastRequest) {
         m_lastRequest = outputs.request.number;
         carryOut(outputs.request);
+    }
+    if (!m_mine) {
+        return;
     }
     shiftOrigin(outputs);
     ToControl wish;

@@ -40,6 +40,10 @@ class LinuxCncMachine final : public MachinePort {
     /// Succeeds without LinuxCNC: the link is down until it appears.
     [[nodiscard]] Result<void> connect() override;
     void disconnect() noexcept override;
+    void onlyRead() noexcept override { m_onlyRead = true; }
+    [[nodiscard]] Result<void> endOtherClaim() override;
+    /// This program commands the machine. Any thread that does not run beside connect().
+    [[nodiscard]] bool commands() const noexcept { return m_mine; }
     [[nodiscard]] const Capabilities& capabilities() const noexcept override {
         return m_capabilities[m_current.load(std::memory_order_acquire)];
     }
@@ -55,6 +59,9 @@ class LinuxCncMachine final : public MachinePort {
 
     [[nodiscard]] bool watchLink(std::int64_t now_ns) noexcept;
     void adoptFitted(const Fitted& fitted) noexcept;
+    void watchOwner() noexcept;
+    [[nodiscard]] Sentence ownedByAnother() const noexcept;
+    void watchStart(std::int64_t now_ns) noexcept;
     void followProgram() noexcept;
     void begin(ProgramState state) noexcept;
     void followTap(MachineInputs& inputs) noexcept;
@@ -73,6 +80,11 @@ class LinuxCncMachine final : public MachinePort {
     std::atomic<std::size_t> m_current{0};
     std::atomic<bool> m_fittedKnown{false};
     Fitted m_fitted{};
+    bool m_onlyRead{false};
+    bool m_mine{false};
+    bool m_shared{false};      ///< capabilities say that another program commands
+    std::uint64_t m_own{0};    ///< our claim
+    std::uint64_t m_owner{0};  ///< whoever commands
     std::unique_ptr<SharedLink> m_link;
     std::unique_ptr<RshLink> m_rsh;
     LinkMemory* m_memory{nullptr};  ///< of this cycle
@@ -97,7 +109,10 @@ class LinuxCncMachine final : public MachinePort {
     // tapping
     TapFollower m_tap{};
     std::uint64_t m_nextPeriod{0};
-    std::uint32_t m_startRequest{0};  ///< handed on, its program has not begun
+    std::uint32_t m_startRequest{0};   ///< handed on, its program has not begun
+    std::int64_t m_startTaken_ns{-1};  ///< the control has acknowledged it; −1: not yet
+    std::int64_t m_startIdle_ns{0};    ///< since when nothing runs
+    bool m_startRan{false};
     bool m_tapEnds{false};
     bool m_tapFinished{false};
     // milling, on a simulator

@@ -17,6 +17,7 @@ namespace kerf::linuxcnc {
 namespace {
 
 constexpr int kAnswer_ms = 2000;
+constexpr int kSlice_ms = 20;  // an abort does not wait for another command's answer
 constexpr auto kRetry = std::chrono::milliseconds(200);
 constexpr auto kPoll = std::chrono::milliseconds(2);
 
@@ -40,8 +41,8 @@ bool RshLink::connectOnce() {
         disconnect();
         return false;
     }
-    const bool greeted =
-        acknowledged("hello EMC kerf 1") && acknowledged("set echo off") && acknowledged("set verbose on");
+    const bool greeted = acknowledged(std::string("hello ") + m_params.password.connect + " kerf 1") &&
+                         acknowledged("set echo off") && acknowledged("set verbose on");
     if (!greeted) {
         disconnect();
     }
@@ -57,16 +58,27 @@ void RshLink::disconnect() noexcept {
 }
 
 bool RshLink::say(const std::string& line, std::string& answer) {
+    std::array<char, 512> block{};
+    while (::recv(m_socket, block.data(), block.size(), MSG_DONTWAIT) > 0) {
+        // What comes unasked, or late for a command that was given up, is no answer to this one.
+    }
     const std::string text = line + "\r\n";
     if (::send(m_socket, text.data(), text.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(text.size())) {
         return false;
     }
     answer.clear();
-    std::array<char, 512> block{};
+    int waited_ms = 0;
     while (answer.find('\n') == std::string::npos) {
         pollfd wait{m_socket, POLLIN, 0};
-        if (::poll(&wait, 1, kAnswer_ms) <= 0) {
+        const int ready = ::poll(&wait, 1, kSlice_ms);
+        waited_ms += ready == 0 ? kSlice_ms : 0;
+        const bool overtaken = !m_aborting && m_abort.load(std::memory_order_acquire) != 0;
+        if (ready < 0 || waited_ms >= kAnswer_ms || (ready == 0 && overtaken)) {
+            disconnect();  // its answer, should it still come, must not be taken for the next one's
             return false;
+        }
+        if (ready == 0) {
+            continue;
         }
         const ssize_t got = ::recv(m_socket, block.data(), block.size(), 0);
         if (got <= 0) {
@@ -84,7 +96,7 @@ bool RshLink::acknowledged(const std::string& line) {
 
 // Only one connection may command at a time: the one that was enabled last.
 bool RshLink::command(const std::string& line) {
-    return acknowledged("set enable EMCTOO") && acknowledged(line);
+    return acknowledged(std::string("set enable ") + m_params.password.enable) && acknowledged(line);
 }
 
 bool RshLink::mdi(const std::string& line) {
@@ -125,6 +137,20 @@ RequestReply RshLink::carryOut(const PortRequest& request) {
                 : refuse(Sentence(KERF_TEXT("The control refused the command: is it switched on, homed and idle?")));
 }
 
+void RshLink::abortFirst(std::uint32_t number) {
+    m_aborting = true;
+    (void)m_replies.tryPush(carryOut(PortRequest{number, AbortProgram{}}));
+    m_aborting = false;
+    std::uint32_t done = number;
+    (void)m_abort.compare_exchange_strong(done, 0);
+    Errand errand;
+    while (m_errands.tryPop(errand)) {
+        const std::uint32_t of = errand.kind == Errand::Request ? errand.request.number : kOwnRequest;
+        (void)m_replies.tryPush(
+            {of, RequestState::Refused, Sentence(KERF_TEXT("An abort came first: this was not sent any more."))});
+    }
+}
+
 void RshLink::run() {
     while (!m_stop) {
         if (!m_connected) {
@@ -132,6 +158,9 @@ void RshLink::run() {
             if (!m_connected) {
                 std::this_thread::sleep_for(kRetry);
             }
+        }
+        if (const std::uint32_t abort = m_abort.load(std::memory_order_acquire); abort != 0 && m_connected) {
+            abortFirst(abort);
         }
         Errand errand;
         if (m_errands.tryPop(errand)) {

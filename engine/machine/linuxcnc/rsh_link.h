@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <string>
 #include <thread>
+#include <variant>
 
 #include "engine/core/spsc_ring.h"
+#include "engine/machine/linuxcnc/rsh_password.h"
 #include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
@@ -21,6 +23,7 @@ class RshLink {
     struct Params {
         std::string host{"127.0.0.1"};
         std::uint16_t port{5007};
+        RshPassword password{};
     };
     explicit RshLink(Params params);
     RshLink(const RshLink&) = delete;
@@ -31,7 +34,15 @@ class RshLink {
     static constexpr std::uint32_t kOwnRequest = 0xFFFF'FFFF;
 
     /// Cycle: false when the ring is full.
-    [[nodiscard]] bool tryAsk(const PortRequest& request) noexcept { return m_errands.tryPush({request}); }
+    /// An abort does not wait behind what was asked before: it goes out first, and starts that were not sent yet are
+    /// refused.
+    [[nodiscard]] bool tryAsk(const PortRequest& request) noexcept {
+        if (std::holds_alternative<AbortProgram>(request.action)) {
+            m_abort.store(request.number, std::memory_order_release);
+            return true;
+        }
+        return m_errands.tryPush({request});
+    }
     /// Cycle: total shift of the work origin by G10 L2, whole µm.
     [[nodiscard]] bool tryShiftOrigin(const std::array<double, 3>& shift_um) noexcept {
         return m_errands.tryPush({{}, Errand::ShiftOrigin, shift_um});
@@ -50,6 +61,7 @@ class RshLink {
         std::array<double, 3> shift_um{};
     };
     void run();
+    void abortFirst(std::uint32_t number);
     [[nodiscard]] bool connectOnce();
     void disconnect() noexcept;
     [[nodiscard]] bool say(const std::string& line, std::string& answer);
@@ -62,6 +74,8 @@ class RshLink {
     Params m_params;
     SpscRing<Errand> m_errands{16};
     SpscRing<RequestReply> m_replies{16};
+    std::atomic<std::uint32_t> m_abort{0};  ///< number of the abort that is wanted; 0: none
+    bool m_aborting{false};
     std::atomic<bool> m_connected{false};
     std::atomic<bool> m_stop{false};
     int m_socket{-1};
