@@ -3616,6 +3616,46 @@
             <source>This part and those after it stand nowhere: neither figures nor feed of them are kept.</source>
             <translation>This part and those after it stand nowhere: neither figures nor feed of them are kept.</translation>
         </message>
+        <message>
+            <source>An abort came first: this was not sent any more.</source>
+            <translation>An abort came first: this was not sent any more.</translation>
+        </message>
+        <message>
+            <source>Another program (process %1) commands this machine, this one only reads: end it, or take the machine over, and start this one anew.</source>
+            <translation>Another program (process %1) commands this machine, this one only reads: end it, or take the machine over, and start this one anew.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC is not reached: there is nobody to take it over from.</source>
+            <translation>LinuxCNC is not reached: there is nobody to take it over from.</translation>
+        </message>
+        <message>
+            <source>Others may read the file with the passwords of linuxcncrsh: give it mode 0600.</source>
+            <translation>Others may read the file with the passwords of linuxcncrsh: give it mode 0600.</translation>
+        </message>
+        <message>
+            <source>The control took the command, but no part began: see its own message (soft limit, tool, spindle).</source>
+            <translation>The control took the command, but no part began: see its own message (soft limit, tool, spindle).</translation>
+        </message>
+        <message>
+            <source>The file with the passwords of linuxcncrsh cannot be read.</source>
+            <translation>The file with the passwords of linuxcncrsh cannot be read.</translation>
+        </message>
+        <message>
+            <source>The file with the passwords of linuxcncrsh needs two lines: connect and enable.</source>
+            <translation>The file with the passwords of linuxcncrsh needs two lines: connect and enable.</translation>
+        </message>
+        <message>
+            <source>The units of this LinuxCNC are not known ([TRAJ]LINEAR_UNITS): Kerf commands nothing before it knows them.</source>
+            <translation>The units of this LinuxCNC are not known ([TRAJ]LINEAR_UNITS): Kerf commands nothing before it knows them.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC counts in inches ([TRAJ]LINEAR_UNITS): Kerf commands machines in mm only, and reads this one.</source>
+            <translation>This LinuxCNC counts in inches ([TRAJ]LINEAR_UNITS): Kerf commands machines in mm only, and reads this one.</translation>
+        </message>
+        <message>
+            <source>This machine is not shared: there is nobody to take it over from.</source>
+            <translation>This machine is not shared: there is nobody to take it over from.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

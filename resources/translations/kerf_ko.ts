@@ -3569,7 +3569,7 @@
         </message>
         <message>
             <source>Only a setter or a process engineer may do this.</source>
-            <translation type="unfinished">셋업 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
+            <translation>세팅 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
         </message>
         <message>
             <source>Recipe revision %1 differs from what was logged when it was saved.</source>
@@ -3585,15 +3585,15 @@
         </message>
         <message>
             <source>The JSON holds %1; numbers are expected within ±1e60.</source>
-            <translation type="unfinished" />
+            <translation>JSON에 %1이 있습니다. 수는 ±1e60 안이어야 합니다.</translation>
         </message>
         <message>
             <source>The JSON holds a number too large to be stored; numbers are expected within ±1e60.</source>
-            <translation type="unfinished" />
+            <translation>JSON에 저장할 수 없을 만큼 큰 수가 있습니다. 수는 ±1e60 안이어야 합니다.</translation>
         </message>
         <message>
             <source>The JSON is nested deeper than %1 levels.</source>
-            <translation type="unfinished" />
+            <translation>JSON이 %1단계보다 깊게 중첩되어 있습니다.</translation>
         </message>
         <message>
             <source>The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end Kerf and start it anew; what waits is kept beside it.</source>
@@ -3609,11 +3609,51 @@
         </message>
         <message>
             <source>This is not JSON: no valid JSON at byte %1.</source>
-            <translation type="unfinished" />
+            <translation>JSON이 아닙니다. %1바이트에서 올바른 JSON이 아닙니다.</translation>
         </message>
         <message>
             <source>This part and those after it stand nowhere: neither figures nor feed of them are kept.</source>
             <translation>이 부품과 그 뒤의 부품은 어디에도 남지 않습니다. 수치도 이송도 보관되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>An abort came first: this was not sent any more.</source>
+            <translation>중단이 먼저 왔습니다. 이 명령은 보내지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Another program (process %1) commands this machine, this one only reads: end it, or take the machine over, and start this one anew.</source>
+            <translation>다른 프로그램(프로세스 %1)이 이 기계를 지휘하고 있어 이 프로그램은 읽기만 합니다. 그것을 끝내거나 기계를 넘겨받은 뒤 이 프로그램을 다시 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC is not reached: there is nobody to take it over from.</source>
+            <translation>LinuxCNC에 연결되지 않았습니다. 넘겨받을 상대가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Others may read the file with the passwords of linuxcncrsh: give it mode 0600.</source>
+            <translation>linuxcncrsh 암호 파일을 다른 사람이 읽을 수 있습니다. 권한을 0600으로 하십시오.</translation>
+        </message>
+        <message>
+            <source>The control took the command, but no part began: see its own message (soft limit, tool, spindle).</source>
+            <translation>제어기가 명령을 받았지만 부품이 시작되지 않았습니다. 제어기의 메시지를 보십시오(소프트 리밋, 공구, 주축).</translation>
+        </message>
+        <message>
+            <source>The file with the passwords of linuxcncrsh cannot be read.</source>
+            <translation>linuxcncrsh 암호 파일을 읽을 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The file with the passwords of linuxcncrsh needs two lines: connect and enable.</source>
+            <translation>linuxcncrsh 암호 파일에는 connect와 enable 두 줄이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The units of this LinuxCNC are not known ([TRAJ]LINEAR_UNITS): Kerf commands nothing before it knows them.</source>
+            <translation>이 LinuxCNC의 단위([TRAJ]LINEAR_UNITS)를 알 수 없습니다. 알기 전에는 Kerf가 아무것도 지휘하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>This LinuxCNC counts in inches ([TRAJ]LINEAR_UNITS): Kerf commands machines in mm only, and reads this one.</source>
+            <translation>이 LinuxCNC는 인치 단위([TRAJ]LINEAR_UNITS)입니다. Kerf는 mm 기계만 지휘하며 이 기계는 읽기만 합니다.</translation>
+        </message>
+        <message>
+            <source>This machine is not shared: there is nobody to take it over from.</source>
+            <translation>이 기계는 공유되지 않습니다. 넘겨받을 상대가 없습니다.</translation>
         </message>
     </context>
     <context>
