@@ -64,6 +64,7 @@ ConsoleApplication::~ConsoleApplication() {
     m_serviceChanges.reset();
     m_lots.reset();
     m_modes.reset();
+    m_stops.reset();
     m_rooms.clear();
     m_writer.reset();
 }
@@ -122,6 +123,11 @@ void ConsoleApplication::makeEngine() {
         loops.push_back(room->makeLoop());
     }
     m_engine = std::make_unique<Engine>(*m_machine, std::move(loops));
+    m_stops = std::make_unique<StopKeeper>(
+        *m_engine, *m_reader, [this](const std::string& key, const std::string& value, const std::string& reason) {
+            saveSetting(key, value, reason);
+        });
+    m_stops->restore();
 }
 
 void ConsoleApplication::openRooms() {
@@ -255,6 +261,7 @@ void ConsoleApplication::poll() {
     for (const auto& room : m_rooms) {
         room->poll();
     }
+    m_stops->poll();
     m_modes->poll();
 }
 
@@ -453,8 +460,8 @@ void ConsoleApplication::announceAccepted() {
     m_lastAnnounced = newest;
 }
 
-void ConsoleApplication::saveSetting(const std::string& key, const std::string& value) {
-    m_writer->submit(ChangeSetting{key, value, author(), {}}, [key](const Result<Receipt>& result) {
+void ConsoleApplication::saveSetting(const std::string& key, const std::string& value, const std::string& reason) {
+    m_writer->submit(ChangeSetting{key, value, author(), reason}, [key](const Result<Receipt>& result) {
         if (!result) {
             spdlog::error("setting {}: {}", key, result.error().english());
         }

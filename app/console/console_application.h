@@ -12,6 +12,7 @@
 #include "app/console/rooms/room.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
+#include "app/console/stop_keeper.h"
 #include "app/service/boring/boring_lots.h"
 #include "app/service/rights.h"
 #include "db/data_file.h"
@@ -78,7 +79,7 @@ class ConsoleApplication : public QObject {
     void serveFiles(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
     void announceAccepted();
-    void saveSetting(const std::string& key, const std::string& value);
+    void saveSetting(const std::string& key, const std::string& value, const std::string& reason = {});
 
     Options m_options;
     std::string m_databasePath;
@@ -92,6 +93,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<Subscription> m_serviceChanges;
+    std::unique_ptr<StopKeeper> m_stops;
     std::unique_ptr<LoopModes> m_modes;
     QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;

@@ -15,5 +15,7 @@ void addTappingCommands(CLI::App& kerf);
 void addDataCommands(CLI::App& kerf);
 /// A real machine: status, watch, jitter.
 void addMachineCommands(CLI::App& kerf);
+/// Rehearse a scenario of faults and commands.
+void addRehearseCommand(CLI::App& kerf);
 
 }  // namespace kerf::headless

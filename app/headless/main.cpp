@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     kerf::headless::addThermalCommands(kerf);
     kerf::headless::addDataCommands(kerf);
     kerf::headless::addMachineCommands(kerf);
+    kerf::headless::addRehearseCommand(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
+#include "engine/port/machine_port.h"
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/milling/milling_types.h"
 #include "engine/process/tapping/tapping_types.h"
@@ -21,9 +25,28 @@ struct SetLoopMode {
     ProcessId process{ProcessId::Boring};
     LoopMode mode{LoopMode::Off};
 };
-/// Leave "held" or "faulted" after a person has looked; loops come back in the mode they had.
+/// Leave "held" after a person has looked; loops come back in the mode they had. Stops stay.
 struct ReleaseHold {
     std::uint32_t holdsSeen{0};  ///< set by EngineApi::send: a hold pressed later than the release wins
+};
+/// Who has signed on, as a command carries it; cut at its length.
+struct PersonName {
+    std::array<char, 48> text{};
+    void set(std::string_view name) noexcept {
+        text = {};
+        std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
+    }
+    [[nodiscard]] std::string_view view() const noexcept { return text.data(); }
+};
+/// A person has looked: the stop of that number ends. A newer one stays; so does every one when nobody is signed on.
+struct ReleaseStop {
+    ProcessId process{ProcessId::Milling};
+    std::uint32_t number{0};
+    PersonName person{};
+};
+/// What the data file has kept of stops, before anything else is asked; joined with what the machine keeps.
+struct RestoreStops {
+    StopSlots stops{};
 };
 /// Factor between machine time and wall time; simulated machines only. 0 = as fast as it can.
 struct SetSimulationSpeed {
@@ -99,10 +122,6 @@ struct SetMillingReference {
 struct TeachMillingReference {
     static constexpr ProcessId kProcess = ProcessId::Milling;
 };
-/// Milling: a person has looked; the feed held by the loop may go on.
-struct ReleaseMillingStop {
-    static constexpr ProcessId kProcess = ProcessId::Milling;
-};
 /// Milling: what was learnt of the tool before a restart; refused while a part is being cut.
 struct RestoreMillingTool {
     static constexpr ProcessId kProcess = ProcessId::Milling;
@@ -149,10 +168,10 @@ struct StopWarmUp {
 
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
-    std::variant<std::monostate, SetLoopMode, ReleaseHold, SetSimulationSpeed, StartPart, LoadBoringSchedule,
-                 NameBoringLot, LoadTurningSetup, SetTurningController, LoadTappingJob, LoadTapGains, AbortTap,
-                 RecoverTap, LoadMillingSetup, LoadMillingBlank, SetMillingLaw, SetMillingReference,
-                 TeachMillingReference, ReleaseMillingStop, RestoreMillingTool, NewMillingTool, LoadThermalSetup,
+    std::variant<std::monostate, SetLoopMode, ReleaseHold, ReleaseStop, RestoreStops, SetSimulationSpeed, StartPart,
+                 LoadBoringSchedule, NameBoringLot, LoadTurningSetup, SetTurningController, LoadTappingJob,
+                 LoadTapGains, AbortTap, RecoverTap, LoadMillingSetup, LoadMillingBlank, SetMillingLaw,
+                 SetMillingReference, TeachMillingReference, RestoreMillingTool, NewMillingTool, LoadThermalSetup,
                  TakeThermalReference, LoadGapZero, MeasureOrigin, AdoptMeasurement, RecordGaps, StopWarmUp>
         action{};
 };

@@ -45,7 +45,7 @@ struct Status {
     bool machineOn{false};
     bool emergencyStop{false};
     bool feedHold{false};
-    bool held{false};          ///< hold-all is in force
+    bool held{false};          ///< hold-all is in force, or the machine stopped or was lost since a person last looked
     bool partsBlocked{false};  ///< the part-record ring was full: no new part until it is drained
     double operatorOverride{1.0};
     double simulationSpeed{1.0};  ///< wanted; 0 = as fast as it can
@@ -60,6 +60,7 @@ struct Status {
     std::uint32_t partSequence{0};
     CommandResult lastCommand{};
     std::array<CommandResult, 8> recentCommands{};  ///< newest first; lastCommand is the first of them
+    std::array<StopStatus, kProcessCount> stops{};  ///< of each process; released by number (ReleaseStop)
     std::array<LoopStatus, kProcessCount> loops{};
     BoringStatus boring{};
     TurningStatus turning{};

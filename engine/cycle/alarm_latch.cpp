@@ -21,6 +21,9 @@ void EventSink::raise(AlarmCode code, const Sentence& detail) noexcept {
 }
 
 void EventSink::clear(AlarmCode code) noexcept {
+    if (std::ranges::any_of(stops, [code](const StopSlot& slot) { return slot.active() && slot.cause == code; })) {
+        return;
+    }
     const auto end = m_active.begin() + static_cast<std::ptrdiff_t>(m_activeCount);
     const auto found = std::find(m_active.begin(), end, code);
     if (found == end || !alarms.tryPush({code, false, now_ns, Sentence{}})) {

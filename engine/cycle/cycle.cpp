@@ -11,6 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr int kCommandsPerCycle = 4;
+constexpr std::int64_t kMissed_ns = 50'000'000;  // less than any machine waits for its console
 constexpr double kMaxSimulationSpeed = 1000.0;
 
 /// What passes from a loop that does not control: only the start or end of its own part program.
@@ -20,13 +21,12 @@ bool isProgramRequest(const PortRequest& request) {
 
 }  // namespace
 
-Cycle::Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits,
-             EngineRings& rings)
+Cycle::Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, EngineRings& rings)
     : m_port(port),
       m_loops(std::move(loops)),
       m_rings(rings),
       m_events(rings.alarms, rings.parts),
-      m_limiter(limits, port.capabilities()) {
+      m_limiter(port.capabilities()) {
     for (const auto& loop : m_loops) {
         m_byProcess[static_cast<std::size_t>(loop->id())] = loop.get();
     }
@@ -42,52 +42,103 @@ void Cycle::step(std::int64_t now_ns) noexcept {
     m_events.flush();
     watchMachine();
     takeCommands();
-
-    const Capabilities& capabilities = m_port.capabilities();
+    showStops();
+    tellRefused();
     for (const auto& loop : m_loops) {
-        const auto index = static_cast<std::size_t>(loop->id());
-        const LoopMode mode = m_supervisor.effectiveMode(loop->id(), m_inputs, capabilities);
-        if (mode != m_modes[index]) {
-            loop->setMode(mode);
-            m_modes[index] = mode;
-        }
-        LoopOutputs& wish = m_wishes[index];
-        wish = LoopOutputs{};
-        m_verdicts[index] = loop->step(m_inputs, capabilities, wish, m_events);
-        if (m_verdicts[index].state == LoopState::Faulted) {
-            m_supervisor.fault(loop->id(), m_verdicts[index].reason);
-        }
-        if (mode != LoopMode::Control) {
-            const PortRequest request = wish.request;
-            wish = LoopOutputs{};
-            const bool out =
-                mode == LoopMode::Advise && std::holds_alternative<RetractInSync>(request.action);  // asked by a person
-            if (out || isProgramRequest(request)) {
-                wish.request = request;
-            }
-        }
+        runLoop(*loop);
     }
 
     const double dt_s = m_cycles == 0 ? 0.0 : static_cast<double>(now_ns - m_lastTime_ns) / kNanosecondPerSecond;
     m_outputs = m_limiter.apply(m_wishes, m_inputs, dt_s, m_limitReport);
+    for (std::size_t i = 0; i < m_limitReport.refusedCount && m_refusedCount < m_refused.size(); ++i) {
+        m_refused[m_refusedCount++] = m_limitReport.refused[i];
+    }
     m_port.write(m_outputs);
     m_lastTime_ns = now_ns;
     ++m_cycles;
 }
 
+void Cycle::runLoop(ProcessLoop& loop) noexcept {
+    const auto index = static_cast<std::size_t>(loop.id());
+    const LoopMode mode = m_supervisor.effectiveMode(loop.id(), m_inputs, m_port.capabilities());
+    if (mode != m_modes[index]) {
+        loop.setMode(mode);
+        m_modes[index] = mode;
+    }
+    LoopOutputs& wish = m_wishes[index];
+    wish = LoopOutputs{};
+    m_verdicts[index] = loop.step(m_inputs, m_port.capabilities(), wish, m_events);
+    if (m_verdicts[index].state == LoopState::Faulted && wish.stop.kind == StopKind::None) {
+        wish.stop = {StopKind::LoopOut, 0, m_verdicts[index].reason};
+    }
+    if (mode == LoopMode::Control) {
+        return;
+    }
+    LoopOutputs passed;
+    passed.stop = wish.stop;
+    if (passed.stop.kind == StopKind::FeedHold) {
+        passed.stop.kind = StopKind::NoStart;  // the feed is not ours to hold
+    }
+    passed.outOfWork = wish.outOfWork;
+    const bool out =
+        mode == LoopMode::Advise && std::holds_alternative<RetractInSync>(wish.request.action);  // asked by a person
+    if (out || isProgramRequest(wish.request)) {
+        passed.request = wish.request;
+    }
+    wish = passed;
+}
+
 void Cycle::watchMachine() noexcept {
     const bool linkUp = m_inputs.link == LinkState::Up;
-    if (linkUp && !m_linkWasUp) {
+    // A cycle that comes this late was missed: the machine may have let go, which is a reconnect.
+    const bool missed = m_cycles > 0 && m_inputs.time_ns - m_lastTime_ns > kMissed_ns;
+    if (linkUp && (!m_linkWasUp || missed)) {
         m_limiter.adopt(m_inputs,
                         m_port.capabilities());  // after every (re)connect: go on from what the machine really has
     }
     m_linkWasUp = linkUp;
+    if (linkUp) {
+        m_limiter.stops().join(m_inputs.stops, m_inputs.time_ns);
+    }
+    if (m_supervisor.watch(m_inputs)) {  // a release that was asked before does not count for this hold
+        m_holdsTaken = m_rings.holdsAsked.fetch_add(1, std::memory_order_acq_rel) + 1;
+    }
     m_events.set(machine_alarm::kLinkDown, !linkUp);
     m_events.set(machine_alarm::kEmergencyStop, linkUp && m_inputs.emergencyStop);
     m_events.set(machine_alarm::kPartStoreFull, partsBlocked());
     m_events.set(machine_alarm::kPartUnrecorded, m_events.unrecordedNow(),
                  Sentence(KERF_TEXT("%1 finished parts are not recorded."),
                           SentenceArg(static_cast<double>(m_events.partsUnrecorded()), 0)));
+}
+
+/// Stops as they stand now, to the loops and to the alarms that tell of them.
+void Cycle::showStops() noexcept {
+    const StopSlots before = m_events.stops;
+    m_inputs.stops = m_events.stops = m_limiter.stops().all();
+    for (const ProcessId id : kAllProcesses) {
+        const auto index = static_cast<std::size_t>(id);
+        const StopSlot& slot = m_inputs.stops[index];
+        if (slot.active() && slot.cause != 0) {
+            m_events.raise(slot.cause, m_limiter.stops().status(id).reason);
+        }
+        if (before[index].active() && before[index].cause != 0 &&
+            (!slot.active() || slot.cause != before[index].cause)) {
+            m_events.clear(before[index].cause);
+        }
+    }
+}
+
+/// The machine answers one request at a time; what the limiter has refused is told in a cycle without a new answer.
+void Cycle::tellRefused() noexcept {
+    const bool news = m_inputs.reply.number != m_portReply.number || m_inputs.reply.state != m_portReply.state;
+    m_portReply = m_inputs.reply;
+    if (news || m_refusedCount == 0) {
+        return;
+    }
+    m_inputs.reply = m_refused[0];
+    std::move(m_refused.begin() + 1, m_refused.begin() + static_cast<std::ptrdiff_t>(m_refusedCount),
+              m_refused.begin());
+    --m_refusedCount;
 }
 
 void Cycle::takeCommands() noexcept {
@@ -111,7 +162,15 @@ CommandResult Cycle::execute(const Command& command) noexcept {
         if (release->holdsSeen != m_rings.holdsAsked.load(std::memory_order_acquire)) {
             return CommandResult::refused(Sentence(KERF_TEXT("Held again since the release was asked.")));
         }
-        m_supervisor.release();
+        const Sentence why = m_supervisor.release(m_inputs);
+        return why.empty() ? CommandResult::ok() : CommandResult::refused(why);
+    }
+    if (const auto* release = std::get_if<ReleaseStop>(&command.action)) {
+        const Sentence why = m_limiter.stops().release(release->process, release->number, release->person.view());
+        return why.empty() ? CommandResult::ok() : CommandResult::refused(why);
+    }
+    if (const auto* kept = std::get_if<RestoreStops>(&command.action)) {
+        m_limiter.stops().join(kept->stops, m_inputs.time_ns);
         return CommandResult::ok();
     }
     if (const auto* speed = std::get_if<SetSimulationSpeed>(&command.action)) {
@@ -147,6 +206,9 @@ CommandResult Cycle::startPart(const Command& command, ProcessId process) noexce
     if (partsBlocked()) {
         return CommandResult::refused(Sentence(KERF_TEXT("The last part is not stored yet: no new part until it is.")));
     }
+    if (const Sentence stop = m_limiter.stops().whyNoStart(); !stop.empty()) {
+        return CommandResult::refused(stop);
+    }
     if (m_supervisor.held()) {
         return CommandResult::refused(Sentence(KERF_TEXT("All loops are held: release the hold first.")));
     }
@@ -157,6 +219,12 @@ CommandResult Cycle::startPart(const Command& command, ProcessId process) noexce
         return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
     }
     return loop->handle(command);
+}
+
+LoopStatus Cycle::describe(ProcessId id) const noexcept {
+    const auto index = static_cast<std::size_t>(id);
+    return m_supervisor.describe(id, m_byProcess[index] != nullptr, m_verdicts[index], m_inputs, m_port.capabilities(),
+                                 m_limiter.stops().status(id));
 }
 
 void Cycle::publish(const CycleStats& stats) noexcept {
@@ -184,8 +252,8 @@ void Cycle::publish(const CycleStats& stats) noexcept {
     status.recentCommands = m_recentCommands;
     for (const ProcessId id : kAllProcesses) {
         const auto index = static_cast<std::size_t>(id);
-        status.loops[index] = m_supervisor.describe(id, m_byProcess[index] != nullptr, m_verdicts[index], m_inputs,
-                                                    m_port.capabilities());
+        status.stops[index] = m_limiter.stops().status(id);
+        status.loops[index] = describe(id);
         if (m_byProcess[index] != nullptr) {
             m_byProcess[index]->report(status);
         }

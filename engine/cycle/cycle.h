@@ -34,8 +34,7 @@ struct EngineRings {
 /// step() neither allocates, locks, throws, logs nor blocks (tests/engine/cycle/tst_cycle_guard).
 class Cycle {
  public:
-    Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits,
-          EngineRings& rings);
+    Cycle(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, EngineRings& rings);
 
     void step(std::int64_t now_ns) noexcept;
     /// Copy the state to LatestValue; the engine thread does this once per wake-up.
@@ -48,6 +47,9 @@ class Cycle {
     [[nodiscard]] double simulationSpeed() const noexcept { return m_simulationSpeed; }
     [[nodiscard]] const MachineInputs& inputs() const noexcept { return m_inputs; }
     [[nodiscard]] const MachineOutputs& outputs() const noexcept { return m_outputs; }
+    [[nodiscard]] const StopLatch& stops() const noexcept { return m_limiter.stops(); }
+    [[nodiscard]] LoopStatus describe(ProcessId id) const noexcept;
+    [[nodiscard]] const std::array<CommandResult, 8>& recentCommands() const noexcept { return m_recentCommands; }
     [[nodiscard]] const std::vector<std::unique_ptr<ProcessLoop>>& loops() const noexcept { return m_loops; }
 
  private:
@@ -59,6 +61,9 @@ class Cycle {
     [[nodiscard]] bool partsBlocked() const noexcept {
         return m_events.partsBlocked() || m_rings.partsRefused.load(std::memory_order_relaxed);
     }
+    void showStops() noexcept;
+    void runLoop(ProcessLoop& loop) noexcept;
+    void tellRefused() noexcept;
 
     MachinePort& m_port;
     std::vector<std::unique_ptr<ProcessLoop>> m_loops;
@@ -78,6 +83,9 @@ class Cycle {
     std::uint64_t m_cycles{0};
     std::uint32_t m_holdsTaken{0};
     bool m_linkWasUp{false};
+    std::array<RequestReply, LimitReport::kMaxRefused> m_refused{};  ///< of the limiter, told one per cycle
+    std::size_t m_refusedCount{0};
+    RequestReply m_portReply{};  ///< the last one
     double m_simulationSpeed{1.0};
 };
 

@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-Engine::Engine(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits)
+Engine::Engine(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops)
     : m_port(port),
-      m_cycle(port, std::move(loops), limits, m_rings),
+      m_cycle(port, std::move(loops), m_rings),
       m_thread(m_cycle, port.capabilities().cycle_ns, port.capabilities().simulated) {}
 
 void Engine::start() {

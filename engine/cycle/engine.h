@@ -15,7 +15,7 @@ namespace kerf {
 class Engine final : public EngineApi {
  public:
     /// @pre port is connected and outlives the engine.
-    Engine(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops, const OutputLimits& limits = {});
+    Engine(MachinePort& port, std::vector<std::unique_ptr<ProcessLoop>> loops);
 
     /// Run in real time on a thread of its own.
     void start();

@@ -20,7 +20,7 @@ struct EventSink {
 
     /// Raise an alarm; repeated calls while it is active change nothing.
     void raise(AlarmCode code, const Sentence& detail = Sentence{}) noexcept;
-    /// The condition has gone; nothing happens if it was not active.
+    /// The condition has gone; nothing happens if it was not active, or tells of a stop that stands.
     void clear(AlarmCode code) noexcept;
     [[nodiscard]] bool active(AlarmCode code) const noexcept;
     /// raise() or clear().
@@ -39,6 +39,7 @@ struct EventSink {
     [[nodiscard]] bool unrecordedNow() const noexcept { return m_unrecordedNow; }
 
     std::int64_t now_ns{0};  ///< set by the cycle
+    StopSlots stops{};       ///< set by the cycle: the alarm of a stop stands as long as the stop
 
  private:
     SpscRing<AlarmEvent>& alarms;

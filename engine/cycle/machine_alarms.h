@@ -18,12 +18,16 @@ inline constexpr std::array kSpecs{
     AlarmSpec{
         kLinkDown, 1, KERF_TEXT("No connection to the machine"),
         KERF_TEXT("The control no longer answers: cable, network or the control itself."),
-        KERF_TEXT("All loops are held. The control goes on at or below its programmed feed with its last offset."),
-        KERF_TEXT("Check the control and the cable. Kerf connects again by itself; then release the hold.")},
-    AlarmSpec{kEmergencyStop, 1, KERF_TEXT("Emergency stop"),
-              KERF_TEXT("The emergency stop of the machine is pressed."),
-              KERF_TEXT("The control has stopped the machine. All loops are held."),
-              KERF_TEXT("Make the machine safe, reset the emergency stop at the control, then release the hold.")},
+        KERF_TEXT(
+            "All loops are held. The control goes on with its last offset, at most at the planned feed; a program "
+            "without one is held."),
+        KERF_TEXT(
+            "Check the control and the cable. Kerf connects again by itself; look at the machine, then release the "
+            "hold.")},
+    AlarmSpec{
+        kEmergencyStop, 1, KERF_TEXT("Emergency stop"), KERF_TEXT("The emergency stop of the machine is pressed."),
+        KERF_TEXT("The control has ended the program. All loops are held until a person has looked; stops stay."),
+        KERF_TEXT("Make the machine safe, reset the emergency stop at the control, look, then release the hold.")},
     AlarmSpec{kPartStoreFull, 2, KERF_TEXT("Finished parts are not being stored"),
               KERF_TEXT("The database does not take records: disk full, or the file is locked."),
               KERF_TEXT("The finished part is kept in memory. No new part can be started."),

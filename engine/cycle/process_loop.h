@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "engine/api/command.h"
@@ -42,7 +41,8 @@ class ProcessLoop {
     /// The mode asked by the operator. Off and Advise must be bumpless at once.
     virtual void setMode(LoopMode mode) noexcept = 0;
     /// One cycle, in every mode. `outputs` arrives empty; unless the mode is Control, the cycle discards what the loop
-    /// puts there (so advising runs exactly the code of controlling).
+    /// puts there (so advising runs exactly the code of controlling), but for stops and what tells of them.
+    /// inputs.stops are those that stand, whoever keeps them. A verdict of Faulted is a stop, too.
     [[nodiscard]] virtual LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities,
                                            LoopOutputs& outputs, EventSink& events) noexcept = 0;
     /// Copy the loop's own figures into its part of the status.

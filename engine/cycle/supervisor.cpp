@@ -7,8 +7,8 @@ namespace {
 /// What stops every loop at this moment; empty when nothing does.
 Sentence machineObstacle(const MachineInputs& inputs) {
     if (inputs.link != LinkState::Up) {
-        return Sentence(
-            KERF_TEXT("No connection to the machine: the last offset stays, the control runs at its own feed."));
+        return Sentence(KERF_TEXT(
+            "No connection to the machine: the last offset stays, the feed is at most the planned one, or held."));
     }
     if (inputs.emergencyStop) {
         return Sentence(KERF_TEXT("Emergency stop: the control has stopped the machine."));
@@ -39,33 +39,52 @@ void Supervisor::hold(const Sentence& why) noexcept {
     m_held = true;
 }
 
-void Supervisor::release() noexcept {
-    m_held = false;
-    for (Loop& loop : m_loops) {
-        loop.faulted = false;
+bool Supervisor::watch(const MachineInputs& inputs) noexcept {
+    const bool linked = inputs.link == LinkState::Up;
+    const bool ready = machineObstacle(inputs).empty();
+    const bool lost = m_ready && !ready;
+    const bool running = inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused;
+    const bool amidst = linked && !m_seen && running;  // a console that comes back while a program runs
+    if (lost || amidst) {
+        m_lost = true;
+        m_lostReason =
+            amidst
+                ? Sentence(KERF_TEXT("Kerf has come while a program runs: look at the machine, then release the hold."))
+            : !linked ? Sentence(KERF_TEXT("The connection was lost: look at the machine, then release the hold."))
+            : inputs.emergencyStop
+                ? Sentence(KERF_TEXT("There was an emergency stop: look at the machine, then release the hold."))
+                : Sentence(KERF_TEXT("The machine was switched off: look at it, then release the hold."));
     }
+    m_seen = m_seen || linked;
+    m_ready = ready;
+    return lost;
 }
 
-void Supervisor::fault(ProcessId id, const Sentence& why) noexcept {
-    Loop& loop = m_loops[static_cast<std::size_t>(id)];
-    if (!loop.faulted) {
-        loop.faultReason = why;
+Sentence Supervisor::release(const MachineInputs& inputs) noexcept {
+    if (m_lost) {
+        if (const Sentence obstacle = machineObstacle(inputs); !obstacle.empty()) {
+            return obstacle;
+        }
     }
-    loop.faulted = true;
+    m_held = false;
+    m_lost = false;
+    return {};
 }
 
 LoopMode Supervisor::effectiveMode(ProcessId id, const MachineInputs& inputs,
                                    const Capabilities& capabilities) const noexcept {
     const auto index = static_cast<std::size_t>(id);
     const Loop& loop = m_loops[index];
-    if (m_held || loop.faulted || !capabilities.process[index].fitted || !machineObstacle(inputs).empty()) {
+    const StopSlot& stop = inputs.stops[index];
+    const bool out = stop.active() && stop.kind == StopKind::LoopOut;
+    if (held() || out || !capabilities.process[index].fitted || !machineObstacle(inputs).empty()) {
         return LoopMode::Off;
     }
     return loop.mode;
 }
 
 LoopStatus Supervisor::describe(ProcessId id, bool present, const LoopVerdict& verdict, const MachineInputs& inputs,
-                                const Capabilities& capabilities) const noexcept {
+                                const Capabilities& capabilities, const StopStatus& stop) const noexcept {
     const auto index = static_cast<std::size_t>(id);
     const Loop& loop = m_loops[index];
     const Capability& host = capabilities.process[index];
@@ -78,9 +97,13 @@ LoopStatus Supervisor::describe(ProcessId id, bool present, const LoopVerdict& v
                                             : Sentence(KERF_TEXT("This machine cannot host this loop."));
         return status;
     }
-    if (loop.faulted) {
+    if (stop.slot.active() && stop.slot.kind == StopKind::LoopOut) {
         status.state = LoopState::Faulted;
-        status.reason = loop.faultReason;
+        status.reason =
+            stop.reason.empty() ? Sentence(KERF_TEXT("A stop stands from before: see the alarm.")) : stop.reason;
+    } else if (stop.slot.active() && stop.slot.kind == StopKind::FeedHold) {
+        status.state = LoopState::Held;
+        status.reason = Sentence(KERF_TEXT("The feed is held: see the alarm, then release the stop."));
     } else if (loop.mode == LoopMode::Off) {
         status.reason = Sentence(KERF_TEXT("Switched off."));
     } else if (m_held) {
@@ -89,6 +112,9 @@ LoopStatus Supervisor::describe(ProcessId id, bool present, const LoopVerdict& v
     } else if (const Sentence obstacle = machineObstacle(inputs); !obstacle.empty()) {
         status.state = LoopState::Held;
         status.reason = obstacle;
+    } else if (m_lost) {
+        status.state = LoopState::Held;
+        status.reason = m_lostReason;
     } else {
         status.state = verdict.state;
         status.reason = verdict.reason;

@@ -2,18 +2,29 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 
-#include "engine/core/process.h"
+#include "engine/core/alarm.h"
+#include "engine/core/sentence.h"
 #include "engine/port/machine_port.h"
 
 namespace kerf {
 
+/// A stop a loop asks for. It counts in every mode; a feed hold of a loop that does not control only forbids starts.
+struct StopWish {
+    StopKind kind{StopKind::None};
+    AlarmCode cause{0};
+    Sentence reason{};
+};
+
 /// What one loop would like in this cycle. Empty fields leave the machine as it is. engine/limits decides.
 struct LoopOutputs {
     std::optional<double> feedScale{};
-    bool feedHold{false};
+    /// Scale at which the planned feed is made, of a program that has not declared it.
+    std::optional<double> plannedFeedScale{};
+    bool feedHold{false};  ///< for this cycle only; what a person must have seen is a stop
+    StopWish stop{};
+    bool outOfWork{false};  ///< what stood in the work has been turned out
     std::array<std::optional<double>, kAxisCount> workOffset_um{};
     std::optional<double> toolTrim_um{};
     std::optional<double> zTrim_um{};

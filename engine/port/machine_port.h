@@ -11,6 +11,8 @@
 #include "engine/core/reading.h"
 #include "engine/core/result.h"
 #include "engine/core/sentence.h"
+#include "engine/port/output_limits.h"
+#include "engine/port/stop_slots.h"
 
 /// Everything that goes into or comes out of a machine. A simulated and a real machine stand behind the same port and
 /// pass the same conformance tests (tests/machine/port_conformance.h).
@@ -32,6 +34,7 @@ struct Capability {
 struct Capabilities {
     std::array<char, 32> machineName{};
     std::int64_t cycle_ns{1'000'000};  ///< period of the cycle on machine time
+    OutputLimits limits{};             ///< of what Kerf may write, as the machine's description says
     double maxFeedScale{1.0};  ///< largest factor on the programmed feed the control accepts; 1 = slow-down only
     Capability feedScale{};    ///< live scaling of the programmed feed
     Capability forceSensor{};
@@ -106,11 +109,15 @@ struct MachineInputs {
     Reading spindleSpeed_rpm{};
     Reading spindleAngle_rev{};  ///< accumulated
     std::array<Reading, kAxisCount> position_mm{};
-    Reading overhang_mm{};                            ///< boring: spindle overhang L
-    Reading appliedFeedScale{};                       ///< what the control really applies
+    Reading overhang_mm{};       ///< boring: spindle overhang L
+    Reading appliedFeedScale{};  ///< what the control really applies
+    Reading
+        plannedFeedScale{};  ///< scale that makes the planned feed, as declared with the program; Missing: it was not
+    StopSlots stops{};       ///< stops as the machine keeps them, whether or not a console is there
     std::array<Reading, kAxisCount> workOffset_um{};  ///< shift the control reports as applied
     std::array<Reading, kAxisCount> gap_um{};
     Reading toolTrim_um{};
+    Reading zTrim_um{};
     Reading toolMotion_um{};  ///< turning: x_i as a sensor at the tool sees it, positive out of the work
     ServoGains servoGains{};
     Quality servoGainsQuality{Quality::Missing};
@@ -128,6 +135,7 @@ struct MachineInputs {
 struct StartProgram {
     ProcessId process{ProcessId::Boring};
     double programmedFeed_mmPerRev{0.0};  ///< boring: the schedule's highest feed
+    double plannedFeedScale{1.0};  ///< planned feed over programmed feed, (0, 1]: what is left when nobody controls
     double spindleSpeed_rpm{0.0};
     double from_mm{0.0};  ///< boring: overhang range; milling: path; tapping: top
     double to_mm{0.0};
@@ -151,7 +159,10 @@ struct PortRequest {
 /// One cycle's wishes. Only engine/limits makes it; the loops fill LoopOutputs.
 struct MachineOutputs {
     double feedScale{1.0};  ///< factor on the programmed feed, 0…maxFeedScale
-    bool feedHold{false};
+    double lossScale{
+        1.0};              ///< when the console is heard no more: the scale is the lower of this and feedScale; 0: hold
+    bool feedHold{false};  ///< stays in force when the console is heard no more
+    StopSlots stops{};     ///< joined by the machine with those it keeps; an active FeedHold holds the feed
     std::array<double, kAxisCount> workOffset_um{};
     double toolTrim_um{0.0};
     double zTrim_um{0.0};  ///< added to the Z position command while tapping, positive into the hole
@@ -183,7 +194,9 @@ class MachinePort {
 
     /// Cycle: fill `inputs` with the machine at `now_ns`. A simulated machine advances to that time.
     virtual void read(std::int64_t now_ns, MachineInputs& inputs) noexcept = 0;
-    /// Cycle: hand over the limited outputs.
+    /// Cycle: hand over the limited outputs. A machine that hears nothing for longer than 100 ms goes on by itself,
+    /// alike on every machine: the scale falls to the lower of the last one and lossScale (0: the feed is held), a feed
+    /// hold stays, stops stay, offsets and trims stay. It never becomes faster.
     virtual void write(const MachineOutputs& outputs) noexcept = 0;
 };
 

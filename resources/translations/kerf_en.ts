@@ -3656,6 +3656,150 @@
             <source>This machine is not shared: there is nobody to take it over from.</source>
             <translation>This machine is not shared: there is nobody to take it over from.</translation>
         </message>
+        <message>
+            <source>A move of Z or spindle alone breaks the tap. Kerf starts nothing and moves no axis until it is out.</source>
+            <translation>A move of Z or spindle alone breaks the tap. Kerf starts nothing and moves no axis until it is out.</translation>
+        </message>
+        <message>
+            <source>A stop stands from before: see the alarm.</source>
+            <translation>A stop stands from before: see the alarm.</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release the stop.</source>
+            <translation>A stop stands: look at the machine, then release the stop.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole, from before Kerf was started: turn it out in sync.</source>
+            <translation>A tap stands in the hole, from before Kerf was started: turn it out in sync.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: turn it out first, or say that it is gone.</source>
+            <translation>A tap stands in the hole: turn it out first, or say that it is gone.</translation>
+        </message>
+        <message>
+            <source>All loops are held. The control goes on with its last offset, at most at the planned feed; a program without one is held.</source>
+            <translation>All loops are held. The control goes on with its last offset, at most at the planned feed; a program without one is held.</translation>
+        </message>
+        <message>
+            <source>Called off before it began.</source>
+            <translation>Called off before it began.</translation>
+        </message>
+        <message>
+            <source>Check sensor, amplifier and cable. Measure this surface. Then release the stop.</source>
+            <translation>Check sensor, amplifier and cable. Measure this surface. Then release the stop.</translation>
+        </message>
+        <message>
+            <source>Check the control and the cable. Kerf connects again by itself; look at the machine, then release the hold.</source>
+            <translation>Check the control and the cable. Kerf connects again by itself; look at the machine, then release the hold.</translation>
+        </message>
+        <message>
+            <source>Find out why the spindle stopped. When it turns again, release the stop on the Milling page.</source>
+            <translation>Find out why the spindle stopped. When it turns again, release the stop on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Kerf has come while a program runs: look at the machine, then release the hold.</source>
+            <translation>Kerf has come while a program runs: look at the machine, then release the hold.</translation>
+        </message>
+        <message>
+            <source>Look at the tool's edge. Change it if it is chipped, then release the stop.</source>
+            <translation>Look at the tool's edge. Change it if it is chipped, then release the stop.</translation>
+        </message>
+        <message>
+            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the stop on the Milling page.</source>
+            <translation>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the stop on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Make the machine ready, then turn the tap out in sync from the tapping page; or say there that it is gone.</source>
+            <translation>Make the machine ready, then turn the tap out in sync from the tapping page; or say there that it is gone.</translation>
+        </message>
+        <message>
+            <source>Make the machine safe, reset the emergency stop at the control, look, then release the hold.</source>
+            <translation>Make the machine safe, reset the emergency stop at the control, look, then release the hold.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: nothing was asked of it.</source>
+            <translation>No connection to the machine: nothing was asked of it.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: the last offset stays, the feed is at most the planned one, or held.</source>
+            <translation>No connection to the machine: the last offset stays, the feed is at most the planned one, or held.</translation>
+        </message>
+        <message>
+            <source>No stop stands here.</source>
+            <translation>No stop stands here.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: no faster than the schedule's lowest feed.</source>
+            <translation>Programmed feed unknown: no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>Retract and look at the tool. Change it if it is broken, then release the stop on the Milling page.</source>
+            <translation>Retract and look at the tool. Change it if it is broken, then release the stop on the Milling page.</translation>
+        </message>
+        <message>
+            <source>Sign on first: a stop is released by a person.</source>
+            <translation>Sign on first: a stop is released by a person.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: no faster than the schedule's lowest feed.</source>
+            <translation>Spindle overhang unknown: no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: no faster than the schedule's lowest feed.</source>
+            <translation>Spindle speed unknown or zero: no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>Stopped again since the release was asked: look once more.</source>
+            <translation>Stopped again since the release was asked: look once more.</translation>
+        </message>
+        <message>
+            <source>The connection was lost: look at the machine, then release the hold.</source>
+            <translation>The connection was lost: look at the machine, then release the hold.</translation>
+        </message>
+        <message>
+            <source>The connection was lost: no trim in the rest of this part.</source>
+            <translation>The connection was lost: no trim in the rest of this part.</translation>
+        </message>
+        <message>
+            <source>The control has ended the program. All loops are held until a person has looked; stops stay.</source>
+            <translation>The control has ended the program. All loops are held until a person has looked; stops stay.</translation>
+        </message>
+        <message>
+            <source>The feed falls to the lowest of the schedule and does not follow it, so the bore may taper.</source>
+            <translation>The feed falls to the lowest of the schedule and does not follow it, so the bore may taper.</translation>
+        </message>
+        <message>
+            <source>The feed is held: see the alarm, then release the stop.</source>
+            <translation>The feed is held: see the alarm, then release the stop.</translation>
+        </message>
+        <message>
+            <source>The machine was switched off: look at it, then release the hold.</source>
+            <translation>The machine was switched off: look at it, then release the hold.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the cut goes on without force feedback. No part is started until a person has released the stop.</source>
+            <translation>The trim has gone to zero; the cut goes on without force feedback. No part is started until a person has released the stop.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the surface after the jump is doubtful. No part is started until a person has released the stop.</source>
+            <translation>The trim has gone to zero; the surface after the jump is doubtful. No part is started until a person has released the stop.</translation>
+        </message>
+        <message>
+            <source>There was an emergency stop: look at the machine, then release the hold.</source>
+            <translation>There was an emergency stop: look at the machine, then release the hold.</translation>
+        </message>
+        <message>
+            <source>This loop may not ask the machine for that.</source>
+            <translation>This loop may not ask the machine for that.</translation>
+        </message>
+        <message>
+            <source>Too many requests wait for the machine.</source>
+            <translation>Too many requests wait for the machine.</translation>
+        </message>
+        <message>
+            <source>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</source>
+            <translation>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -5088,6 +5232,10 @@
             <source>No milling setup is loaded.</source>
             <translation>No milling setup is loaded.</translation>
         </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>A stop stands: look at the machine, then release it.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingLivePanel</name>
@@ -5554,6 +5702,18 @@
         <message>
             <source>Release hold</source>
             <translation>Release hold</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>A stop stands: look at the machine, then release it.</translation>
+        </message>
+        <message>
+            <source>Stopped: %1</source>
+            <translation>Stopped: %1</translation>
+        </message>
+        <message>
+            <source>Release stop</source>
+            <translation>Release stop</translation>
         </message>
     </context>
     <context>
@@ -6088,6 +6248,10 @@
         <message>
             <source>Turn out in sync</source>
             <translation>Turn out in sync</translation>
+        </message>
+        <message>
+            <source>The tap is gone</source>
+            <translation>The tap is gone</translation>
         </message>
     </context>
     <context>

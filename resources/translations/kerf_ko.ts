@@ -3655,6 +3655,150 @@
             <source>This machine is not shared: there is nobody to take it over from.</source>
             <translation>이 기계는 공유되지 않습니다. 넘겨받을 상대가 없습니다.</translation>
         </message>
+        <message>
+            <source>A move of Z or spindle alone breaks the tap. Kerf starts nothing and moves no axis until it is out.</source>
+            <translation>Z축이나 주축만 움직이면 탭이 부러집니다. 탭이 빠질 때까지 Kerf는 아무것도 시작하지 않고 축을 움직이지 않습니다.</translation>
+        </message>
+        <message>
+            <source>A stop stands from before: see the alarm.</source>
+            <translation>이전의 정지가 남아 있습니다: 알람을 보십시오.</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release the stop.</source>
+            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole, from before Kerf was started: turn it out in sync.</source>
+            <translation>Kerf를 시작하기 전부터 탭이 구멍에 있습니다: 동기로 빼내십시오.</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: turn it out first, or say that it is gone.</source>
+            <translation>탭이 구멍에 있습니다: 먼저 빼내거나 없어졌다고 알리십시오.</translation>
+        </message>
+        <message>
+            <source>All loops are held. The control goes on with its last offset, at most at the planned feed; a program without one is held.</source>
+            <translation>모든 루프가 보류되었습니다. 제어기는 마지막 보정을 유지하고 최대 계획 이송으로 계속하며, 계획 이송이 없는 프로그램은 멈춥니다.</translation>
+        </message>
+        <message>
+            <source>Called off before it began.</source>
+            <translation>시작되기 전에 취소되었습니다.</translation>
+        </message>
+        <message>
+            <source>Check sensor, amplifier and cable. Measure this surface. Then release the stop.</source>
+            <translation>센서, 증폭기, 케이블을 점검하고 이 면을 측정한 뒤 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Check the control and the cable. Kerf connects again by itself; look at the machine, then release the hold.</source>
+            <translation>제어기와 케이블을 점검하십시오. Kerf는 스스로 다시 연결됩니다. 기계를 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Find out why the spindle stopped. When it turns again, release the stop on the Milling page.</source>
+            <translation>주축이 멈춘 원인을 찾으십시오. 다시 돌면 밀링 화면에서 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Kerf has come while a program runs: look at the machine, then release the hold.</source>
+            <translation>프로그램이 도는 중에 Kerf가 시작되었습니다: 기계를 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Look at the tool's edge. Change it if it is chipped, then release the stop.</source>
+            <translation>공구 날을 확인하십시오. 이가 빠졌으면 교체한 뒤 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the stop on the Milling page.</source>
+            <translation>공구와 소재를 확인하십시오. 둘 다 이상이 없으면 한계를 올리거나 기준을 낮춘 뒤 밀링 화면에서 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Make the machine ready, then turn the tap out in sync from the tapping page; or say there that it is gone.</source>
+            <translation>기계를 준비한 뒤 태핑 화면에서 탭을 동기로 빼내거나, 탭이 없어졌다고 알리십시오.</translation>
+        </message>
+        <message>
+            <source>Make the machine safe, reset the emergency stop at the control, look, then release the hold.</source>
+            <translation>기계를 안전하게 하고 제어기에서 비상정지를 풀고 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: nothing was asked of it.</source>
+            <translation>기계와 연결되지 않았습니다: 아무것도 요청하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>No connection to the machine: the last offset stays, the feed is at most the planned one, or held.</source>
+            <translation>기계와 연결되지 않았습니다: 마지막 보정은 유지되고 이송은 계획 이송 이하이거나 멈춥니다.</translation>
+        </message>
+        <message>
+            <source>No stop stands here.</source>
+            <translation>걸려 있는 정지가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: no faster than the schedule's lowest feed.</source>
+            <translation>프로그램 이송을 알 수 없습니다: 스케줄의 최저 이송을 넘지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Retract and look at the tool. Change it if it is broken, then release the stop on the Milling page.</source>
+            <translation>후퇴하여 공구를 확인하십시오. 부러졌으면 교체한 뒤 밀링 화면에서 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Sign on first: a stop is released by a person.</source>
+            <translation>먼저 로그인하십시오: 정지는 사람이 해제합니다.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: no faster than the schedule's lowest feed.</source>
+            <translation>주축 돌출 길이를 알 수 없습니다: 스케줄의 최저 이송을 넘지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: no faster than the schedule's lowest feed.</source>
+            <translation>주축 속도를 알 수 없거나 0입니다: 스케줄의 최저 이송을 넘지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Stopped again since the release was asked: look once more.</source>
+            <translation>해제를 요청한 뒤 다시 정지되었습니다: 한 번 더 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The connection was lost: look at the machine, then release the hold.</source>
+            <translation>연결이 끊겼었습니다: 기계를 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>The connection was lost: no trim in the rest of this part.</source>
+            <translation>연결이 끊겼었습니다: 이 공작물의 나머지는 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The control has ended the program. All loops are held until a person has looked; stops stay.</source>
+            <translation>제어기가 프로그램을 끝냈습니다. 사람이 확인할 때까지 모든 루프가 보류되며, 정지는 남아 있습니다.</translation>
+        </message>
+        <message>
+            <source>The feed falls to the lowest of the schedule and does not follow it, so the bore may taper.</source>
+            <translation>이송이 스케줄의 최저값으로 내려가 스케줄을 따르지 않으므로 내경에 테이퍼가 생길 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>The feed is held: see the alarm, then release the stop.</source>
+            <translation>이송이 멈춰 있습니다: 알람을 확인한 뒤 정지를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>The machine was switched off: look at it, then release the hold.</source>
+            <translation>기계가 꺼졌었습니다: 기계를 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the cut goes on without force feedback. No part is started until a person has released the stop.</source>
+            <translation>보정이 0이 되었고 절삭은 힘 피드백 없이 계속됩니다. 사람이 정지를 해제할 때까지 공작물을 시작하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The trim has gone to zero; the surface after the jump is doubtful. No part is started until a person has released the stop.</source>
+            <translation>보정이 0이 되었고 급변 이후의 면은 의심스럽습니다. 사람이 정지를 해제할 때까지 공작물을 시작하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>There was an emergency stop: look at the machine, then release the hold.</source>
+            <translation>비상정지가 있었습니다: 기계를 확인한 뒤 보류를 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>This loop may not ask the machine for that.</source>
+            <translation>이 루프는 기계에 그것을 요청할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Too many requests wait for the machine.</source>
+            <translation>기계를 기다리는 요청이 너무 많습니다.</translation>
+        </message>
+        <message>
+            <source>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</source>
+            <translation>제어 중이면 이송이 멈추고 그 뒤 어떤 모드에서도 멈춰 있습니다. 추천 중이면 알리기만 합니다. 사람이 정지를 해제할 때까지 아무것도 시작하지 않습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -5085,6 +5229,10 @@
             <source>No milling setup is loaded.</source>
             <translation>밀링 설정이 없습니다.</translation>
         </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 해제하십시오.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingLivePanel</name>
@@ -5551,6 +5699,18 @@
         <message>
             <source>Release hold</source>
             <translation>홀드 해제</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Stopped: %1</source>
+            <translation>정지됨: %1</translation>
+        </message>
+        <message>
+            <source>Release stop</source>
+            <translation>정지 해제</translation>
         </message>
     </context>
     <context>
@@ -6084,6 +6244,10 @@
         <message>
             <source>Turn out in sync</source>
             <translation>동기하여 빼내기</translation>
+        </message>
+        <message>
+            <source>The tap is gone</source>
+            <translation>탭이 없어졌음</translation>
         </message>
     </context>
     <context>

@@ -188,9 +188,9 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         control.say("set mdi M5");
     }
     void emergencyStopAbortsAndMachineOnZeroesTheOffsetsWithoutAJumpOfOurs() {
-        kerf::OutputLimits limits;
-        limits.workOffsetRate_umPerS = 100.0;
-        kerf::OutputLimiter limiter(limits, m_machine->capabilities());
+        kerf::Capabilities quick = m_machine->capabilities();
+        quick.limits.workOffsetRate_umPerS = 100.0;
+        kerf::OutputLimiter limiter(quick);
         std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
         wishes[static_cast<std::size_t>(kerf::ProcessId::Thermal)].workOffset_um[2] = 12.0;
         kerf::LimitReport report;

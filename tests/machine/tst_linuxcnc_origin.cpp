@@ -22,9 +22,9 @@ class TestLinuxCncOrigin : public QObject {
     }
     /// Cycles as the engine makes them, with a thermal loop that wants `shift_um` of Z.
     bool until(const std::function<bool()>& condition, std::optional<double> shift_um) {
-        OutputLimits limits;
-        limits.workOffsetRate_umPerS = 100.0;
-        OutputLimiter limiter(limits, m_machine->capabilities());
+        Capabilities quick = m_machine->capabilities();
+        quick.limits.workOffsetRate_umPerS = 100.0;
+        OutputLimiter limiter(quick);
         std::array<LoopOutputs, kProcessCount> wishes{};
         wishes[static_cast<std::size_t>(ProcessId::Thermal)].workOffset_um[2] = shift_um;
         LimitReport report;

@@ -32,11 +32,13 @@ struct BoringBench {
         auto plant = std::make_unique<SimulatedBoring>(SimulatedBoring::Params{});
         boring = plant.get();
         plants.push_back(std::move(plant));
-        machine = std::make_unique<SimulatedMachine>(SimulatedMachine::Params{}, std::move(plants));
+        SimulatedMachine::Params machineParams;
+        machineParams.limits = limits;
+        machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
         (void)machine->connect();
         std::vector<std::unique_ptr<ProcessLoop>> loops;
         loops.push_back(std::make_unique<BoringLoop>());
-        engine = std::make_unique<Engine>(*machine, std::move(loops), limits);
+        engine = std::make_unique<Engine>(*machine, std::move(loops));
     }
     template <class Action>
     std::uint32_t send(const Action& action) {

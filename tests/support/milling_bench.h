@@ -40,9 +40,7 @@ struct MillingBench {
         (void)machine->connect();
         std::vector<std::unique_ptr<ProcessLoop>> loops;
         loops.push_back(std::make_unique<MillingLoop>());
-        OutputLimits limits;
-        limits.feedScaleMax = maxFeedScale;
-        engine = std::make_unique<Engine>(*machine, std::move(loops), limits);
+        engine = std::make_unique<Engine>(*machine, std::move(loops));
     }
     /// Sends, runs one cycle, and returns the engine's echo.
     template <class Action>
@@ -70,7 +68,7 @@ struct MillingBench {
     bool start(LoopMode mode, const MillingSetup& setup = millingSetup()) {
         return execute(LoadMillingSetup{setup}).done && execute(SetLoopMode{ProcessId::Milling, mode}).done &&
                execute(StartPart{ProcessId::Milling}).done &&
-               runUntil([](const Status& s) { return s.milling.cutting; }, 10);
+               runUntil([](const Status& s) { return s.milling.cutting; }, 100);
     }
     /// Under way at `position_mm` along the path.
     bool cutTo(double position_mm) {

@@ -153,13 +153,16 @@ class TestMillingPage : public QObject {
         m_bench->engine.fake.programProcess = ProcessId::Boring;
         m_bench->engine.fake.milling.meanForce_N = 371.0;
         m_bench->engine.fake.milling.stopped = true;
+        m_bench->engine.fake.stops[1].slot = {7, 6, StopKind::FeedHold, 201};
         m_bench->client.tick();
         QVERIFY(!m_bench->press("millingStart"));
         QVERIFY(m_bench->find<ActionButton>("millingStart")->reason().contains(QStringLiteral("Boring")));
         QVERIFY(m_bench->press("millingTeach"));
         QVERIFY(std::holds_alternative<TeachMillingReference>(m_bench->engine.commands.back().action));
         QVERIFY(m_bench->press("millingRelease"));
-        QVERIFY(std::holds_alternative<ReleaseMillingStop>(m_bench->engine.commands.back().action));
+        const auto* release = std::get_if<ReleaseStop>(&m_bench->engine.commands.back().action);
+        QVERIFY(release != nullptr && release->process == ProcessId::Milling && release->number == 7);
+        QVERIFY(!release->person.view().empty());
     }
     void theSwitchAsksTheEngine() {
         show();

@@ -2,9 +2,11 @@
 // kerf-hal: the HAL component between LinuxCNC and the console. Load it with `loadusr -W kerf-hal`.
 //
 // Its pins exist as long as LinuxCNC runs, whether or not a console is there. When the console's beat stops for longer
-// than kerf.timeout it lets go by itself: feed-scale goes to 1 (programmed feed), or the feed is held when
-// kerf.hold-on-loss is set; offsets and gains stay; the digital word loses its living bit; kerf.console-lost tells the
-// control.
+// than kerf.timeout it lets go by itself, and never becomes faster: feed-scale falls to the lowest of the last one, of
+// what the console has said for this case and of the planned one of the program (none: the feed is held), or the feed
+// is held when kerf.hold-on-loss is set; a feed hold and stops stay, offsets and gains too; the digital word loses its
+// living bit; kerf.console-lost tells the control. When the program has ended, an operator's own one runs at its own
+// feed.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -24,6 +26,7 @@ namespace {
 
 using kerf::linuxcnc::Fitted;
 using kerf::linuxcnc::FromControl;
+using kerf::linuxcnc::KeptStops;
 using kerf::linuxcnc::LinkMemory;
 using kerf::linuxcnc::Pins;
 using kerf::linuxcnc::ServoPeriod;
@@ -57,6 +60,17 @@ LinkMemory* openLink() {
     void* block = mmap(nullptr, sizeof(LinkMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     close(file);
     return block == MAP_FAILED ? nullptr : new (block) LinkMemory();
+}
+
+/// Null: stops do not outlive this component; the console keeps them as well.
+KeptStops* openStops() {
+    const int file = shm_open(kerf::linuxcnc::kStopsName, O_RDWR | O_CREAT, 0600);
+    if (file < 0 || ftruncate(file, sizeof(KeptStops)) != 0) {
+        return nullptr;
+    }
+    void* block = mmap(nullptr, sizeof(KeptStops), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    close(file);
+    return block == MAP_FAILED ? nullptr : static_cast<KeptStops*>(block);
 }
 
 /// motion.adaptive-feed is clipped to 1 before 2.10.
@@ -117,7 +131,11 @@ kerf::linuxcnc::MachineUnits readUnits() {
 
 class Bridge {
  public:
-    Bridge(Pins& pins, LinkMemory& link, int component) : m_pins(pins), m_link(link), m_component(component) {
+    Bridge(Pins& pins, LinkMemory& link, KeptStops* kept, int component)
+        : m_pins(pins), m_link(link), m_kept(kept), m_component(component) {
+        if (kept != nullptr && kept->magic == KeptStops::kMagic) {
+            m_stops = kept->stops;
+        }
         *pins.timeout_s = kDefaultTimeout_s;
         *pins.driveBandwidth = kDefaultBandwidth_perS;
         *pins.consoleLost = true;
@@ -141,9 +159,10 @@ class Bridge {
             }
         }
         const bool lost = m_silent_s > *m_pins.timeout_s;
-        if (lost && !*m_pins.consoleLost) {
+        if (lost && (!*m_pins.consoleLost || *m_pins.programRunning != m_wasRunning)) {
             letGo();
         }
+        m_wasRunning = *m_pins.programRunning;
         *m_pins.consoleLost = lost;
         if (m_beat % 1000 == 0) {
             findFitted();
@@ -210,6 +229,8 @@ class Bridge {
         seen.finished = *m_pins.finished;
         seen.onSoftLimit = *m_pins.softLimit;
         seen.consoleLost = *m_pins.consoleLost;
+        seen.stops = m_stops;
+        seen.plannedScale = m_plannedScale;
         for (std::size_t i = 0; i < m_pins.requestWord.size(); ++i) {
             seen.requestWord |= static_cast<std::uint8_t>(*m_pins.requestWord[i] ? 1U << i : 0U);
         }
@@ -217,11 +238,14 @@ class Bridge {
     }
 
     void obey(const ToControl& wish) {
+        keep(wish.stops);
         if (m_units != kerf::linuxcnc::MachineUnits::Millimetre) {
             return;  // 10 µm would become 254: nothing is commanded in units that are not ours
         }
-        *m_pins.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 1.0;
-        *m_pins.feedHold = wish.feedHold;
+        *m_pins.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 0.0;
+        *m_pins.feedHold = wish.feedHold || stopHolds();
+        m_lossScale = std::isfinite(wish.lossScale) ? std::max(wish.lossScale, 0.0) : 0.0;
+        m_plannedScale = std::isfinite(wish.plannedScale) ? std::max(wish.plannedScale, 0.0) : 0.0;
         for (std::size_t i = 0; i < 3 && wish.offsetEpoch == m_offsetEpoch; ++i) {
             if (std::isfinite(wish.externalOffset_um[i])) {
                 *m_pins.offsetCounts[i] =
@@ -241,15 +265,41 @@ class Bridge {
         }
     }
 
+    [[nodiscard]] bool stopHolds() const { return kerf::anyStopOf(m_stops, kerf::StopKind::FeedHold); }
+
+    void keep(const kerf::StopSlots& told) {
+        const kerf::StopSlots before = m_stops;
+        for (std::size_t i = 0; i < m_stops.size(); ++i) {
+            m_stops[i] = kerf::joined(m_stops[i], told[i]);
+        }
+        if (m_kept != nullptr && m_stops != before) {
+            m_kept->magic = 0;
+            m_kept->stops = m_stops;
+            m_kept->magic = KeptStops::kMagic;
+        }
+    }
+
     void letGo() {
-        *m_pins.feedScale = 1.0;
-        *m_pins.feedHold = *m_pins.holdOnLoss;
+        if (!*m_pins.programRunning) {
+            m_lossScale = 1.0;
+            m_plannedScale = 0.0;
+        }
+        double scale = std::min(static_cast<double>(*m_pins.feedScale), m_lossScale);
+        scale = m_plannedScale > 0.0 ? std::min(scale, m_plannedScale) : scale;
+        const bool held = *m_pins.feedHold && *m_pins.programRunning;
+        *m_pins.feedScale = *m_pins.programRunning ? scale : 1.0;
+        *m_pins.feedHold = *m_pins.holdOnLoss || held || stopHolds() || (*m_pins.programRunning && scale <= 0.0);
         *m_pins.word[kAliveBit] = false;
     }
 
     Pins& m_pins;
     LinkMemory& m_link;
+    KeptStops* m_kept;
     int m_component;
+    kerf::StopSlots m_stops{};
+    double m_lossScale{1.0};
+    double m_plannedScale{0.0};
+    bool m_wasRunning{false};
     std::optional<Sampler> m_sampler{};
     int m_samplerTries{0};
     Fitted m_fitted{};
@@ -283,7 +333,7 @@ int main() {
         hal_exit(component);
         return 1;
     }
-    Bridge bridge(pins, *link, component);
+    Bridge bridge(pins, *link, openStops(), component);
     hal_ready(component);
     link->magic.store(LinkMemory::kMagic, std::memory_order_release);
 

@@ -8,6 +8,7 @@
 #include "engine/core/latest_value.h"
 #include "engine/machine/linuxcnc/ini_file.h"
 #include "engine/machine/linuxcnc/machine_claim.h"
+#include "engine/port/stop_slots.h"
 
 /// What the console and the HAL bridge (kerf-hal, a component loaded by LinuxCNC) share: two values, one writer each,
 /// and the servo periods, in POSIX shared memory. Neither side ever waits for the other; each tells from the
@@ -62,6 +63,8 @@ struct FromControl {
     bool onSoftLimit{false};
     bool consoleLost{false};      ///< the bridge's own watchdog: our last beat is too old
     std::uint8_t requestWord{0};  ///< CNC → PC of the digital word
+    StopSlots stops{};            ///< as the bridge keeps them, over the console's and its own restart
+    double plannedScale{0.0};     ///< of the running program, as a console has declared it; 0: nobody has
 };
 
 /// The console's wishes, already limited.
@@ -69,6 +72,9 @@ struct ToControl {
     std::uint64_t beat{0};
     double feedScale{1.0};
     bool feedHold{false};
+    double lossScale{1.0};     ///< what is left when the console is heard no more; 0: the feed is held
+    double plannedScale{0.0};  ///< declared with the running program; 0: it was not
+    StopSlots stops{};
     std::array<double, 3> externalOffset_um{};
     std::uint32_t offsetEpoch{0};    ///< of the read-back the offsets follow on; of another epoch they are ignored
     std::uint32_t gainsRevision{0};  ///< a new one: set `gains`; 0: leave the machine's own
@@ -128,7 +134,7 @@ class Broadcast {
 };
 
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524632;  // "KRF2": layout 2
+    static constexpr std::uint32_t kMagic = 0x4B524633;  // "KRF3": layout 3
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads
@@ -139,5 +145,13 @@ struct LinkMemory {
 /// Name of the shared memory; one bridge per machine. Every bridge makes a new one, so that a console that still holds
 /// the last one notices.
 inline constexpr const char* kLinkName = "/kerf-linuxcnc";
+
+/// What outlives the bridge, until the computer is switched off (the console's data file has it for longer).
+struct KeptStops {
+    static constexpr std::uint32_t kMagic = 0x4B535431;  // "KST1"
+    std::uint32_t magic{0};                              ///< 0 while being written
+    StopSlots stops{};
+};
+inline constexpr const char* kStopsName = "/kerf-linuxcnc-stops";
 
 }  // namespace kerf::linuxcnc

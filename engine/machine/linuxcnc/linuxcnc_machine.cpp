@@ -31,6 +31,7 @@ bool sameGains(const ZGains& a, const ZGains& b) {
 
 LinuxCncMachine::LinuxCncMachine(const Params& params) : m_params(params) {
     m_capabilities[0] = capabilitiesOf(std::nullopt);
+    m_capabilities[0].limits = params.limits;
 }
 
 LinuxCncMachine::~LinuxCncMachine() {
@@ -96,6 +97,7 @@ void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
         if (shared) {
             refuseAll(m_capabilities[current + 1], ownedByAnother());
         }
+        m_capabilities[current + 1].limits = m_params.limits;
         m_current.store(current + 1, std::memory_order_release);
         m_fitted = fitted;
     }
@@ -136,6 +138,7 @@ void LinuxCncMachine::begin(ProgramState state) noexcept {
     ++m_partSequence;
     m_program = state;
     m_startPosition_mm = m_seen.position_mm[kZ];
+    m_plannedScale = m_startRequest != 0 ? m_startScale : m_seen.plannedScale;  // 0: an operator's own program
     if (m_startRequest != 0) {
         answer(m_startRequest, RequestState::Done);
         m_startRequest = 0;
@@ -298,6 +301,8 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.spindleSpeed_rpm = {m_seen.spindleSpeed_rps * 60.0, now_ns, quality};
     inputs.spindleAngle_rev = {m_seen.spindleAngle_rev, now_ns, quality};
     inputs.appliedFeedScale = {m_seen.appliedFeedScale, now_ns, quality};
+    inputs.plannedFeedScale = {m_plannedScale, now_ns, running() && m_plannedScale > 0.0 ? quality : Quality::Missing};
+    inputs.stops = m_seen.stops;
     const bool byOrigin = !m_fitted.externalOffsets && m_fitted.originShift;
     const bool offsetKnown =
         up && m_seen.machineOn && (byOrigin ? m_seen.originKnown : m_seen.offsetEpoch == m_offsetEpoch);
@@ -364,6 +369,7 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         m_tapEnds = false;
         m_startRequest = request.number;
         m_startTaken_ns = -1;
+        m_startScale = start->plannedFeedScale;
         if (m_memory != nullptr) {
             m_nextPeriod = m_memory->servo.written();
         }
@@ -411,6 +417,9 @@ void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     wish.beatAgain = wish.beat;
     wish.feedScale = outputs.feedScale;
     wish.feedHold = outputs.feedHold;
+    wish.lossScale = outputs.lossScale;
+    wish.plannedScale = running() ? m_plannedScale : 0.0;
+    wish.stops = outputs.stops;
     wish.externalOffset_um = outputs.workOffset_um;
     wish.offsetEpoch = m_wishEpoch;
     wish.gainsRevision = m_gainsRevision;

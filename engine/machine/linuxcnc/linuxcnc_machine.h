@@ -30,6 +30,7 @@ namespace kerf::linuxcnc {
 class LinuxCncMachine final : public MachinePort {
  public:
     struct Params {
+        OutputLimits limits{};  ///< of what Kerf may write
         RshLink::Params rsh{};
         double overhangAtZero_mm{40.0};  ///< boring: spindle overhang L where Z is at the program's start
         double spindleKp_perS{40.0};  ///< the control has none that can be set: what the gains of a pair are told with
@@ -113,6 +114,8 @@ class LinuxCncMachine final : public MachinePort {
     std::int64_t m_startTaken_ns{-1};  ///< the control has acknowledged it; −1: not yet
     std::int64_t m_startIdle_ns{0};    ///< since when nothing runs
     bool m_startRan{false};
+    double m_startScale{1.0};    ///< planned over programmed feed of the program asked for
+    double m_plannedScale{0.0};  ///< of the running one; 0: not declared
     bool m_tapEnds{false};
     bool m_tapFinished{false};
     // milling, on a simulator

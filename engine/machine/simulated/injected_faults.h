@@ -7,7 +7,7 @@
 namespace kerf {
 
 /// How one signal of the simulated machine is made to fail.
-enum class SignalFault : std::uint8_t { None, Unplugged, Stale, NotANumber, Saturated, Stuck };
+enum class SignalFault : std::uint8_t { None, Unplugged, Stale, NotANumber, Saturated, Stuck, Collapsed };
 
 /// How one thermocouple of the simulated machine is made to fail.
 enum class CoupleFaultKind : std::uint8_t { None, Open, Short, Stuck, Offset, Noisy };
@@ -23,7 +23,7 @@ struct InjectedFaults {
     bool machineOff{false};
     bool operatorFeedHold{false};
     bool spindleStopped{false};
-    bool toolBroken{false};       ///< milling: the force collapses
+    bool toolBroken{false};       ///< milling: the force collapses; turning: a chip breaks off, the force jumps
     double spindleOverride{1.0};  ///< factor on the programmed spindle speed
     double operatorOverride{1.0};
     SignalFault overhang{SignalFault::None};

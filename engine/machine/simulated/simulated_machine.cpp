@@ -11,7 +11,29 @@ namespace kerf {
 namespace {
 
 constexpr std::int64_t kDeadConsole_ns = 100'000'000;
+constexpr double kCollapsed = 0.02;                // share of a signal that is left of it
 constexpr double kWorkOffsetRate_umPerS = 1000.0;  // the control's own ramp for external offsets
+
+/// What a lost link leaves of the inputs: the time, and values nobody knows to be true.
+void markUnheard(std::int64_t now_ns, MachineInputs& inputs) {
+    inputs.time_ns = now_ns;
+    inputs.link = LinkState::Down;
+    inputs.fastCount = 0;
+    inputs.servoCount = 0;
+    const auto stale = [](Reading& reading) {
+        reading.quality = reading.quality == Quality::Good ? Quality::Stale : reading.quality;
+    };
+    for (Reading* reading : {&inputs.programmedFeed_mmPerS, &inputs.actualFeed_mmPerS, &inputs.spindleSpeed_rpm,
+                             &inputs.spindleAngle_rev, &inputs.overhang_mm, &inputs.appliedFeedScale,
+                             &inputs.plannedFeedScale, &inputs.toolTrim_um, &inputs.zTrim_um, &inputs.toolMotion_um}) {
+        stale(*reading);
+    }
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        stale(inputs.position_mm[axis]);
+        stale(inputs.workOffset_um[axis]);
+        stale(inputs.gap_um[axis]);
+    }
+}
 
 void copyName(std::array<char, 32>& to, const char* from) {
     for (std::size_t i = 0; from[i] != '\0' && i + 1 < to.size(); ++i) {
@@ -33,6 +55,8 @@ Reading simulatedReading(double value, std::int64_t now_ns, SignalFault fault, R
             return {value, now_ns, Quality::Saturated};
         case SignalFault::Stuck:
             return {previous.value, now_ns, Quality::Good};
+        case SignalFault::Collapsed:
+            return {kCollapsed * value, now_ns, Quality::Good};
         case SignalFault::None:
             break;
     }
@@ -44,6 +68,8 @@ SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique
     copyName(m_capabilities.machineName, params.name);
     m_capabilities.cycle_ns = params.cycle_ns;
     m_capabilities.maxFeedScale = params.maxFeedScale;
+    m_capabilities.limits = params.limits;
+    m_capabilities.limits.feedScaleMax = std::max(params.limits.feedScaleMax, params.maxFeedScale);
     m_capabilities.simulated = true;
     m_capabilities.feedScale.fitted = true;
     m_capabilities.workOffset.fitted = true;
@@ -81,6 +107,27 @@ void SimulatedMachine::disconnect() noexcept {
 }
 
 void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept {
+    advance(now_ns, m_truth);
+    if (m_truth.link == LinkState::Up) {
+        inputs = m_truth;
+    } else {
+        markUnheard(now_ns, inputs);
+    }
+}
+
+void SimulatedMachine::keepStops() noexcept {
+    for (const auto& process : m_processes) {
+        StopSlot& slot = m_stops[static_cast<std::size_t>(process->id())];
+        const bool stands = process->standsInWork();
+        if (stands) {
+            (void)latch(slot, StopKind::InWork, process->inWorkAlarm());
+        } else if (slot.active() && slot.kind == StopKind::InWork && m_program != ProgramState::Running) {
+            slot.released = slot.number;  // it has been turned out
+        }
+    }
+}
+
+void SimulatedMachine::advance(std::int64_t now_ns, MachineInputs& inputs) noexcept {
     (void)m_injected.refresh();
     const InjectedFaults& faults = m_injected.value();
     const double dt_s =
@@ -105,8 +152,11 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     }
 
     const bool consoleDead = now_ns - m_lastWrite_ns > kDeadConsole_ns;
-    const double scale = consoleDead ? std::min(m_outputs.feedScale, 1.0) : m_outputs.feedScale;
-    const bool feedHold = faults.operatorFeedHold || (m_outputs.feedHold && !consoleDead) || faults.spindleStopped;
+    const bool cutting = m_program == ProgramState::Running;
+    const double lossScale = cutting ? std::min({m_outputs.feedScale, m_outputs.lossScale, m_plannedScale}) : 1.0;
+    const double scale = consoleDead ? lossScale : m_outputs.feedScale;
+    const bool feedHold = faults.operatorFeedHold || m_outputs.feedHold || anyStopOf(m_stops, StopKind::FeedHold) ||
+                          (consoleDead && lossScale <= 0.0) || faults.spindleStopped;
     SimulationStep step;
     step.dt_s = dt_s;
     step.now_ns = now_ns;
@@ -123,6 +173,8 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
     inputs.feedHold = feedHold;
     inputs.operatorOverride = faults.operatorOverride;
     inputs.appliedFeedScale = {scale, now_ns, Quality::Good};
+    inputs.zTrim_um = {m_outputs.zTrim_um, now_ns, Quality::Good};
+    inputs.toolTrim_um = {m_outputs.toolTrim_um, now_ns, Quality::Good};
     inputs.fastCount = 0;
     inputs.spindleSpeed_rpm = {0.0, now_ns, Quality::Good};
     inputs.spindleAngle_rev = {m_spindleAngle_rev, now_ns, Quality::Missing};
@@ -136,9 +188,11 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
         inputs.position_mm[axis] = {0.0, now_ns, Quality::Good};
     }
 
-    if (!stopped) {
-        answerRequest(inputs);
+    if (stopped && m_request.number != 0) {  // nothing begins by itself when the machine comes back
+        m_reply = {m_request.number, RequestState::Refused, Sentence(KERF_TEXT("The machine is not ready."))};
+        m_request = PortRequest{};
     }
+    answerRequest(inputs);
     inputs.programProcess = m_programProcess;  // a program begun in this step: only its plant moves the axes
     for (const auto& process : m_processes) {
         const bool running = process->advance(step, inputs);
@@ -154,8 +208,11 @@ void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept
             (std::isfinite(inputs.spindleSpeed_rpm.value) ? inputs.spindleSpeed_rpm.value : 0.0) / 60.0 * dt_s;
         inputs.spindleAngle_rev = {m_spindleAngle_rev, now_ns, Quality::Good};
     }
+    keepStops();
+    inputs.stops = m_stops;
     inputs.program = m_program;
     inputs.programProcess = m_programProcess;
+    inputs.plannedFeedScale = {m_plannedScale, now_ns, Quality::Good};
     inputs.partSequence = m_partSequence;
     inputs.reply = m_reply;
 }
@@ -180,10 +237,14 @@ Result<void> SimulatedMachine::carryOut(const PortRequest& request) noexcept {
         if (m_program == ProgramState::Running) {
             return fail(KERF_TEXT("A part is being cut."));
         }
+        if (anyStop(m_stops)) {
+            return fail(KERF_TEXT("A stop stands: look at the machine, then release the stop."));
+        }
         if (const Result<void> begun = process->begin(*start, m_partSequence + 1); !begun) {
             return begun;
         }
         ++m_partSequence;
+        m_plannedScale = start->plannedFeedScale;
         m_programProcess = start->process;
         m_program = ProgramState::Running;
         return {};
@@ -217,6 +278,14 @@ Result<void> SimulatedMachine::carryOut(const PortRequest& request) noexcept {
 void SimulatedMachine::write(const MachineOutputs& outputs) noexcept {
     if (m_injected.value().linkDown) {
         return;  // the cable is cut: nothing arrives
+    }
+    for (std::size_t i = 0; i < kProcessCount; ++i) {
+        const StopSlot before = m_stops[i];
+        m_stops[i] = joined(before, outputs.stops[i]);
+        SimulatedProcess* process = find(kAllProcesses[i]);
+        if (before.active() && before.kind == StopKind::InWork && !m_stops[i].active() && process != nullptr) {
+            process->takenOut();
+        }
     }
     m_lastWrite_ns = m_last_ns;
     const MachineOutputs previous = m_outputs;

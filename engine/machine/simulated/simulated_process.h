@@ -48,6 +48,12 @@ class SimulatedProcess {
     [[nodiscard]] virtual std::optional<std::array<double, kAxisCount>> keptWorkOffset_um() const noexcept {
         return std::nullopt;
     }
+    /// Something of this process stands in the work and its program does not run.
+    [[nodiscard]] virtual bool standsInWork() const noexcept { return false; }
+    /// Alarm that tells of it.
+    [[nodiscard]] virtual AlarmCode inWorkAlarm() const noexcept { return 0; }
+    /// A person has taken out what stood in the work.
+    virtual void takenOut() noexcept {}
     /// Advance by step.dt_s and fill (inputs.spindleAngle_rev arrives with the angle so far; a plant that knows the
     /// angle itself sets it) this process's signals; called every step, cutting or not. Returns true while its program
     /// runs.

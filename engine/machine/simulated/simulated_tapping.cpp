@@ -7,7 +7,8 @@
 namespace kerf {
 namespace {
 
-constexpr double kHome_rev = 1e-3;  ///< closer than this the way back is over
+constexpr double kInHole_rev = 0.2;  ///< less is not inside the hole
+constexpr double kHome_rev = 1e-3;   ///< closer than this the way back is over
 
 tapping::TapTrajectory pathOf(const tapping::DriveParams& drive) {
     return {drive.depth_rev, drive.speed_rpm, drive.ramp_revPerS2};
@@ -62,6 +63,16 @@ void SimulatedTapping::abort() noexcept {
     m_running = false;
     m_drive.restAt(m_drive.axes());
     m_command = {m_drive.axes().spindle_rev, 0.0, 0.0};
+}
+
+bool SimulatedTapping::standsInWork() const noexcept {
+    return !m_running && std::abs(m_drive.axes().spindle_rev) > kInHole_rev;
+}
+
+void SimulatedTapping::takenOut() noexcept {
+    m_angleZero_rev += m_drive.axes().spindle_rev;  // the spindle has not turned, the hole is another one
+    m_drive.restAt({});
+    m_command = {};
 }
 
 Result<void> SimulatedTapping::setGains(const ServoGains& gains) noexcept {

@@ -6,6 +6,7 @@
 #include "engine/core/random.h"
 #include "engine/machine/simulated/simulated_process.h"
 #include "engine/process/tapping/tap_drive.h"
+#include "engine/process/tapping/tapping_alarms.h"
 
 namespace kerf {
 
@@ -31,6 +32,9 @@ class SimulatedTapping final : public SimulatedProcess {
     void abort() noexcept override;
     [[nodiscard]] Result<void> setGains(const ServoGains& gains) noexcept override;
     [[nodiscard]] Result<void> retractInSync() noexcept override;
+    [[nodiscard]] bool standsInWork() const noexcept override;
+    [[nodiscard]] AlarmCode inWorkAlarm() const noexcept override { return tapping_alarm::kInHole; }
+    void takenOut() noexcept override;
     bool advance(const SimulationStep& step, MachineInputs& inputs) noexcept override;
 
  private:

@@ -11,6 +11,7 @@ namespace {
 constexpr double kSample_s = 0.0002;
 constexpr double kAirBefore_s = 0.3;
 constexpr double kAirAfter_s = 0.2;
+constexpr double kBrokenEdge = 1.6;  // the same depth takes this much more force
 constexpr double kPlunge_s = 0.001;  // the slide goes to depth at the touch
 
 turning::PlantParams plantParams(const SimulatedTurning::Params& params) {
@@ -94,8 +95,9 @@ bool SimulatedTurning::advance(const SimulationStep& step, MachineInputs& inputs
         m_trim_um = step.outputs->toolTrim_um;
         if (contact) {
             turning::ProcessParams process = m_params.process;
-            process.b0 *= m_chip;
-            process.b1 *= m_chip;
+            const double chip = m_chip * (faults.toolBroken ? kBrokenEdge : 1.0);
+            process.b0 *= chip;
+            process.b1 *= chip;
             m_plant.setProcess(process);
             m_plant.setDepth(m_depth_um);
             const turning::PlantSample sample = m_plant.step(disturbance, m_trim_um);
@@ -119,7 +121,7 @@ bool SimulatedTurning::advance(const SimulationStep& step, MachineInputs& inputs
     inputs.toolTrim_um = {m_trim_um, step.now_ns, Quality::Good};
     inputs.spindleSpeed_rpm = simulatedReading(m_running ? m_program.spindleSpeed_rpm * step.spindleFactor : 0.0,
                                                step.now_ns, faults.spindleSpeed, inputs.spindleSpeed_rpm);
-    inputs.actualFeed_mmPerS = {feed_mmPerS, step.now_ns, Quality::Good};
+    inputs.actualFeed_mmPerS = {m_running ? feed_mmPerS : 0.0, step.now_ns, Quality::Good};
     inputs.programmedFeed_mmPerS = {m_running ? programmed_mmPerS : 0.0, step.now_ns, Quality::Good};
     inputs.position_mm[0] = {m_position_mm, step.now_ns, Quality::Good};
     return m_running;

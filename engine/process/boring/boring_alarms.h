@@ -25,11 +25,11 @@ inline constexpr AlarmSpec kRestartDiffers{
 inline constexpr std::array kSpecs{
     AlarmSpec{kOverhangLost, 2, KERF_TEXT("Spindle overhang unknown"),
               KERF_TEXT("The position of the boring spindle is missing, old or not a number."),
-              KERF_TEXT("The feed stays where it is; it does not follow the schedule, so the bore may taper."),
+              KERF_TEXT("The feed falls to the lowest of the schedule and does not follow it, so the bore may taper."),
               KERF_TEXT("Check the spindle's position signal. Measure this part at both depths.")},
     AlarmSpec{kSpindleSpeedLost, 2, KERF_TEXT("Spindle speed unknown"),
               KERF_TEXT("The spindle's speed signal is missing, old or not a number."),
-              KERF_TEXT("The feed stays where it is; it does not follow the schedule, so the bore may taper."),
+              KERF_TEXT("The feed falls to the lowest of the schedule and does not follow it, so the bore may taper."),
               KERF_TEXT("Check the spindle encoder. Measure this part at both depths.")},
     AlarmSpec{kFeedNotFollowing, 3, KERF_TEXT("The feed does not follow the schedule"),
               KERF_TEXT("The operator's feed knob, a limit of the control, or its acceleration keeps the feed away "

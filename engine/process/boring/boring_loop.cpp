@@ -60,6 +60,9 @@ LoopVerdict BoringLoop::step(const MachineInputs& inputs, const Capabilities& ca
         StartProgram program;
         program.process = ProcessId::Boring;
         program.programmedFeed_mmPerRev = m_next.highestFeed_mmPerRev();
+        if (m_mode == LoopMode::Control) {
+            program.plannedFeedScale = m_next.lowestFeed_mmPerRev() / m_next.highestFeed_mmPerRev();
+        }
         program.spindleSpeed_rpm = m_next.spindleSpeed_rpm;
         program.from_mm = m_next.overhangFrom_mm;
         program.to_mm = m_next.overhangTo_mm;
@@ -107,8 +110,13 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
         return {LoopState::Limited,
                 Sentence(KERF_TEXT("No feed schedule is loaded: this bore is cut at its programmed feed."))};
     }
+    if (inputs.programmedFeed_mmPerS.good() && inputs.programmedFeed_mmPerS.value > 0.0) {
+        const double lowest_mmPerS = schedule.lowestFeed_mmPerRev() * schedule.spindleSpeed_rpm / 60.0;
+        outputs.plannedFeedScale = lowest_mmPerS / inputs.programmedFeed_mmPerS.value;
+    }
     if (!overhangKnown) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Spindle overhang unknown: the feed stays where it is."))};
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Spindle overhang unknown: no faster than the schedule's lowest feed."))};
     }
     const double overhang_mm = inputs.overhang_mm.value;
     const double wanted_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
@@ -116,7 +124,8 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
     const double length_mm = schedule.overhangTo_mm - schedule.overhangFrom_mm;
     m_status.progress = std::clamp((overhang_mm - schedule.overhangFrom_mm) / length_mm, 0.0, 1.0);
     if (!speedKnown) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Spindle speed unknown or zero: the feed stays where it is."))};
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Spindle speed unknown or zero: no faster than the schedule's lowest feed."))};
     }
     const double perRev = 60.0 / inputs.spindleSpeed_rpm.value;
     if (inputs.actualFeed_mmPerS.good()) {
@@ -132,7 +141,8 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
         events.set(boring_alarm::kFeedNotFollowing, off && inputs.time_ns - m_offScheduleSince_ns > kFollowPatience_ns);
     }
     if (!inputs.programmedFeed_mmPerS.good() || inputs.programmedFeed_mmPerS.value <= 0.0) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Programmed feed unknown: the feed stays where it is."))};
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Programmed feed unknown: no faster than the schedule's lowest feed."))};
     }
     const double scale = wanted_mmPerRev / (inputs.programmedFeed_mmPerS.value * perRev);
     outputs.feedScale = scale;

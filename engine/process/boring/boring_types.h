@@ -45,6 +45,10 @@ struct BoringSchedule {
     [[nodiscard]] double highestFeed_mmPerRev() const noexcept {
         return std::max(feed_mmPerRev(overhangFrom_mm), feed_mmPerRev(overhangTo_mm));  // S(L) is monotonic
     }
+    /// The lowest: what is left when nobody follows the schedule.
+    [[nodiscard]] double lowestFeed_mmPerRev() const noexcept {
+        return std::min(feed_mmPerRev(overhangFrom_mm), feed_mmPerRev(overhangTo_mm));
+    }
 };
 static_assert(std::is_trivially_copyable_v<BoringSchedule>);
 

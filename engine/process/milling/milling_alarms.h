@@ -24,22 +24,29 @@ inline constexpr std::array kSpecs{
                   "breakage are not noticed."),
         KERF_TEXT("Check the force sensor, its plug and its amplifier. Control goes on by itself when the signal "
                   "is back.")},
-    AlarmSpec{kToolBroken, 1, KERF_TEXT("Tool broken?"),
-              KERF_TEXT("The cutting force collapsed within half a revolution while the tool was in the work."),
-              KERF_TEXT("Under control the feed is held; advising, Kerf only reports it."),
-              KERF_TEXT("Retract and look at the tool. Change it if it is broken, then release the feed on the Milling "
-                        "page.")},
+    AlarmSpec{
+        kToolBroken, 1, KERF_TEXT("Tool broken?"),
+        KERF_TEXT("The cutting force collapsed within half a revolution while the tool was in the work."),
+        KERF_TEXT(
+            "Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is "
+            "started until a person has released the stop."),
+        KERF_TEXT("Retract and look at the tool. Change it if it is broken, then release the stop on the Milling "
+                  "page.")},
     AlarmSpec{
         kOverload, 1, KERF_TEXT("Cutting force above its limit"),
         KERF_TEXT("The depth of cut is larger than expected, the tool is blunt, or the material is harder."),
-        KERF_TEXT("Under control the feed is held; advising, Kerf only reports it."),
+        KERF_TEXT(
+            "Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is "
+            "started until a person has released the stop."),
         KERF_TEXT("Look at tool and blank. If both are sound, raise the limit or lower the reference, then release "
-                  "the feed on the Milling page.")},
+                  "the stop on the Milling page.")},
     AlarmSpec{
         kSpindleStopped, 1, KERF_TEXT("Spindle stopped in the cut"),
         KERF_TEXT("The spindle turns slower than half its programmed speed, or its speed is unknown."),
-        KERF_TEXT("Under control the feed is held; advising, Kerf only reports it."),
-        KERF_TEXT("Find out why the spindle stopped. When it turns again, release the feed on the Milling page.")},
+        KERF_TEXT(
+            "Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is "
+            "started until a person has released the stop."),
+        KERF_TEXT("Find out why the spindle stopped. When it turns again, release the stop on the Milling page.")},
     AlarmSpec{kFeedUnknown, 2, KERF_TEXT("Feed really made is unknown"),
               KERF_TEXT("The feed signal of the axis is missing, old or not a number."),
               KERF_TEXT("The feed is not controlled: it stays, or falls to the planned feed if it was faster."),

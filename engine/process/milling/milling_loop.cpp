@@ -73,10 +73,6 @@ CommandResult MillingLoop::handle(const Command& command) noexcept {
         }
         return setReference(mean_N);
     }
-    if (std::holds_alternative<ReleaseMillingStop>(command.action)) {
-        m_releaseWanted = m_stopAlarm != 0;
-        return CommandResult::ok();
-    }
     if (const auto* restored = std::get_if<RestoreMillingTool>(&command.action)) {
         return load(restored->tool);
     }
@@ -188,7 +184,6 @@ void MillingLoop::setMode(LoopMode mode) noexcept {
                 std::min(m_feedKnown ? m_made_mmPerS : m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS);
         }
         m_controller.follow(m_wanted_mmPerS);
-        m_releaseWanted = m_stopAlarm != 0;  // what was only reported must not hold the feed now
     }
     m_mode = mode;
 }
@@ -203,6 +198,7 @@ void MillingLoop::requestStart(const Capabilities& capabilities, LoopOutputs& ou
     StartProgram program;
     program.process = ProcessId::Milling;
     program.programmedFeed_mmPerRev = programmed_mmPerS * 60.0 / m_setup.spindleSpeed_rpm;
+    program.plannedFeedScale = std::min(1.0, planned_mmPerS / programmed_mmPerS);
     program.spindleSpeed_rpm = m_setup.spindleSpeed_rpm;
     program.from_mm = m_setup.from_mm;
     program.to_mm = m_setup.to_mm;
@@ -213,6 +209,7 @@ void MillingLoop::requestStart(const Capabilities& capabilities, LoopOutputs& ou
 LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
     m_forceFitted = capabilities.forceSensor.fitted;
+    followStop(inputs.stops[static_cast<std::size_t>(ProcessId::Milling)]);
     if (m_startWanted) {
         m_startWanted = false;
         requestStart(capabilities, outputs);
@@ -255,8 +252,6 @@ void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_lastSequence = inputs.partSequence;
     m_inPart = true;
     m_paused = true;
-    m_stopAlarm = 0;
-    m_releaseWanted = false;
     m_limitedSince_ns = -1;
     m_spindleWas = false;
     m_runUp_s = 0.0;
@@ -288,7 +283,6 @@ void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     m_part.forcePeak_N = m_part.milling.peakForce_N;
     events.finishPart(m_part);
     m_inPart = false;
-    m_stopAlarm = 0;
     m_status.partsCut += complete ? 1U : 0U;
     if (complete && m_part.milling.stiffnessMean != 0.0) {
         m_wear.addPart(m_part.milling.stiffnessMean);
@@ -383,9 +377,22 @@ double MillingLoop::lnCb() const noexcept {
     return m_controller.stiffness().lnCb + m_setup.exponent * std::log(static_cast<double>(m_controller.period()));
 }
 
+/// Who keeps the stop says when it ends; one from before a restart is this loop's as well.
+void MillingLoop::followStop(const StopSlot& stop) noexcept {
+    if (m_stopWatch.released(stop)) {
+        m_releaseWanted = m_stopAlarm != 0 && m_inPart;
+        m_stopAlarm = m_releaseWanted ? m_stopAlarm : AlarmCode{0};
+    }
+    if (stop.active() && m_stopAlarm == 0) {
+        m_stopAlarm = stop.cause;
+        m_stopReason = Sentence{};
+    }
+}
+
 void MillingLoop::stop(AlarmCode code, const Sentence& detail, EventSink& events) noexcept {
     if (m_stopAlarm == 0) {
         m_stopAlarm = code;
+        m_stopReason = detail;
         m_record.countStop();
         events.raise(code, detail);
     }
@@ -492,7 +499,12 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
 }
 
 void MillingLoop::wish(const MachineInputs& inputs, LoopOutputs& outputs) const noexcept {
-    outputs.feedHold = m_stopAlarm != 0;
+    if (m_stopAlarm != 0) {
+        outputs.stop = {StopKind::FeedHold, m_stopAlarm, m_stopReason};
+    }
+    if (m_setup.revision == 0) {
+        return;  // what the cut may be is not known
+    }
     const Reading& programmed = inputs.programmedFeed_mmPerS;
     if (!programmed.good() || programmed.value <= 0.0) {
         return;  // engine/limits keeps the last scale
@@ -500,6 +512,7 @@ void MillingLoop::wish(const MachineInputs& inputs, LoopOutputs& outputs) const 
     // A knob above 100 % does not lift the force over the reference; below, it is the operator's will.
     const double knob = std::isfinite(inputs.operatorOverride) ? std::max(inputs.operatorOverride, 1.0) : 1.0;
     outputs.feedScale = m_wanted_mmPerS / (programmed.value * knob);
+    outputs.plannedFeedScale = m_setup.plannedFeed_mmPerS / programmed.value;
 }
 
 double MillingLoop::gainMargin() const noexcept {

@@ -3,6 +3,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/limits/stop_latch.h"
 #include "engine/process/milling/cut_record.h"
 #include "engine/process/milling/feed_controller.h"
 #include "engine/process/milling/force_watch.h"
@@ -13,9 +14,9 @@ namespace kerf {
 /// Holds the averaged cutting force at its reference: feedScale = wanted feed / programmed feed, once per revolution.
 ///
 /// Unknown never means faster: without a force (or feed, or speed) that can be trusted the wish stays or falls to the
-/// planned feed, within half a revolution. Overload, a collapsing force or a stopped spindle latch a feed hold that
-/// only a person releases. Advising runs the same code on the live signal; the record says what control would have
-/// saved.
+/// planned feed, within half a revolution. Overload, a collapsing force or a stopped spindle are a stop, which
+/// holds the feed until a person releases it; what is seen while only advising forbids the next start. Advising runs
+/// the same code on the live signal; the record says what control would have saved.
 class MillingLoop final : public ProcessLoop {
  public:
     MillingLoop() noexcept;
@@ -46,6 +47,7 @@ class MillingLoop final : public ProcessLoop {
     void beginGroup() noexcept;
     [[nodiscard]] double lnCb() const noexcept;
     void watchForStops(const MachineInputs& inputs, EventSink& events) noexcept;
+    void followStop(const StopSlot& stop) noexcept;
     void stop(AlarmCode code, const Sentence& detail, EventSink& events) noexcept;
     void wish(const MachineInputs& inputs, LoopOutputs& outputs) const noexcept;
     [[nodiscard]] double gainMargin() const noexcept;
@@ -68,7 +70,9 @@ class MillingLoop final : public ProcessLoop {
     bool m_inPart{false};
     bool m_paused{true};  ///< the axis stands: pause, hold, or a stop of ours
     bool m_releaseWanted{false};
-    AlarmCode m_stopAlarm{0};  ///< the latched stop; 0: none
+    AlarmCode m_stopAlarm{0};  ///< of the stop that stands (engine/limits keeps it); 0: none
+    Sentence m_stopReason{};
+    StopWatch m_stopWatch{};
     std::uint32_t m_requestCount{0};
     std::uint32_t m_lastSequence{0};
     std::int64_t m_last_ns{0};

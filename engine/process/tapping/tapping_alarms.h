@@ -26,10 +26,14 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("Spindle angle or Z position were missing for more than 20 ms during a tap."),
               KERF_TEXT("In control the tap is turned out in sync. It does not count."),
               KERF_TEXT("Check the encoders. Gauge the thread.")},
-    AlarmSpec{kInHole, 1, KERF_TEXT("The tap stands in the hole"),
-              KERF_TEXT("An emergency stop or an abort at the control stopped the tap before it was out."),
-              KERF_TEXT("A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored."),
-              KERF_TEXT("Make the machine ready, then turn the tap out in sync from the tapping page.")},
+    AlarmSpec{
+        kInHole, 1, KERF_TEXT("The tap stands in the hole"),
+        KERF_TEXT("An emergency stop or an abort at the control stopped the tap before it was out."),
+        KERF_TEXT(
+            "A move of Z or spindle alone breaks the tap. Kerf starts nothing and moves no axis until it is out."),
+        KERF_TEXT(
+            "Make the machine ready, then turn the tap out in sync from the tapping page; or say there that it is "
+            "gone.")},
     AlarmSpec{kDrift, 3, KERF_TEXT("Tapping error has grown"),
               KERF_TEXT("The sum of errors of the last taps lies above that of the first taps after the tuning."),
               KERF_TEXT("Threads are still made; their tolerance is used up slowly."),

@@ -51,7 +51,9 @@ std::span<const AlarmSpec> TappingLoop::alarms() const noexcept {
 CommandResult TappingLoop::handle(const Command& command) noexcept {
     const bool idle = m_status.phase == TapPhase::Idle;
     if (const auto* load = std::get_if<LoadTappingJob>(&command.action)) {
-        if (!idle) return CommandResult::refused(Sentence(KERF_TEXT("A tap is under way: the job stays.")));
+        const bool fromBefore = m_status.phase == TapPhase::InHole && m_job.revision == 0;  // Kerf has been restarted
+        if (!idle && !fromBefore)
+            return CommandResult::refused(Sentence(KERF_TEXT("A tap is under way: the job stays.")));
         if (!usable(load->job)) {
             return CommandResult::refused(Sentence(KERF_TEXT("The tapping job has a value outside its range.")));
         }
@@ -167,6 +169,8 @@ LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities& c
                               EventSink& events) noexcept {
     m_now_ns = inputs.time_ns;
     m_tick_ns = capabilities.cycle_ns;
+    followStop(inputs.stops[static_cast<std::size_t>(ProcessId::Tapping)]);
+    const bool wasOnTheWayOut = m_status.phase == TapPhase::Retracting;
     m_status.drive = inputs.servoGainsQuality == Quality::Good ? inputs.servoGains : ServoGains{};
     if (m_startWanted) {
         m_startWanted = false;
@@ -204,7 +208,34 @@ LoopVerdict TappingLoop::step(const MachineInputs& inputs, const Capabilities& c
             if (m_recoverWanted) recover(inputs, outputs, events);
             break;
     }
+    if (m_status.phase == TapPhase::InHole) {
+        outputs.stop = {StopKind::InWork, tapping_alarm::kInHole, inHole()};
+    }
+    outputs.outOfWork = wasOnTheWayOut && m_status.phase != TapPhase::Retracting && m_status.phase != TapPhase::InHole;
     return describe();
+}
+
+/// The machine and the latch know of a tap in the hole over our restart; a person may say that it is gone.
+void TappingLoop::followStop(const StopSlot& stop) noexcept {
+    const bool stands = stop.active() && stop.kind == StopKind::InWork;
+    if (m_stopWatch.released(stop) && m_status.phase == TapPhase::InHole) {
+        m_recoverWanted = false;
+        restoreAccepted();
+        m_status.outcome = TapOutcome::Aborted;
+        m_status.phase = TapPhase::Idle;
+    } else if (stands && m_status.phase == TapPhase::Idle) {
+        m_status.stoppedSpindle_rev = 0.0;
+        m_status.stoppedZ_mm = 0.0;
+        m_status.phase = TapPhase::InHole;
+    }
+}
+
+Sentence TappingLoop::inHole() const noexcept {
+    if (m_status.stoppedSpindle_rev == 0.0) {
+        return Sentence(KERF_TEXT("A tap stands in the hole, from before Kerf was started: turn it out in sync."));
+    }
+    return Sentence(KERF_TEXT("The tap stands %1 revolutions in the hole: turn it out in sync."),
+                    {m_status.stoppedSpindle_rev, 2});
 }
 
 void TappingLoop::setGains(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept {
@@ -539,9 +570,7 @@ LoopVerdict TappingLoop::describe() const noexcept {
         case TapPhase::Retracting:
             return {LoopState::Limited, Sentence(KERF_TEXT("The tap is turned out in sync."))};
         case TapPhase::InHole:
-            return {LoopState::Limited,
-                    Sentence(KERF_TEXT("The tap stands %1 revolutions in the hole: turn it out in sync."),
-                             {m_status.stoppedSpindle_rev, 2})};
+            return {LoopState::Limited, inHole()};
         case TapPhase::Idle:
             break;
     }

@@ -5,6 +5,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/limits/stop_latch.h"
 #include "engine/process/tapping/drift_watch.h"
 #include "engine/process/tapping/tap_exchange.h"
 
@@ -54,9 +55,12 @@ class TappingLoop final : public ProcessLoop {
     void restoreAccepted() noexcept;
     void finishPart(TapOutcome outcome, EventSink& events) const noexcept;
     void stopInHole(EventSink& events) noexcept;
+    void followStop(const StopSlot& stop) noexcept;
+    [[nodiscard]] Sentence inHole() const noexcept;
     [[nodiscard]] LoopVerdict describe() const noexcept;
 
     TapExchange& m_exchange;
+    StopWatch m_stopWatch{};
     LoopMode m_mode{LoopMode::Off};
     TappingStatus m_status{};
     TappingJob m_job{};

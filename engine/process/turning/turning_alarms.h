@@ -17,18 +17,24 @@ inline constexpr AlarmCode kTrimAtLimit = 305;
 inline constexpr AlarmCode kBlindTone = 306;
 
 inline constexpr std::array kSpecs{
-    AlarmSpec{kForceLost, 1, KERF_TEXT("Force signal lost"),
-              KERF_TEXT("The force sensor is unplugged, its values are old, not numbers, or do not change any more."),
-              KERF_TEXT("The trim has gone to zero; the cut goes on without force feedback."),
-              KERF_TEXT("Check sensor, amplifier and cable. Measure this surface. Then release the loop.")},
+    AlarmSpec{
+        kForceLost, 1, KERF_TEXT("Force signal lost"),
+        KERF_TEXT("The force sensor is unplugged, its values are old, not numbers, or do not change any more."),
+        KERF_TEXT(
+            "The trim has gone to zero; the cut goes on without force feedback. No part is started until a person has "
+            "released the stop."),
+        KERF_TEXT("Check sensor, amplifier and cable. Measure this surface. Then release the stop.")},
     AlarmSpec{kForceSaturated, 2, KERF_TEXT("Force sensor at the end of its range"),
               KERF_TEXT("The cut is deeper or the amplifier more sensitive than the sensor's range allows."),
               KERF_TEXT("The trim has gone to zero for the rest of this part."),
               KERF_TEXT("Check depth of cut and amplifier range before the next part.")},
-    AlarmSpec{kToolChipped, 1, KERF_TEXT("The cutting force has jumped: the tool may be chipped"),
-              KERF_TEXT("The same depth takes clearly more force than at the start of this cut."),
-              KERF_TEXT("The trim has gone to zero; the surface after the jump is doubtful."),
-              KERF_TEXT("Look at the tool's edge. Change it if it is chipped, then release the loop.")},
+    AlarmSpec{
+        kToolChipped, 1, KERF_TEXT("The cutting force has jumped: the tool may be chipped"),
+        KERF_TEXT("The same depth takes clearly more force than at the start of this cut."),
+        KERF_TEXT(
+            "The trim has gone to zero; the surface after the jump is doubtful. No part is started until a person "
+            "has released the stop."),
+        KERF_TEXT("Look at the tool's edge. Change it if it is chipped, then release the stop.")},
     AlarmSpec{kZeroDrifted, 3, KERF_TEXT("The force sensor has drifted"),
               KERF_TEXT("The piezo sensor's zero out of the cut is not where it was."),
               KERF_TEXT("The zero was taken again; the force shown is right."),

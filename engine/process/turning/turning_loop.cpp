@@ -123,9 +123,6 @@ CommandResult TurningLoop::handle(const Command& command) noexcept {
 }
 
 void TurningLoop::setMode(LoopMode mode) noexcept {
-    if (m_outFaulted && mode != LoopMode::Off) {
-        m_outFaulted = false;  // a person has released the loop; it joins again with the next part
-    }
     m_mode = mode;
 }
 
@@ -143,6 +140,9 @@ void TurningLoop::startRequest(LoopOutputs& outputs) noexcept {
 
 LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
+    if (m_stopWatch.released(inputs.stops[static_cast<std::size_t>(ProcessId::Turning)])) {
+        m_outFaulted = false;  // a person has looked; the loop joins again with the next part
+    }
     if (m_startWanted) {
         m_startWanted = false;
         startRequest(outputs);
@@ -159,6 +159,13 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     if (m_inPart && ours && !running) {
         m_part.complete = inputs.program == ProgramState::Finished;
         endPart(inputs, events);
+    }
+    if (m_inPart && inputs.link != LinkState::Up) {  // the trim goes on without us, nobody knows how
+        if (m_status.stage != TurningStage::Out) {
+            leave(Sentence(KERF_TEXT("The connection was lost: no trim in the rest of this part.")), 0);
+        }
+        m_wanted_um = m_trim_um = 0.0;
+        return {LoopState::Limited, m_outReason};
     }
     if (!m_inPart || !running) {
         m_status.stage = TurningStage::Idle;
@@ -189,9 +196,9 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
 
     const bool inLoop = m_status.stage != TurningStage::Out;
     if (force == ForceState::Lost && inLoop) {
-        leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), true);
+        leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), turning_alarm::kForceLost);
     } else if (force == ForceState::Saturated && inLoop) {
-        leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), false);
+        leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), 0);
     } else if (inLoop && force == ForceState::Good) {
         const double zeroed_N = fast.force_N - m_zero_N;
         if (m_status.stage == TurningStage::Air) {
@@ -225,6 +232,9 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     m_atLimit += kLimitShare * ((limited ? 1.0 : 0.0) - m_atLimit);
     events.set(turning_alarm::kTrimAtLimit, m_atLimit > kLimitAlarm);
 
+    if (m_outFaulted) {
+        outputs.stop = {StopKind::LoopOut, m_outCause, m_outReason};
+    }
     switch (m_status.stage) {
         case TurningStage::Out:
             return {m_outFaulted ? LoopState::Faulted : LoopState::Limited, m_outReason};
@@ -350,7 +360,8 @@ bool TurningLoop::chipped(double force_N, EventSink& events) noexcept {
     events.set(turning_alarm::kToolChipped, jump,
                Sentence(KERF_TEXT("%1 times the force at the start of the cut."), SentenceArg(ratio, 2)));
     if (jump) {
-        leave(Sentence(KERF_TEXT("The cutting force has jumped: the trim is zero, look at the tool.")), true);
+        leave(Sentence(KERF_TEXT("The cutting force has jumped: the trim is zero, look at the tool.")),
+              turning_alarm::kToolChipped);
     }
     return jump;
 }
@@ -365,9 +376,9 @@ bool TurningLoop::losesTheCut(EventSink& events) noexcept {
         gone ? Sentence(KERF_TEXT("%1 times the force at the start of the cut."), SentenceArg(m_status.gainRatio, 2))
              : Sentence(KERF_TEXT("The mean of the trim is %1 um."), SentenceArg(m_trimMean_um, 2)));
     if (gone) {
-        leave(Sentence(KERF_TEXT("The mean force has fallen: no trim in this part.")), false);
+        leave(Sentence(KERF_TEXT("The mean force has fallen: no trim in this part.")), 0);
     } else if (leaning) {
-        leave(Sentence(KERF_TEXT("The trim leans to one side: no trim in this part.")), false);
+        leave(Sentence(KERF_TEXT("The trim leans to one side: no trim in this part.")), 0);
     }
     return gone || leaning;
 }
@@ -406,11 +417,12 @@ Sentence TurningLoop::cuttingReason() const noexcept {
                            : Sentence(KERF_TEXT("Listening to the disturbance: no trim yet."));
 }
 
-void TurningLoop::leave(const Sentence& reason, bool faulted) noexcept {
+void TurningLoop::leave(const Sentence& reason, AlarmCode cause) noexcept {
     m_status.stage = TurningStage::Out;
     m_status.acting = false;
     m_outReason = reason;
-    m_outFaulted = faulted;
+    m_outFaulted = cause != 0;
+    m_outCause = cause;
     m_part.turning.leftLoop = true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/limits/stop_latch.h"
 #include "engine/process/turning/cut_watch.h"
 #include "engine/process/turning/depth_control.h"
 #include "engine/process/turning/identifier.h"
@@ -53,7 +54,8 @@ class TurningLoop final : public ProcessLoop {
     [[nodiscard]] bool chipped(double force_N, EventSink& events) noexcept;
     [[nodiscard]] bool losesTheCut(EventSink& events) noexcept;
     void showTones(EventSink& events) noexcept;
-    void leave(const Sentence& reason, bool faulted) noexcept;
+    /// `cause`: alarm of the stop that this is; 0: the loop joins again with the next part.
+    void leave(const Sentence& reason, AlarmCode cause) noexcept;
     [[nodiscard]] ForceState judge(const FastSample& sample) noexcept;
     void watchSurface(double error_um, double untreated_um, double force_N) noexcept;
     void noteForce(double force_N) noexcept;
@@ -77,6 +79,8 @@ class TurningLoop final : public ProcessLoop {
     PartRecord m_part{};
     Sentence m_outReason{};
     bool m_outFaulted{false};
+    AlarmCode m_outCause{0};
+    StopWatch m_stopWatch{};
     bool m_inPart{false};
     bool m_startWanted{false};
     std::uint32_t m_requestCount{0};

@@ -8,6 +8,7 @@
 #include "engine/process/milling/milling_alarms.h"
 #include "engine/process/milling/milling_setup.h"
 #include "tests/support/milling_bench.h"
+#include "tests/support/release_stop.h"
 
 using namespace kerf;
 using test::MillingBench;
@@ -239,7 +240,7 @@ class TestMillingLoop : public QObject {
         bench.machine->inject(InjectedFaults{});
         bench.engine->runCycles(3000);
         QVERIFY(bench.status().milling.stopped);
-        QVERIFY(bench.execute(ReleaseMillingStop{}).done);
+        QVERIFY(bench.execute(test::releaseOf(bench.status(), ProcessId::Milling)).done);
         double highest_N = 0.0;
         for (int i = 0; i < 4000; ++i) {
             bench.engine->runCycles(1);
@@ -469,7 +470,7 @@ class TestMillingLoop : public QObject {
         for (int i = 0; i < 6; ++i) {
             PartRecord part;
             QVERIFY(bench.execute(StartPart{ProcessId::Milling}).done);
-            QVERIFY(bench.runUntil([](const Status& s) { return s.milling.cutting; }, 10) && bench.finish(part));
+            QVERIFY(bench.runUntil([](const Status& s) { return s.milling.cutting; }, 100) && bench.finish(part));
             QVERIFY(part.milling.stiffnessHalf95 > 0.0);
             warned = warned || bench.alarmRaised(milling_alarm::kToolWorn);
             QCOMPARE(warned, i >= 4);  // 0.32 > 0.3 with the fifth part

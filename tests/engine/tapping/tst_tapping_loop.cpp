@@ -123,6 +123,8 @@ class TestTappingLoop : public QObject {
         QVERIFY(!bench.execute(RecoverTap{}).done);  // stopped: not in control
         bench.machine->inject({});
         bench.engine->runCycles(3);
+        QVERIFY(!bench.execute(RecoverTap{}).done);  // nobody has looked
+        QVERIFY(bench.execute(ReleaseHold{}).done);
         QVERIFY(bench.execute(RecoverTap{}).done);
         double worst_um = 0.0;
         QVERIFY(bench.runUntil([&](const TappingStatus& s) {
@@ -315,6 +317,7 @@ class TestTappingLoop : public QObject {
         bench.engine->runCycles(3);
         QCOMPARE(bench.tapping().phase, TapPhase::InHole);
         QVERIFY(!bench.execute(AbortTap{}).done);
+        QVERIFY(bench.execute(ReleaseHold{}).done);
         QVERIFY(bench.execute(RecoverTap{}).done);
         QVERIFY(bench.runUntil([](const TappingStatus& s) { return s.phase == TapPhase::Retracting; }));
         KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);

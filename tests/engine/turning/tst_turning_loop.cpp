@@ -5,6 +5,7 @@
 
 #include "engine/process/turning/turning_alarms.h"
 #include "tests/support/cycle_guard.h"
+#include "tests/support/release_stop.h"
 #include "tests/support/turning_bench.h"
 
 using namespace kerf;
@@ -156,7 +157,15 @@ class TestTurningLoop : public QObject {
         bench.machine->inject({});
         bench.run(0.1);
         QCOMPARE(bench.loop().state, LoopState::Faulted);
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Turning, LoopMode::Off}).done);
+        bench.engine->holdAll();
+        bench.run(0.01);
         QVERIFY(bench.execute(ReleaseHold{}).done);
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Turning, LoopMode::Control}).done);
+        bench.run(0.01);
+        QCOMPARE(bench.loop().state, LoopState::Faulted);  // neither mode nor hold ends a stop
+        QVERIFY(!bench.execute(StartPart{ProcessId::Turning}).done);
+        QVERIFY(bench.execute(test::releaseOf(bench.engine->status(), ProcessId::Turning)).done);
         QCOMPARE(bench.loop().state, LoopState::Limited);
         bench.run(6.0);
         QVERIFY(bench.execute(StartPart{ProcessId::Turning}).done);
@@ -399,7 +408,7 @@ class TestTurningLoop : public QObject {
             bench.machine->inject(faults);
             bench.run(0.5);
             bench.machine->inject({});
-            (void)bench.execute(ReleaseHold{});
+            (void)bench.execute(test::releaseOf(bench.engine->status(), ProcessId::Turning));
             bench.run(4.0);
             sins = guard.allocations() + guard.locks() + guard.throws();
         }

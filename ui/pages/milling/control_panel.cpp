@@ -244,6 +244,9 @@ QString MillingControlPanel::whyNotStart() const {
     if (status.held) {
         return tr("Hold is in force.");
     }
+    if (std::ranges::any_of(status.stops, [](const StopStatus& stop) { return stop.slot.active(); })) {
+        return tr("A stop stands: look at the machine, then release it.");
+    }
     if (status.partsBlocked) {
         return tr("Finished parts are not stored yet.");
     }

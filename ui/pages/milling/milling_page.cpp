@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QPointer>
 
+#include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/milling/blank_form.h"
 #include "ui/pages/milling/cut_log.h"
@@ -78,8 +79,13 @@ void MillingPage::build() {
             [&client] { client.sendAction(TeachMillingReference{}); });
     connect(m_control, &MillingControlPanel::startRequested, this,
             [&client] { client.sendAction(StartPart{ProcessId::Milling}); });
-    connect(m_control, &MillingControlPanel::releaseRequested, this,
-            [&client] { client.sendAction(ReleaseMillingStop{}); });
+    connect(m_control, &MillingControlPanel::releaseRequested, this, [this] {
+        // The stop that is shown now: one that comes while somebody signs on is looked at anew.
+        const Status status = context().client.status();
+        context().withOperator([this, status] {
+            context().client.sendAction(releaseOf(status, ProcessId::Milling, context().session.author()));
+        });
+    });
     connect(m_control, &MillingControlPanel::modeRequested, this, [&client](LoopMode mode) {
         client.sendAction(SetLoopMode{ProcessId::Milling, mode});
     });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
@@ -150,7 +151,7 @@ void OverviewPage::buildMachine() {
     buttons->addWidget(m_release);
     m_machine->body()->addLayout(buttons);
     connect(m_start, &QPushButton::clicked, this, [this] { context().client.sendAction(StartPart{mainProcess()}); });
-    connect(m_release, &QPushButton::clicked, this, [this] { context().client.sendAction(ReleaseHold{}); });
+    connect(m_release, &QPushButton::clicked, this, [this] { release(); });
 }
 
 ProcessId OverviewPage::mainProcess() const {
@@ -174,6 +175,9 @@ QString OverviewPage::whyNoStart() const {
     if (status.held) {
         return tr("Hold is in force.");
     }
+    if (std::ranges::any_of(status.stops, [](const StopStatus& stop) { return stop.slot.active(); })) {
+        return tr("A stop stands: look at the machine, then release it.");
+    }
     if (status.partsBlocked) {
         return tr("Finished parts are not stored yet.");
     }
@@ -184,10 +188,32 @@ QString OverviewPage::whyNoStart() const {
 }
 
 QString OverviewPage::whyNoRelease() const {
-    const Status& status = context().client.status();
-    const bool faulted = std::any_of(status.loops.begin(), status.loops.end(),
-                                     [](const LoopStatus& l) { return l.state == LoopState::Faulted; });
-    return status.held || faulted ? QString() : tr("Nothing is held.");
+    return context().client.status().held || stopped() ? QString() : tr("Nothing is held.");
+}
+
+/// A tap in the hole is not released here: its page turns it out, or asks whether it is gone.
+std::optional<ProcessId> OverviewPage::stopped() const {
+    const auto& stops = context().client.status().stops;
+    const auto first = std::ranges::find_if(
+        stops, [](const StopStatus& stop) { return stop.slot.active() && stop.slot.kind != StopKind::InWork; });
+    return first == stops.end() ? std::nullopt
+                                : std::optional(kAllProcesses[static_cast<std::size_t>(first - stops.begin())]);
+}
+
+void OverviewPage::release() {
+    const Status status = context().client.status();  // as shown: what comes while somebody signs on is looked at anew
+    if (status.held) {
+        context().client.sendAction(ReleaseHold{});
+    } else if (const std::optional<ProcessId> process = stopped()) {
+        context().withOperator([this, status, process] {
+            context().client.sendAction(releaseOf(status, *process, context().session.author()));
+        });
+    }
+}
+
+QString OverviewPage::stopText(const StopStatus& stop) const {
+    const AlarmSpec* spec = context().client.engine().alarmSpec(stop.slot.cause);
+    return spec != nullptr ? engineText(spec->title) : sentenceText(stop.reason, look().units());
 }
 
 QString OverviewPage::machineSentence() const {
@@ -203,6 +229,11 @@ QString OverviewPage::machineSentence() const {
     }
     if (status.held) {
         return tr("All loops are held with their last offset.");
+    }
+    for (const StopStatus& stop : status.stops) {
+        if (stop.slot.active()) {
+            return tr("Stopped: %1").arg(stopText(stop));
+        }
     }
     switch (status.program) {
         case ProgramState::Idle:
@@ -259,6 +290,7 @@ void OverviewPage::onStatus(const Status& status) {
     }
     m_parts->setValue(static_cast<double>(status.boring.partsCut + status.milling.partsCut + status.turning.partsCut));
     m_start->reconsider();
+    m_release->setText(context().client.status().held || !stopped() ? tr("Release hold") : tr("Release stop"));
     m_release->reconsider();
 }
 
@@ -273,7 +305,7 @@ void OverviewPage::refresh() {
     m_feed->setLabel(tr("Feed"));
     m_parts->setLabel(tr("Parts since start"));
     m_start->setText(tr("Start part"));
-    m_release->setText(tr("Release hold"));
+    m_release->setText(context().client.status().held || !stopped() ? tr("Release hold") : tr("Release stop"));
     Page::refresh();
     const Status& status = context().client.status();
     m_sentence->setText(machineSentence());

@@ -57,6 +57,9 @@ class OverviewPage : public Page {
     [[nodiscard]] ProcessId mainProcess() const;
     [[nodiscard]] QString whyNoStart() const;
     [[nodiscard]] QString whyNoRelease() const;
+    [[nodiscard]] std::optional<ProcessId> stopped() const;
+    [[nodiscard]] QString stopText(const StopStatus& stop) const;
+    void release();
     [[nodiscard]] QString machineSentence() const;
 
     PageList m_entries;

@@ -11,14 +11,16 @@ namespace {
 constexpr double kDegreesPerTurn = 360.0;
 }
 
-RecoverySheet* RecoverySheet::open(SheetHost& host, Look& look, TappingService& service, EngineClient& client) {
+RecoverySheet* RecoverySheet::open(SheetHost& host, Look& look, TappingService& service, EngineClient& client,
+                                   std::function<void()> gone) {
     Sheet* sheet = host.open({});
-    auto* content = new RecoverySheet(*sheet, look, service, client);
+    auto* content = new RecoverySheet(*sheet, look, service, client, std::move(gone));
     sheet->body()->addWidget(content);
     return content;
 }
 
-RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client)
+RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client,
+                             std::function<void()> gone)
     : FaceWidget(look, &sheet),
       m_sheet(sheet),
       m_service(service),
@@ -39,6 +41,8 @@ RecoverySheet::RecoverySheet(Sheet& sheet, Look& look, TappingService& service, 
     column->addWidget(m_state);
     m_close = sheet.addButton(QString(), {});
     m_close->setObjectName(QStringLiteral("recoveryClose"));
+    m_gone = sheet.addButton(QString(), std::move(gone));
+    m_gone->setObjectName(QStringLiteral("recoveryGone"));
     m_turn->setPrimary(true);
     m_turn->setPredicate([this] { return whyNotTurn(); });
     sheet.addButton(
@@ -113,6 +117,8 @@ void RecoverySheet::show() {
             break;
     }
     m_close->setText(m_step == Step::Out ? tr("Close") : tr("Leave it in the hole"));
+    m_gone->setText(tr("The tap is gone"));
+    m_gone->setVisible(m_step == Step::Ready);
     m_turn->setText(tr("Turn out in sync"));
     m_turn->reconsider();
 }

@@ -14,14 +14,16 @@ class RecoverySheet : public FaceWidget {
     Q_OBJECT
  public:
     /// Opens its sheet on `host`.
-    static RecoverySheet* open(SheetHost& host, Look& look, TappingService& service, EngineClient& client);
+    /// `gone`: somebody says that the tap has been taken out by hand.
+    static RecoverySheet* open(SheetHost& host, Look& look, TappingService& service, EngineClient& client,
+                               std::function<void()> gone);
 
  protected:
     void refresh() override;
 
  private:
     enum class Step { Ready, Turning, Out };
-    RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client);
+    RecoverySheet(Sheet& sheet, Look& look, TappingService& service, EngineClient& client, std::function<void()> gone);
     void onStatus(const Status& status);
     void show();
     [[nodiscard]] QString whyNotTurn() const;
@@ -33,6 +35,7 @@ class RecoverySheet : public FaceWidget {
     QLabel* m_what;
     QLabel* m_state;
     QPushButton* m_close;
+    QPushButton* m_gone;
     ActionButton* m_turn;
     Step m_step{Step::Ready};
     bool m_asked{false};

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/tapping/job_sheet.h"
 #include "ui/pages/tapping/recovery_sheet.h"
@@ -96,8 +97,9 @@ void TappingPage::connectActions() {
     connect(m_actions, &TapActions::automaticRequested, this,
             [this](bool automatic) { m_service->setAutomatic(automatic); });
     connect(m_actions, &TapActions::abortRequested, this, [this] { m_service->abort(); });
-    connect(m_actions, &TapActions::recoveryRequested, this,
-            [this] { RecoverySheet::open(context().sheets, look(), *m_service, context().client); });
+    connect(m_actions, &TapActions::recoveryRequested, this, [this] {
+        RecoverySheet::open(context().sheets, look(), *m_service, context().client, [this] { sayGone(); });
+    });
     connect(m_speeds, &SpeedChart::picked, this, [this](const TapChoice& choice) {
         context().sheets.ask(tr("Load this point?"), choiceText(choice, m_service->view().thread), tr("Cancel"),
                              tr("Load"), [this, choice] { tell(m_service->load(choice)); });
@@ -205,6 +207,13 @@ void TappingPage::showNote(const Status& status) {
     }
     m_note->setText(notes.join(u' '));
     m_note->setVisible(!notes.isEmpty());
+}
+
+void TappingPage::sayGone() {
+    const Status status = context().client.status();
+    context().withOperator([this, status] {
+        context().client.sendAction(releaseOf(status, ProcessId::Tapping, context().session.author()));
+    });
 }
 
 void TappingPage::tell(const Result<void>& result) {

@@ -30,7 +30,7 @@ namespace kerf::ui {
 ///     tappingAutomatic, tappingAbort, tappingRecover
 ///   sheet of tappingJob: jobCoarse, jobFine, thread_<name>, jobSpeedEdit, jobDepthEdit, jobGearEdit, jobPartEdit,
 ///     jobTapEdit, jobMessage, jobCancel, jobApply
-///   sheet of tappingRecover: recoveryWhere, recoveryWhat, recoveryState, recoveryTurn, recoveryClose
+///   sheet of tappingRecover: recoveryWhere, recoveryWhat, recoveryState, recoveryTurn, recoveryGone, recoveryClose
 class TappingPage : public Page {
     Q_OBJECT
  public:
@@ -47,6 +47,7 @@ class TappingPage : public Page {
     void onStatus(const Status& status);
     void showNote(const Status& status);
     void tell(const Result<void>& result);
+    void sayGone();
 
     TappingService* m_service;
     QLabel* m_missing{nullptr};

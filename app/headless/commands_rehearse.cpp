@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/files/output.h"
+#include "app/files/table.h"
+#include "app/headless/commands.h"
+#include "app/machines/machine_module_loader.h"
+#include "app/rehearsal/rehearsal.h"
+
+namespace kerf::headless {
+namespace {
+
+struct RehearseOptions {
+    std::string scenario{};
+    std::string machine{};
+    bool csv{false};
+    bool summary{false};
+    double every_ms{0.0};
+};
+
+constexpr const char* kHeader =
+    "t_s,link,machine_on,program,feed_mm_s,programmed_feed_mm_s,planned_feed_mm_s,feed_scale,feed_hold,stop_latched,"
+    "stop_reason,offset_x_um,offset_y_um,offset_z_um,tool_trim_um,z_trim_um,state_boring,state_milling,state_turning,"
+    "state_thermal,state_tapping,alarms";
+
+const char* linkKey(LinkState link) {
+    return link == LinkState::Up ? "up" : link == LinkState::Connecting ? "connecting" : "down";
+}
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+        return text;
+    }
+    std::string out = "\"";
+    for (const char letter : text) {
+        out += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    return out + '"';
+}
+
+void writeRow(CsvOutput& csv, const rehearsal::Row& row) {
+    const MachineInputs& in = row.machine;
+    std::string alarms;
+    for (const AlarmCode code : row.alarms) {
+        alarms += (alarms.empty() ? "" : "+") + std::to_string(code);
+    }
+    const auto state = [&](ProcessId id) {
+        return row.console ? rehearsal::stateKey(row.states[static_cast<std::size_t>(id)]) : "";
+    };
+    csv.row(row.t_s, linkKey(in.link), in.machineOn, rehearsal::programKey(in.program), in.actualFeed_mmPerS.value,
+            in.programmedFeed_mmPerS.value, row.plannedFeed_mmPerS, in.appliedFeedScale.value, in.feedHold,
+            row.stopLatched, quoted(row.stopReason), in.workOffset_um[0].value, in.workOffset_um[1].value,
+            in.workOffset_um[2].value, in.toolTrim_um.value, in.zTrim_um.value, state(ProcessId::Boring),
+            state(ProcessId::Milling), state(ProcessId::Turning), state(ProcessId::Thermal), state(ProcessId::Tapping),
+            alarms);
+}
+
+void rehearse(const RehearseOptions& options) {
+    const rehearsal::Scenario scenario =
+        rehearsal::readScenario(readFile(options.scenario), options.scenario, options.machine);
+    std::unique_ptr<MachinePort> real;
+    if (scenario.machine == rehearsal::MachineKind::LinuxCnc) {
+        auto machine = loadMachine(options.machine);
+        if (!machine) {
+            throw BadInput(machine.error().english());
+        }
+        real = std::move(*machine);
+        if (const auto connected = real->connect(); !connected) {
+            throw BadInput(connected.error().english());
+        }
+    }
+    if (options.summary) {
+        printJson(rehearsal::summaryJson(scenario, rehearsal::rehearse(scenario, real.get(), 0.0, {})));
+        return;
+    }
+    CsvOutput csv(kHeader);
+    (void)rehearsal::rehearse(scenario, real.get(), options.every_ms / 1000.0,
+                              [&](const rehearsal::Row& row) { writeRow(csv, row); });
+    csv.flush();
+}
+
+}  // namespace
+
+void addRehearseCommand(CLI::App& kerf) {
+    auto options = std::make_shared<RehearseOptions>();
+    auto* command = kerf.add_subcommand(
+        "rehearse",
+        "Run the engine against the machine with faults and commands at given times, as fast as it can. CSV, one row "
+        "per cycle (default), or a summary as JSON. What a scenario may say stands in docs/reliability.md; examples "
+        "are in resources/rehearsals.");
+    command
+        ->add_option("scenario", options->scenario, "Scenario as JSON: process, duration_s, mode, seed, setup, events")
+        ->required();
+    command->add_option("--machine", options->machine, "Machine to run on; without it the built-in one of the process")
+        ->check(CLI::IsMember({"simulator", "diamond-lathe", "linuxcnc"}));
+    auto* csv = command->add_flag("--csv", options->csv, "Rows as CSV (default)");
+    command
+        ->add_flag("--summary", options->summary,
+                   "Instead: first time of each state, alarm and stop; largest feed while stopped and above the "
+                   "planned one while anything was unknown; largest step of each output")
+        ->excludes(csv);
+    command->add_option("--every-ms", options->every_ms, "Milliseconds from row to row; without it every cycle")
+        ->check(CLI::Range(0.1, 3'600'000.0));
+    command->callback([options] { rehearse(*options); });
+}
+
+}  // namespace kerf::headless
