@@ -221,6 +221,10 @@
             <source>nobody is known yet</source>
             <translation>nobody is known yet</translation>
         </message>
+        <message>
+            <source>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</source>
+            <translation>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>

@@ -221,6 +221,10 @@
             <source>nobody is known yet</source>
             <translation>등록된 사람이 없음</translation>
         </message>
+        <message>
+            <source>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</source>
+            <translation>모의 기계에서의 시연입니다. 공정 엔지니어가 생길 때까지 새 이름은 어떤 역할이든 가질 수 있습니다.</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>

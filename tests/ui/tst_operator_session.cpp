@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCryptographicHash>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "ui/shell/operator_session.h"
+#include "ui/shell/pin_seal.h"
 
 using namespace kerf::ui;
 
@@ -57,6 +59,68 @@ class TestOperatorSession : public QObject {
         QVERIFY(!session.signedOn());
         QCOMPARE(audited.takeFirst().at(1).toString(), QStringLiteral("PIN refused"));
         QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Operator, QStringLiteral("1234")));
+    }
+    void aSealIsAPasswordHashAndOldOnesAreWrapped() {
+        const QString seal = sealPin(QStringLiteral("1234"));
+        QVERIFY(seal.startsWith(QLatin1String("$argon2id$")));
+        QVERIFY(seal != sealPin(QStringLiteral("1234")));  // salted
+        QVERIFY(opensSeal(seal, QStringLiteral("1234")));
+        QVERIFY(!opensSeal(seal, QStringLiteral("1235")));
+        QByteArray digest = "salt:1234";
+        for (int i = 0; i < 5000; ++i) {
+            digest = QCryptographicHash::hash(digest, QCryptographicHash::Sha256);
+        }
+        const QString old = QStringLiteral("old:salt:") + QString::fromLatin1(digest.toHex());
+        const QString wrapped = wrappedSeal(old);
+        QVERIFY(!wrapped.contains(QString::fromLatin1(digest.toHex())));
+        for (const QString& kept : {old, wrapped}) {
+            QVERIFY(opensSeal(kept, QStringLiteral("1234")));
+            QVERIFY(!opensSeal(kept, QStringLiteral("4321")));
+        }
+    }
+    void wrongPinsMakeOneWait() {
+        SignOnSettings settings;
+        settings.accounts.push_back({QStringLiteral("Kim"), Role::Operator, sealPin(QStringLiteral("1234"))});
+        OperatorSession session(settings);
+        qint64 now_ms = 1'000'000;
+        session.setClock([&now_ms] { return now_ms; });
+        const auto tried = [&](const char* pin) {
+            return session.signOn(QStringLiteral("Kim"), Role::Operator, QLatin1String(pin));
+        };
+        QSignalSpy wrong(&session, &OperatorSession::wrongPins);
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(session.whyNotYet(QStringLiteral("Kim")).isEmpty());
+            QVERIFY(!tried("0000"));
+        }
+        QVERIFY(session.whyNotYet(QStringLiteral("Kim")).contains(QLatin1Char('5')));
+        QVERIFY(!tried("1234"));  // not even looked at
+        QCOMPARE(wrong.size(), 3);
+        now_ms += 5'000;
+        QVERIFY(!tried("0001"));
+        now_ms += 9'999;
+        QVERIFY(!tried("1234"));
+        now_ms += 1;
+        QVERIFY(tried("1234"));
+        QCOMPARE(wrong.last().at(1).toUInt(), 0U);
+        QCOMPARE(pinWait_ms(1000), qint64{300'000});  // 10,000 tries are a month
+    }
+    void onARealMachineTheFirstEngineerIsMadeAndNobodyBecomesOneAlone() {
+        SignOnSettings settings;
+        settings.demonstration = false;
+        OperatorSession session(settings);
+        QVERIFY(session.firstEngineerMissing());
+        QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Engineer));
+        QCOMPARE(*session.role(), Role::Operator);
+        session.setRole(QStringLiteral("Kim"), Role::Engineer);
+        QCOMPARE(*session.role(), Role::Operator);
+        QVERIFY(!session.makeFirstEngineer(QStringLiteral("Lee"), QString()));  // not without a PIN
+        QVERIFY(session.makeFirstEngineer(QStringLiteral("Lee"), QStringLiteral("4711")));
+        QCOMPARE(*session.role(), Role::Engineer);
+        QVERIFY(!session.makeFirstEngineer(QStringLiteral("Choi"), QStringLiteral("4711")));
+        session.setRole(QStringLiteral("Kim"), Role::Setter);
+        QCOMPARE(session.account(QStringLiteral("Kim"))->role, Role::Setter);
+        QVERIFY(session.signOn(QStringLiteral("Kim")));
+        QVERIFY(!session.setPin(QStringLiteral("Lee"), QStringLiteral("0000")));  // not somebody else's
     }
     void nobodyTouchingAnythingSignsOff() {
         OperatorSession session;

@@ -22,11 +22,22 @@ struct OperatorChooser {
 constexpr int kMostButtons = 8;
 constexpr int kColumns = 2;
 constexpr std::array kRoles{Role::Operator, Role::Setter, Role::Engineer};
+
+QString demonstrationNote(const OperatorSession& session) {
+    const bool open = session.settings().demonstration && session.whyNoRoles().isEmpty() && !session.signedOn();
+    return open ? QStringLiteral("\n") +
+                      OperatorChooser::tr(
+                          "Demonstration on a simulated machine: a new name may take any role until there is a "
+                          "process engineer.")
+                : QString();
+}
+
 }  // namespace
 
 void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::function<void()> then) {
-    Sheet* sheet = host.open(OperatorChooser::tr("Who is at the machine?"),
-                             OperatorChooser::tr("The name goes with every entry and correction."));
+    Sheet* sheet =
+        host.open(OperatorChooser::tr("Who is at the machine?"),
+                  OperatorChooser::tr("The name goes with every entry and correction.") + demonstrationNote(session));
     auto* grid = new QGridLayout;
     grid->setSpacing(look.metrics().touchGap());
     const QStringList all = session.known();
