@@ -87,6 +87,7 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
     const auto read = [&](const char* kind) {
         return keep(records.newestRoomRecords(ProcessId::Milling, kind), std::vector<RoomRecordRow>{});
     };
+    m_types.try_emplace(m_type, first);     // the one every machine begins with stays, whatever was chosen since
     const auto chosen = read("part_type");  // what was chosen last comes last
     for (const RoomRecordRow& row : chosen) {
         m_type = row.subject;
@@ -96,7 +97,6 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
         }
         m_types.try_emplace(m_type, type);
     }
-    m_types.try_emplace(m_type, first);
     for (const RoomRecordRow& row : read("setup")) {
         m_types.try_emplace(row.subject, first).first->second.setup =
             keep(millingSetupFromJson(row.bodyJson), first.setup);
