@@ -11,6 +11,9 @@ function(kerf_pch kind)
 endfunction()
 function(kerf_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM kerf_pch_${kind})
+  if(kind MATCHES "headless|test")  # the header was compiled so, and is taken only with the same
+    target_compile_options(${target} PRIVATE ${KERF_QUICK_CODE})
+  endif()
 endfunction()
 
 # Qt Test without its target's definitions: they name each test's folder, which no precompiled header survives.
@@ -22,8 +25,8 @@ target_link_libraries(kerf_qt_test INTERFACE $<TARGET_FILE:Qt6::Test> Qt6::Core)
 
 set(kerf_common_headers <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <string> <variant> <vector>)
 kerf_pch(ui HEADERS ${kerf_common_headers} <QtWidgets> <QtCharts> LINK Qt6::Widgets Qt6::Charts)
-kerf_pch(headless HEADERS ${kerf_common_headers} <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/format.h> <spdlog/spdlog.h> <Eigen/Dense>
-         LINK CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt spdlog::spdlog Eigen3::Eigen)
+kerf_pch(headless HEADERS ${kerf_common_headers} <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/format.h> <Eigen/Dense>
+         LINK CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt Eigen3::Eigen)
 kerf_pch(data HEADERS ${kerf_common_headers} <QtCore> <QtSql> <nlohmann/json.hpp> <fmt/format.h>
          LINK Qt6::Core Qt6::Sql nlohmann_json::nlohmann_json fmt::fmt)
 kerf_pch(engine HEADERS ${kerf_common_headers} <Eigen/Dense> LINK Eigen3::Eigen)
@@ -68,7 +71,6 @@ function(kerf_add_test name)
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:kerf_test_scratch>)
   target_link_libraries(${name} PRIVATE kerf_options kerf_test_support ${ARG_LINK})
-  target_compile_options(${name} PRIVATE ${KERF_QUICK_CODE})
   # A test that links the screens has the larger precompiled header: its definitions are others.
   if("${ARG_LINK}" MATCHES "kerf_ui|Qt6::Widgets")
     kerf_precompile(${name} gui_test)
