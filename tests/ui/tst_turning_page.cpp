@@ -178,8 +178,8 @@ class TestTurningPage : public QObject {
         const TurningSetup& setup = m_service->view().setup;
         QCOMPARE(setup.depth_um, 5.5);
         QCOMPARE(setup.feed_umPerRev, 2.61);
-        QCOMPARE(static_cast<int>(setup.knownToneCount), 6);
-        QCOMPARE(setup.knownTones_Hz[5], 150.0);
+        QCOMPARE(static_cast<int>(setup.knownToneCount), 1);
+        QCOMPARE(setup.knownTones_Hz[0], 150.0);
         QVERIFY(m_bench->sheets->current() == nullptr);
         QVERIFY(text("turningSetupText").contains(QStringLiteral("5.50")));
     }

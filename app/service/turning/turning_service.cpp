@@ -257,6 +257,11 @@ StoredTurningService::MarginBasis StoredTurningService::marginBasis(const Turnin
     for (std::size_t j = 0; j < status.toneCount && status.controller == TurningController::Tones; ++j) {
         basis.tones.emplace_back(status.tones[j].frequency_Hz, status.tones[j].share);
     }
+    if (status.controller == TurningController::Tones && status.acting) {
+        basis.toneShare = status.toneShare;
+        basis.plain = status.plainWeights;
+        basis.underTones = status.underToneWeights;
+    }
     return basis;
 }
 
@@ -279,10 +284,12 @@ TurningMargins StoredTurningService::computeMargins(const MarginBasis& basis) {
             case TurningController::Tones:
                 break;
         }
-        return turning::toneMargins(tones, law, truth, turning::kSampleRate_Hz);
+        return turning::defaultMargins({tones, basis.toneShare, basis.plain, basis.underTones}, law, truth,
+                                       turning::kSampleRate_Hz);
     };
     out.known =
-        basis.controller != TurningController::Open && (basis.controller != TurningController::Tones || !tones.empty());
+        basis.controller != TurningController::Open &&
+        (basis.controller != TurningController::Tones || !tones.empty() || basis.plain != decltype(basis.plain){});
     if (!out.known) {
         return out;
     }

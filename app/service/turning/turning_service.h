@@ -68,6 +68,9 @@ class StoredTurningService final : public TurningService {
         std::array<double, 3> value{};
         std::array<double, 3> half95{};
         std::vector<std::pair<double, double>> tones{};  ///< frequency, share
+        double toneShare{0.0};
+        std::array<double, kTurningFilters> plain{};
+        std::array<double, kTurningFilters> underTones{};
     };
 
     void restore();

@@ -38,11 +38,17 @@ ToneCanceller::Params cancellerParams(const DepthControlParams& params) noexcept
     out.forceOnly = params.plant == PlantKind::B2;
     out.knownTones_Hz = params.knownTones_Hz;
     out.knownCount = params.knownCount;
+    out.meanGuard = params.onMachine;
     if (out.forceOnly) {
         out.tracker.levelWalk_um2 = 1e-7;  // the sum over revolutions drifts
         out.levelVariance_um2 = 1.0;
     }
     return out;
+}
+
+/// The published PI laws see x̂_i with its leak inside the loop; everybody else tells the observer what the trim does.
+bool trimKnown(const DepthControlParams& params) noexcept {
+    return params.kind == ControllerKind::Default || params.onMachine;
 }
 
 }  // namespace
@@ -64,6 +70,7 @@ PiGains piGains(const DepthControlParams& params, ControllerKind kind) noexcept 
 DepthControl::DepthControl(const DepthControlParams& params) noexcept
     : m_params(params),
       m_next(params.kind),
+      m_trimKnown(trimKnown(params)),
       m_observer(params.process, params.revolutionSamples),
       m_path(params.plant, params.process, params.slidePole, params.nominalGain_NPerUm),
       m_canceller(cancellerParams(params), m_path),
@@ -112,7 +119,9 @@ bool DepthControl::acting() const noexcept {
 }
 
 double DepthControl::update(const Input& input) noexcept {
-    const double inner_um = m_params.plant == PlantKind::B2 ? m_observer.inner_um(input.force_N) : input.inner_um;
+    const double inner_um = m_params.plant == PlantKind::B2
+                                ? m_observer.inner_um(input.force_N, m_trimKnown ? m_canceller.applied_um() : 0.0)
+                                : input.inner_um;
     if (m_params.plant == PlantKind::B2 && !m_observer.ready()) {
         return 0.0;
     }

@@ -31,37 +31,6 @@ struct DepthControlParams {
     bool onMachine{false};
 };
 
-/// Where the cut is without the law: the level of x_i, learned as the mean of x_i − path(w) over the shape of the
-/// entry. A PI that acts on x_i minus this reference regulates the depth error and leaves the cut alone.
-class CutReference {
- public:
-    double update_um(double untreated_um, double shape) noexcept {
-        m_top_um = kMemory * m_top_um + untreated_um * shape;
-        m_bottom = kMemory * m_bottom + shape * shape;
-        return m_bottom > 0.0 ? m_top_um / m_bottom * shape : 0.0;
-    }
-    void reset() noexcept { m_top_um = m_bottom = 0.0; }
-
- private:
-    static constexpr double kMemory = 0.9998;  ///< 1 s at 5 kHz
-    double m_top_um{0.0};
-    double m_bottom{0.0};
-};
-
-/// Takes the slow mean out of a command: whatever the law, a lasting trim cannot change the mean force.
-class MeanGuard {
- public:
-    double pass_um(double command_um) noexcept {
-        m_mean_um += kShare * (command_um - m_mean_um);
-        return command_um - m_mean_um;
-    }
-    void reset() noexcept { m_mean_um = 0.0; }
-
- private:
-    static constexpr double kShare = 4e-4;  ///< .5 s at 5 kHz
-    double m_mean_um{0.0};
-};
-
 /// One controller of the room: open, paper, pi or default, each regulating the depth error d0 − û and none the cut.
 ///
 /// On R0, R1 and B1 the law sees x_i with its sensor's noise; on B2 only the force. update() takes the sample just
@@ -118,6 +87,7 @@ class DepthControl {
 
     DepthControlParams m_params;
     ControllerKind m_next;
+    bool m_trimKnown;
     SurfaceObserver m_observer;
     DepthPath m_path;
     ToneCanceller m_canceller;

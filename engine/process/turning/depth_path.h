@@ -9,6 +9,8 @@
 
 namespace kerf::turning {
 
+class InversePath;
+
 /// What the law knows of the way from its command to x_i, delay of one sample included: a command given at k shows in
 /// x_i(k + 1). Linear and stable; the same object tells how the entry of the cut (depth from 0 to 1 µm) shows.
 ///
@@ -24,6 +26,8 @@ class DepthPath {
           m_command{CuttingProcess(process)},
           m_entry{CuttingProcess(process)} {}
 
+    /// The same way backwards, at rest.
+    [[nodiscard]] InversePath inverse() const noexcept;
     /// Effect in this sample of the command that acts in it, µm.
     double step_um(double command_um) noexcept { return advance(m_command, command_um); }
     /// Effect in this sample of a cut of 1 µm depth that began with the first call.
@@ -61,5 +65,37 @@ class DepthPath {
     State m_command;
     State m_entry;
 };
+
+/// The way backwards: the command whose effect in the next sample is a given one. P is invertible (usable()).
+class InversePath {
+ public:
+    InversePath(PlantKind kind, const ProcessParams& process, double slidePole, double nominalGain_NPerUm) noexcept
+        : m_kind(kind),
+          m_slidePole(slidePole),
+          m_slideGain((1.0 - slidePole) / nominalGain_NPerUm),
+          m_process(process) {}
+
+    double step_um(double effect_um) noexcept {
+        if (m_kind == PlantKind::B2) {
+            return -effect_um;
+        }
+        const double force_N =
+            m_kind == PlantKind::R0 ? effect_um : (effect_um - m_slidePole * m_effect_um) / m_slideGain;
+        m_effect_um = effect_um;
+        return m_process.invert(force_N);
+    }
+    void setProcess(const ProcessParams& process) noexcept { m_process.setParams(process); }
+
+ private:
+    PlantKind m_kind;
+    double m_slidePole;
+    double m_slideGain;
+    double m_effect_um{0.0};
+    CuttingProcess m_process;
+};
+
+inline InversePath DepthPath::inverse() const noexcept {
+    return {m_kind, m_command.process.params(), m_slidePole, (1.0 - m_slidePole) / m_slideGain};
+}
 
 }  // namespace kerf::turning

@@ -121,8 +121,8 @@ Margins lawMargins(PlantKind plant, const PiGains& gains, const ProcessParams& p
     });
 }
 
-Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& process, const ProcessParams& truth,
-                    double sampleRate_Hz) {
+Margins defaultMargins(const StandingLaw& standing, const ProcessParams& process, const ProcessParams& truth,
+                       double sampleRate_Hz) {
     struct Resonator {
         std::complex<double> turn;
         std::complex<double> inverse;
@@ -130,11 +130,14 @@ Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& pr
     };
     const DepthPath path(PlantKind::B2, process, 0.994, 0.24);
     std::vector<Resonator> resonators;
-    for (const FollowedTone& tone : tones) {
+    for (const FollowedTone& tone : standing.tones) {
         const double omega = 2.0 * kPi * tone.frequency_Hz / sampleRate_Hz;
         resonators.push_back({std::polar(1.0, omega), 1.0 / path.response(omega), tone.share});
     }
-    if (resonators.empty()) {
+    const auto still = [](const auto& weights) {
+        return std::ranges::all_of(weights, [](double w) { return w == 0.0; });
+    };
+    if (resonators.empty() && still(standing.plain) && still(standing.underTones)) {
         const double none = std::numeric_limits<double>::infinity();
         return {none, 0.0, 180.0, none, 1.0};
     }
@@ -150,7 +153,12 @@ Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& pr
         }
         const std::complex<double> way = path.response(omega);
         const std::complex<double> ratio = truth.response(omega) / process.response(omega);
-        return ratio * command * way / (1.0 + predicted - command * way);
+        const double share = standing.toneShare;
+        const std::complex<double> whole =
+            share * command * way +
+            back * ((1.0 - share) * (1.0 + predicted) * BroadbandPredictor::response(standing.plain, omega) +
+                    share * BroadbandPredictor::response(standing.underTones, omega));
+        return ratio * whole / (1.0 + predicted - whole);
     });
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/process/turning/broadband_predictor.h"
 #include "engine/process/turning/depth_path.h"
 #include "engine/process/turning/pi_law.h"
 
@@ -52,14 +53,27 @@ struct FollowedTone {
     double frequency_Hz{0.0};
     double share{0.0};
 };
-/// Margins of the default law on B2 as it stands: all tones together, tuned to `process`, while `truth` cuts.
+/// The default law as it stands: its tones, how far they are trusted (β), and the weights of both predictions.
+struct StandingLaw {
+    std::span<const FollowedTone> tones{};
+    double toneShare{1.0};
+    std::array<double, BroadbandPredictor::kFilters> plain{};
+    std::array<double, BroadbandPredictor::kFilters> underTones{};
+};
+/// Margins of the whole default law on B2, tones and prediction together, tuned to `process`, while `truth` cuts.
 ///
-/// With the amplitudes' Kalman gains constant and the frequencies held the law is linear and time-invariant:
-///   B_j(z) = κ_j/(1 − e^{jω_j} z⁻¹)·e, e = m − Σ Re{e^{jω_j} z⁻¹ B_j}, w = −Σ Re{B_j/path(ω_j)}, m = x_i − path·w
-/// so L = r·G·path/(1 + G_p − G·path), r = truth/process. gainLow may be above 0: the law knows its own path.
-/// A finite tone list; empty: no loop, nothing to lose (infinite margins). Not in the cycle.
-[[nodiscard]] Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& process,
-                                  const ProcessParams& truth, double sampleRate_Hz);
+/// With gains, weights and β constant and the frequencies held the law is linear and time-invariant:
+///   B_j(z) = κ_j/(1 − e^{jω_j} z⁻¹)·e, e = m − Σ Re{e^{jω_j} z⁻¹ B_j} (tones), m = x_i − path·w
+///   −path·w = T·m, T = −β·G·path/(1 + G_p) + z⁻¹[(1 − β) H + β H_u/(1 + G_p)], H = V/R of each prediction
+/// so L = r·T/(1 − T), r = truth/process. gainLow may be above 0: the law knows its own path. Nothing that acts: no
+/// loop, nothing to lose (infinite margins). Not in the cycle.
+[[nodiscard]] Margins defaultMargins(const StandingLaw& standing, const ProcessParams& process,
+                                     const ProcessParams& truth, double sampleRate_Hz);
+/// The same with tones alone, all trusted.
+[[nodiscard]] inline Margins toneMargins(std::span<const FollowedTone> tones, const ProcessParams& process,
+                                         const ProcessParams& truth, double sampleRate_Hz) {
+    return defaultMargins({tones, 1.0, {}, {}}, process, truth, sampleRate_Hz);
+}
 
 /// The worst of what `ofTruth` gives over the 95 % box of an identified process: guaranteed margins.
 [[nodiscard]] Margins guaranteedMargins(const ProcessParams& identified, const std::array<double, 3>& half95,

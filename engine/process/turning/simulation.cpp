@@ -89,9 +89,6 @@ Result<SimulationResult> simulate(const SimulationParams& params, std::span<cons
     controlParams.kind = params.controller;
     controlParams.revolutionSamples = params.revolutionSamples;
     controlParams.piGain = params.piGain;
-    for (const ToneSpec& tone : kPaperTones) {
-        controlParams.knownTones_Hz[controlParams.knownCount++] = tone.frequency_Hz;
-    }
     DepthControl control(controlParams);
 
     Random sensor(params.seed + 1000);

@@ -14,6 +14,7 @@ constexpr double kLowest_Hz = 9.0;       ///< for a decimated rate of 1 kHz
 constexpr double kHighest_Hz = 400.0;
 constexpr double kPointRate_Hz = 1000.0;
 constexpr std::size_t kMultiplicationsPerSlice = 1500;
+constexpr int kSlicesPerSample = 4;
 constexpr double kRidge = 1e-9;
 constexpr double kNearest_rad = 2.0 * kPi * 3.0 / kPointRate_Hz;
 constexpr double kLargestMove_rad = 2.0 * kPi * 2.0 / kPointRate_Hz;  ///< of a frequency in one fit
@@ -37,9 +38,22 @@ bool ToneFinder::step(double value_um, double levelShape) noexcept {
         return false;
     }
     ++m_age;
+    if (m_phase == Phase::Collect) {
+        collect(value_um, levelShape);
+        return false;
+    }
+    for (int i = 0; i < kSlicesPerSample; ++i) {
+        if (slice()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// One piece of the search; true when it has ended with this one.
+bool ToneFinder::slice() noexcept {
     switch (m_phase) {
         case Phase::Collect:
-            collect(value_um, levelShape);
             return false;
         case Phase::Load:
             load();

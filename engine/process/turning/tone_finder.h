@@ -55,6 +55,7 @@ class ToneFinder {
         double sine_um{0.0};
     };
 
+    bool slice() noexcept;
     void collect(double value_um, double levelShape) noexcept;
     void load() noexcept;
     void transformStage() noexcept;

@@ -8,15 +8,15 @@ namespace kerf::turning {
 
 inline constexpr std::size_t kMaxTones = 8;
 
-/// One sinusoid of the disturbance: a·cos φ + b·sin φ with φ(k+1) = φ(k) + ω.
+/// One sinusoid of the disturbance: a·cos φ + b·sin φ with φ(k+1) = φ(k) + ω, ω(k+1) = ω(k) + r.
 struct Tone {
     double omega_radPerSample{0.0};
-    double phase_rad{0.0};  ///< φ at the sample to come
+    double rate_radPerSample2{0.0};  ///< r: how fast the frequency drifts
+    double phase_rad{0.0};           ///< φ at the sample to come
     double a_um{0.0};
     double b_um{0.0};
     double cosine{1.0};  ///< of φ at the last sample, as used by update()
     double sine{0.0};
-    double birth_radPerSample{0.0};  ///< the frequency may move 3 Hz from here
 
     [[nodiscard]] double amplitude_um() const noexcept;
     [[nodiscard]] double frequency_Hz(double sampleRate_Hz) const noexcept;
@@ -25,19 +25,22 @@ struct Tone {
 /// Extended Kalman filter for a level and up to eight sinusoids whose frequencies are only roughly known.
 ///
 ///   m(k) = c·s(k) + Σ (a_j cos φ_j + b_j sin φ_j) + white noise of variance R
-///   a, b, c and the frequencies walk at random with small variances
+///   a, b, c, the frequencies and their rates walk at random with small variances
 ///
 /// s(k) is the shape of the level (1, or how the entry of the cut builds up). Each sinusoid is kept in a frame that
-/// turns with its estimated frequency, so the filter's states change slowly and the frequency error is itself a state.
-/// The whole covariance is kept: two tones 7 Hz apart are told apart as soon as the data allow. Sign and unit: µm in,
-/// µm out. update() does not allocate; it costs about (1 + 3·tones)² multiplications.
+/// turns with its estimated frequency, so the filter's states change slowly; the errors of frequency and rate are
+/// states too, so that a tone that drifts steadily is followed without a lag. The whole covariance is kept: two tones 7
+/// Hz apart are told apart as soon as the data allow. Sign and unit: µm in, µm out. update() does not allocate; it
+/// costs about (1 + 4·tones)² multiplications.
 class ToneTracker {
  public:
     struct Params {
         double amplitudeWalk_um2{3e-8};  ///< per sample
         double levelWalk_um2{1e-9};
         double frequencyWalk_rad2{1e-13};
-        double noise_um2{0.003};  ///< R at the start; then adapted between the two limits
+        double rateWalk_rad2{2e-18};      ///< of ω's change per sample: (3 Hz/s)² in a second
+        double rateVariance_rad2{1e-12};  ///< of a new tone: (4 Hz/s)²
+        double noise_um2{0.003};          ///< R at the start; then adapted between the two limits
         double noiseLow_um2{2e-4};
         double noiseHigh_um2{0.05};
     };
@@ -70,9 +73,10 @@ class ToneTracker {
     [[nodiscard]] double noise_um2() const noexcept { return m_noise_um2; }
 
  private:
-    static constexpr std::size_t kStates = 1 + 3 * kMaxTones;
-    [[nodiscard]] std::size_t states() const noexcept { return 1 + 3 * m_count; }
+    static constexpr std::size_t kStates = 1 + 4 * kMaxTones;
+    [[nodiscard]] std::size_t states() const noexcept { return 1 + 4 * m_count; }
     void predict() noexcept;
+    void bound(std::size_t state, double most) noexcept;
 
     Params m_params;
     std::array<Tone, kMaxTones> m_tones{};
@@ -81,7 +85,7 @@ class ToneTracker {
     double m_noise_um2{0.0};
     double m_predictedVariance_um2{0.0};
     double m_amplitudeWalk_um2{0.0};
-    /// Covariance: level, then a, b, frequency error of each tone.
+    /// Covariance: level, then a, b, errors of frequency and rate of each tone.
     std::array<std::array<double, kStates>, kStates> m_p{};
 };
 

@@ -13,6 +13,8 @@
 namespace kerf {
 namespace {
 
+static_assert(kTurningFilters == turning::BroadbandPredictor::kFilters);
+
 constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Turning) + 1U) << 24U;
 constexpr std::int64_t kCycle_ns = 200'000;
 constexpr std::uint32_t kZeroSamples = 500;  // .1 s in the air before the zero counts
@@ -400,6 +402,9 @@ void TurningLoop::showTones(EventSink& events) noexcept {
         blind = blind || shown.blind;
     }
     events.set(turning_alarm::kBlindTone, blind);
+    m_status.toneShare = law.toneShare();
+    m_status.plainWeights = law.plain().weights();
+    m_status.underToneWeights = law.underTones().weights();
 }
 
 Sentence TurningLoop::cuttingReason() const noexcept {
@@ -411,6 +416,9 @@ Sentence TurningLoop::cuttingReason() const noexcept {
             return Sentence(KERF_TEXT("The trim follows the depth error."));
         case TurningController::Tones:
             break;
+    }
+    if (m_status.acting && (m_status.toneCount == 0 || m_status.toneShare < 0.5)) {
+        return Sentence(KERF_TEXT("The trim follows what can be foreseen of the disturbance."));
     }
     return m_status.acting ? Sentence(KERF_TEXT("The trim cancels %1 tones of the disturbance."),
                                       SentenceArg(static_cast<double>(m_status.toneCount), 0))

@@ -12,6 +12,7 @@
 namespace kerf {
 
 inline constexpr std::size_t kTurningTones = 8;
+inline constexpr std::size_t kTurningFilters = 6;  ///< of the broadband prediction
 
 /// Which law trims the tool. All of them act on the depth error d0 − û only.
 enum class TurningController : std::uint8_t {
@@ -32,8 +33,8 @@ struct TurningSetup {
     double faceFrom_mm{0.0};          ///< along the face, from the outside
     double faceTo_mm{1.0};            ///< > faceFrom
     double trimAuthority_um{2.0};     ///< largest trim of the tool, [0, 2]: the machine's limit stands beside it
-    std::array<double, kTurningTones> knownTones_Hz{17.0, 52.0, 86.0, 113.0, 120.0};  ///< of this machine, 9 to 400
-    std::uint8_t knownToneCount{5};
+    std::array<double, kTurningTones> knownTones_Hz{};  ///< of this machine, 9 to 400
+    std::uint8_t knownToneCount{0};
 };
 static_assert(std::is_trivially_copyable_v<TurningSetup>);
 
@@ -95,6 +96,10 @@ struct TurningStatus {
     Reading touchOff_mm{};  ///< where the tool touched
     std::array<TurningTone, kTurningTones> tones{};
     std::uint8_t toneCount{0};
+    double toneShare{0.0};  ///< how far the law trusts its tones, 0 … 1
+    /// Weights of the broadband predictions of the default law: of the motion as it is, and of what the tones leave.
+    std::array<double, kTurningFilters> plainWeights{};
+    std::array<double, kTurningFilters> underToneWeights{};
     TurningIdentification identification{};
     TurningController controller{TurningController::Tones};
     TurningProcess lawProcess{};  ///< what the law is tuned to

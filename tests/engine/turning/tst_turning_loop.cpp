@@ -58,7 +58,11 @@ class TestTurningLoop : public QObject {
                  qPrintable(QStringLiteral("%1 %2").arg(bench.status().surfaceRms_um).arg(treated_um)));
         QVERIFY(std::abs(bench.status().untreatedRms_um / untreated_um - 1.0) < 0.3);
         QVERIFY(bench.status().toneCount >= 5);
-        QVERIFY(bench.alarms() == std::vector<AlarmCode>{turning_alarm::kBlindTone});
+        const auto raised = bench.alarms();
+        QVERIFY(!raised.empty());
+        for (const AlarmCode code : raised) {
+            QCOMPARE(code, turning_alarm::kBlindTone);
+        }
     }
     void findsZeroTouchAndEnd() {
         test::TurningBench bench;
@@ -207,8 +211,9 @@ class TestTurningLoop : public QObject {
             bench.turning->chipTool(1.0 + 0.002 * i);  // 20 % within 3 s
             bench.run(0.03);
         }
-        QVERIFY(!bench.raised(turning_alarm::kToolChipped));
-        QCOMPARE(bench.loop().state, LoopState::Controlling);
+        const auto raised = bench.alarms();
+        QVERIFY(std::find(raised.begin(), raised.end(), turning_alarm::kToolChipped) == raised.end());
+        QVERIFY2(bench.loop().state == LoopState::Controlling, bench.loop().reason.english().c_str());
     }
     void aForceThatFallsEndsTheTrimWithTheMeanForceAlarm() {
         test::TurningBench bench;
@@ -390,7 +395,7 @@ class TestTurningLoop : public QObject {
         QVERIFY(refused([](TurningSetup& s) { s.trimAuthority_um = 5.0; }));
         QVERIFY(refused([](TurningSetup& s) { s.faceTo_mm = s.faceFrom_mm; }));
         QVERIFY(refused([](TurningSetup& s) { s.toolRadius_um = 1.0; }));
-        QVERIFY(refused([](TurningSetup& s) { s.knownTones_Hz[0] = 1.0; }));
+        QVERIFY(refused([](TurningSetup& s) { s.knownTones_Hz[0] = 1.0, s.knownToneCount = 1; }));
         QVERIFY(bench.execute(LoadTurningSetup{test::shortCut()}).done);
     }
     void cycleNeitherAllocatesLocksNorThrows() {
