@@ -13,6 +13,8 @@ void addThermalCommands(CLI::App& kerf);
 void addTappingCommands(CLI::App& kerf);
 /// The data file: export, verify, check, backup.
 void addDataCommands(CLI::App& kerf);
+/// Charts, capability, gauge studies, Q-DAS files.
+void addQualityCommands(CLI::App& kerf);
 /// A real machine: status, watch, jitter.
 void addMachineCommands(CLI::App& kerf);
 /// Rehearse a scenario of faults and commands.

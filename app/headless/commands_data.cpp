@@ -7,6 +7,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/data_file.h"
 #include "db/api/csv_export.h"
 #include "db/location.h"
 #include "db/migrator.h"
@@ -23,44 +24,8 @@ struct DataOptions {
     std::string copy{};
 };
 
-/// Qt's SQL drivers want an application object; it lives as long as the command.
-struct QtForSql {
-    int argc{1};
-    char name[5]{"kerf"};
-    char* argv[2]{name, nullptr};
-    QCoreApplication application{argc, argv};
-};
-
-std::string dataFile(const DataOptions& options) {
-    return db::databaseFile(options.folder.empty() ? db::defaultDataFolder() : options.folder);
-}
-
-/// The data file, after a look that this program can read it. Never brings it up to date: only the console does.
 std::string checkedFile(const DataOptions& options) {
-    const std::string path = dataFile(options);
-    const int newest = static_cast<int>(db::builtInMigrations().size());
-    const Result<int> version = db::fileVersion(path, newest);
-    if (!version) {
-        throw BadInput(fmt::format("{}: {}", path, version.error().english()));
-    }
-    if (*version == 0) {
-        throw BadInput(fmt::format("{}: there is no data file; expected --data FOLDER with a kerf.db in it.", path));
-    }
-    if (*version < newest) {
-        throw BadInput(
-            fmt::format("{}: the data file has version {}, expected {}; start the console once to bring it "
-                        "up to date (it makes a backup first).",
-                        path, *version, newest));
-    }
-    return path;
-}
-
-std::unique_ptr<db::DatabaseReader> openReader(const std::string& path) {
-    Result<std::unique_ptr<db::DatabaseReader>> reader = db::DatabaseReader::open(path);
-    if (!reader) {
-        throw BadInput(fmt::format("{}: {}", path, reader.error().english()));
-    }
-    return std::move(*reader);
+    return checkedDataFile(options.folder);
 }
 
 PartQuery queryOf(const DataOptions& options) {

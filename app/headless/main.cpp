@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     kerf::headless::addTappingCommands(kerf);
     kerf::headless::addThermalCommands(kerf);
     kerf::headless::addDataCommands(kerf);
+    kerf::headless::addQualityCommands(kerf);
     kerf::headless::addMachineCommands(kerf);
     kerf::headless::addRehearseCommand(kerf);
     try {

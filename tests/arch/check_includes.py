@@ -19,7 +19,7 @@ ALLOWED = {
     "engine/cycle": ["engine/core/", "engine/port/", "engine/limits/", "engine/api/", "engine/cycle/"],
     "engine/machine": ["engine/core/", "engine/port/", "engine/machine/", "engine/process/"],
     "db": ["db/", "engine/core/", "engine/api/", *TYPES],
-    "ui": ["ui/", "db/api/", "engine/core/", "engine/api/", *TYPES],
+    "ui": ["ui/", "db/api/", "engine/core/", "engine/api/", "engine/quality/", *TYPES],
     "app/files": ["app/files/", "engine/"],
     "app/service": ["app/service/", "app/files/", "engine/", "db/", "ui/services/"],
     "app/machines": ["app/machines/", "engine/"],

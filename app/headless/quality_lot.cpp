@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/headless/quality_lot.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "app/files/table.h"
+#include "app/headless/data_file.h"
+
+namespace kerf::headless {
+namespace {
+
+constexpr std::uint32_t kMostLots = 1'000'000;
+
+template <class Value>
+Value valueOf(Result<Value> result, const std::string& path) {
+    if (!result) {
+        throw BadInput(fmt::format("{}: {}", path, result.error().english()));
+    }
+    return std::move(*result);
+}
+
+LotId idOf(const std::vector<LotRow>& lots, const std::string& wanted, const std::string& path) {
+    std::vector<LotId> named;
+    for (const LotRow& lot : lots) {
+        if (lot.name == wanted) {
+            named.push_back(lot.id);
+        }
+    }
+    LotId number = 0;
+    const auto [stop, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    const bool isNumber = error == std::errc{} && stop == wanted.data() + wanted.size();
+    if (named.empty() && isNumber) {
+        for (const LotRow& lot : lots) {
+            if (lot.id == number) {
+                return number;
+            }
+        }
+    }
+    if (named.size() > 1) {
+        throw BadInput(fmt::format("{}: {} lots are named '{}'; give the number instead: {}.", path, named.size(),
+                                   wanted, fmt::join(named, ", ")));
+    }
+    if (named.empty()) {
+        throw BadInput(fmt::format("{}: there is no lot '{}'; expected the name or number of a lot.", path, wanted));
+    }
+    return named.front();
+}
+
+}  // namespace
+
+StoredLot storedLot(const std::string& folder, const std::string& lot) {
+    const QtForSql qt;
+    const std::string path = checkedDataFile(folder);
+    const auto reader = openReader(path);
+    const LotId id = idOf(valueOf(reader->lots(std::nullopt, kMostLots), path), lot, path);
+    auto history = valueOf(reader->history(id), path);
+    if (!history) {
+        throw BadInput(fmt::format("{}: there is no lot '{}'.", path, lot));
+    }
+    StoredLot stored{std::move(*history), {}};
+    const ProcessId process = stored.history.lot.process;
+    const auto records = valueOf(reader->roomRecords(process, kFigureLimits, {}, 1), path);
+    stored.limits =
+        records.empty() ? standardLimits(process) : valueOf(limitsFromJson(process, records.front().bodyJson), path);
+    return stored;
+}
+
+}  // namespace kerf::headless

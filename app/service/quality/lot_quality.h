@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/service/quality/characteristics.h"
+#include "engine/quality/capability.h"
+#include "engine/quality/charts.h"
+
+/// Everything that is said about the quality of one lot: a pure function of what is stored, so that the console, the
+/// commands and the reports say the same.
+namespace kerf {
+
+[[nodiscard]] LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>& limits,
+                                    const quality::ChartParams& params = {});
+
+}  // namespace kerf

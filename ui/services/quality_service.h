@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/api/rows.h"
+#include "engine/core/result.h"
+#include "engine/quality/capability.h"
+#include "engine/quality/charts.h"
+#include "engine/quality/gauge_study.h"
+#include "engine/quality/verdict.h"
+
+/// Quality of lots and gauges, as the pages and reports see it: plain values, each a pure function of what is stored.
+namespace kerf {
+
+/// What is judged of a part: the bores of a boring recipe, the figures of the other processes that have limits.
+struct Characteristic {
+    std::string key{};   ///< "bore_0", "surface_rms_um"
+    std::string name{};  ///< a depth's name, or a figure's label; English, translated by the screen
+    std::string unit{};
+    int decimals{3};
+    std::optional<double> nominal{};
+    quality::Tolerance tolerance{};
+};
+
+struct JudgedValue {
+    std::optional<double> value{};
+    quality::Verdict verdict{quality::Verdict::NotJudged};
+};
+
+/// One part: a value for each characteristic, and the worst verdict. Aborted parts and parts that still want a value
+/// are not judged, unless what is known of them is out of tolerance already.
+struct PartJudgement {
+    std::vector<JudgedValue> values{};
+    quality::Verdict verdict{quality::Verdict::NotJudged};
+};
+
+/// A part on the charts. Boring: the one-step error of its bores. Other processes: the first judged figure against its
+/// own centre and moving range.
+struct ChartedPart {
+    std::uint32_t number{0};
+    PartId id{0};
+    double error{0.0};     ///< e, standardised
+    double tSquared{0.0};  ///< T² over its bores
+    double tSquaredLimit{0.0};
+    double action{0.0};     ///< what the controller does: feed in the middle of the bore, mm/rev; 0: nothing to show
+    bool perturbed{false};  ///< the estimator took it for a change of the process: the charts begin anew behind it
+    quality::ChartPoint point{};
+};
+
+struct LotPart {
+    std::uint32_t number{0};
+    PartId id{0};
+    std::string serial{};
+    bool complete{true};
+    std::int64_t endedUtc_ms{0};
+    PartJudgement judgement{};
+};
+
+struct QualitySignal {
+    std::uint32_t part{0};
+    PartId id{0};
+    quality::Rule rule{quality::Rule::Nelson1};
+};
+
+struct LotQuality {
+    LotRow lot{};
+    std::uint32_t recipeRevision{0};
+    std::vector<Characteristic> characteristics{};
+    std::vector<quality::Capability> capability{};  ///< one per characteristic
+    std::vector<LotPart> parts{};                   ///< by number
+    std::vector<ChartedPart> charted{};             ///< by number
+    std::vector<QualitySignal> found{};
+    std::uint32_t good{0}, notJudged{0}, rework{0}, scrap{0};
+    double gaugeSigma_mm{0.0};  ///< boring: what the estimator takes for the repeatability
+    Sentence sentence{};        ///< whether the process is in control and what drives it
+
+    [[nodiscard]] bool quiet() const noexcept { return found.empty(); }
+};
+
+/// What was done with a part that is out of tolerance.
+struct Disposition {
+    std::string what{};  ///< "reworked", "scrapped", "accepted under concession"
+    std::string author{};
+    std::int64_t utc_ms{0};
+};
+
+/// A gauge of the shop. Lengths in mm; a due date is a day.
+struct Gauge {
+    std::string identity{};  ///< unique: "G-07"
+    std::string description{};
+    double rangeFrom_mm{0.0};
+    double rangeTo_mm{0.0};
+    double resolution_mm{0.001};
+    double ring_mm{0.0};               ///< true size of its setting ring; 0: none
+    std::int64_t dueUtc_ms{0};         ///< 0: no date
+    std::optional<double> sigma_mm{};  ///< repeatability of its newest study that was accepted
+    std::string sigmaFrom{};           ///< "type1", "anova"; empty: no study
+};
+
+/// A study that is kept, with what it was computed from.
+struct GaugeStudyRecord {
+    std::string gauge{};
+    std::string method{};  ///< "type1", "average-range", "anova"
+    double tolerance_mm{0.0};
+    std::vector<quality::StudyReading> readings{};
+    std::string author{};
+    std::int64_t utc_ms{0};
+};
+
+/// GUI thread. `Done` runs on it when the change is on disk, or has failed and why.
+class QualityService {
+ public:
+    QualityService() = default;
+    QualityService(const QualityService&) = delete;
+    QualityService& operator=(const QualityService&) = delete;
+    virtual ~QualityService() = default;
+
+    using Done = std::function<void(const Result<void>&)>;
+
+    /// The lot that is shown; null until the first one has been read.
+    [[nodiscard]] virtual const LotQuality* shown() const = 0;
+    /// A lot is being read on a worker.
+    [[nodiscard]] virtual bool reading() const = 0;
+    [[nodiscard]] virtual Sentence problem() const = 0;
+    /// Read this lot on a worker; listeners are told when it is there.
+    virtual void show(LotId lot) = 0;
+
+    [[nodiscard]] virtual const std::map<PartId, Disposition>& dispositions() const = 0;
+    virtual void dispose(PartId part, const std::string& what, const std::string& author, Done done) = 0;
+
+    [[nodiscard]] virtual const std::vector<Gauge>& gauges() const = 0;
+    virtual void saveGauge(const Gauge& gauge, const std::string& author, Done done) = 0;
+    /// Computes, keeps and takes the repeatability over into the register.
+    virtual void saveStudy(const GaugeStudyRecord& study, const std::string& author, Done done) = 0;
+
+    /// The lot report as PDF with DFQ and CSV attached, on a worker.
+    virtual void writeReport(LotId lot, const std::string& file, Done done) = 0;
+    virtual void writeDfq(LotId lot, const std::string& file, Done done) = 0;
+
+    virtual void onChanged(std::function<void()> changed) = 0;
+};
+
+}  // namespace kerf
