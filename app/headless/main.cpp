@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     kerf::headless::addDataCommands(kerf);
     kerf::headless::addMachineCommands(kerf);
     kerf::headless::addRehearseCommand(kerf);
+    kerf::headless::addShopCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

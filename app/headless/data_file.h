@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <string>
+
+namespace kerf::headless {
+
+/// Qt's SQL drivers want an application object; it lives as long as the command.
+struct QtForSql {
+    int argc{1};
+    char name[5]{"kerf"};
+    char* argv[2]{name, nullptr};
+    QCoreApplication application{argc, argv};
+};
+
+/// The data file of a folder (empty: the user's), after a look that this program can read it. Never brings it up to
+/// date: only the console does. @throws BadInput
+[[nodiscard]] std::string checkedDataFile(const std::string& folder);
+
+}  // namespace kerf::headless
