@@ -50,6 +50,8 @@ ConsoleApplication::ConsoleApplication(Options options) : m_options(std::move(op
 ConsoleApplication::~ConsoleApplication() {
     m_shift.reset();
     m_poll.stop();
+    m_live.reset();  // silent from now on
+    m_shop.reset();
     m_window.reset();
     if (m_engine) {
         m_engine->stop();  // no new parts; then all that has been made goes to the disk
@@ -135,6 +137,12 @@ void ConsoleApplication::openRooms() {
                                 rights()};
     for (const auto& room : m_rooms) {
         room->open(context);
+    }
+    const std::string folder = QFileInfo(QString::fromStdString(m_databasePath)).absolutePath().toStdString();
+    m_live = std::make_unique<LivePublisher>(*m_engine, folder);
+    m_shop = std::make_unique<ShopLink>(folder, m_databasePath, *m_writer);
+    if (!m_shop->fault().empty()) {
+        spdlog::error("shop: {}", m_shop->fault());
     }
     m_modes = std::make_unique<LoopModes>(
         *m_engine, *m_reader, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
@@ -263,6 +271,8 @@ void ConsoleApplication::poll() {
     }
     m_stops->poll();
     m_modes->poll();
+    m_shop->poll(live::monotonic_ms());
+    m_live->poll(m_shop->json());
 }
 
 std::string ConsoleApplication::author() const {

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/console/background.h"
+#include "app/console/live_publisher.h"
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
 #include "app/console/rooms/room.h"
+#include "app/console/shop_link.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
 #include "app/console/stop_keeper.h"
@@ -95,6 +97,8 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<Subscription> m_serviceChanges;
     std::unique_ptr<StopKeeper> m_stops;
     std::unique_ptr<LoopModes> m_modes;
+    std::unique_ptr<LivePublisher> m_live;  ///< for gateways
+    std::unique_ptr<ShopLink> m_shop;
     QTimer m_poll;
     std::unique_ptr<ui::Look> m_look;
     ui::Preferences m_savedPreferences{};

@@ -20,4 +20,7 @@ void addMachineCommands(CLI::App& kerf);
 /// Rehearse a scenario of faults and commands.
 void addRehearseCommand(CLI::App& kerf);
 
+/// Many consoles, one PostgreSQL: init, enroll, status, push, verify.
+void addShopCommands(CLI::App& kerf);
+
 }  // namespace kerf::headless

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,7 +8,6 @@
 #include "app/headless/commands.h"
 #include "app/headless/data_file.h"
 #include "db/api/csv_export.h"
-#include "db/location.h"
 #include "db/migrator.h"
 #include "db/readers/database_reader.h"
 
@@ -41,7 +39,7 @@ PartQuery queryOf(const DataOptions& options) {
 
 void exportTable(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDataFile(options.folder);
     const auto reader = openReader(path);
     // Collected first: a file that turns out to be damaged in its middle leaves nothing half-written.
     std::string text;
@@ -64,7 +62,7 @@ void exportTable(const DataOptions& options) {
 
 void verify(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDataFile(options.folder);
     const Result<AuditVerdict> verdict = openReader(path)->verifyAudit();
     if (!verdict) {
         throw BadInput(fmt::format("{}: {}", path, verdict.error().english()));
@@ -91,7 +89,7 @@ void verify(const DataOptions& options) {
 
 void check(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDataFile(options.folder);
     if (const Result<void> whole = db::checkDatabase(path); !whole) {
         throw BadInput(fmt::format("{}: {}", path, whole.error().english()));
     }
@@ -107,7 +105,7 @@ void check(const DataOptions& options) {
 
 void backup(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDataFile(options.folder);
     if (const Result<void> copied = db::backupDatabase(path, options.copy); !copied) {
         throw BadInput(fmt::format("{}: {}", options.copy, copied.error().english()));
     }

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
     kerf::headless::addQualityCommands(kerf);
     kerf::headless::addMachineCommands(kerf);
     kerf::headless::addRehearseCommand(kerf);
+    kerf::headless::addShopCommands(kerf);
     try {
         kerf.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

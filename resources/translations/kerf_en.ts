@@ -3531,6 +3531,8 @@
         <message>
             <source>small lasting error (EWMA)</source>
             <translation>small lasting error (EWMA)</translation>
+            <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
+            <translation>The shop has been out of reach for %1 min; %2 entries wait here.</translation>
         </message>
         <message>
             <source>%1 finished parts are not recorded.</source>

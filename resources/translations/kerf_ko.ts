@@ -3530,6 +3530,8 @@
         <message>
             <source>small lasting error (EWMA)</source>
             <translation>작고 지속되는 오차 (EWMA)</translation>
+            <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
+            <translation>%1분 동안 공장 서버에 연결되지 않았습니다. 여기에 %2건이 대기 중입니다.</translation>
         </message>
         <message>
             <source>%1 finished parts are not recorded.</source>

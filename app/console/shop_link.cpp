@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/shop_link.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "db/shop/outbox.h"
+
+namespace kerf::console {
+namespace {
+
+const char* key(db::ShopTrouble trouble) {
+    switch (trouble) {
+        case db::ShopTrouble::None:
+            return "none";
+        case db::ShopTrouble::NotPrepared:
+            return "not prepared";
+        case db::ShopTrouble::NotAllowed:
+            return "not allowed";
+        case db::ShopTrouble::NewerConsole:
+            return "newer console";
+        case db::ShopTrouble::DataFile:
+            return "data file";
+        case db::ShopTrouble::Unreachable:
+        case db::ShopTrouble::Interrupted:
+            break;
+    }
+    return "unreachable";
+}
+
+}  // namespace
+
+ShopLink::ShopLink(const std::string& dataFolder, const std::string& dataFile, StoreWriter& writer) : m_writer(writer) {
+    std::ifstream file(dataFolder + "/shop/database");
+    std::string conninfo;
+    if (!std::getline(file, conninfo) || conninfo.empty()) {
+        return;
+    }
+    m_fault = db::conninfoFault(conninfo);
+    if (m_fault.empty() && db::holdsPassword(conninfo)) {
+        m_fault = "shop/database holds a password; use a certificate or a service";
+    }
+    if (m_fault.empty()) {
+        m_sender = std::make_unique<db::ShopSender>(dataFile, conninfo);
+    }
+}
+
+ShopLink::~ShopLink() = default;
+
+void ShopLink::poll(std::int64_t now_ms) {
+    if (!m_sender) {
+        return;
+    }
+    const db::ShopState state = m_sender->state();
+    if (state.trouble == db::ShopTrouble::None) {
+        m_troubleSince_ms = -1;
+        if (m_alarm) {
+            m_writer.submit(ClearAlarm{kShopOutOfReach}, {});
+            m_alarm = false;
+        }
+        return;
+    }
+    if (m_troubleSince_ms < 0) {
+        m_troubleSince_ms = now_ms;
+    }
+    if (!m_alarm && now_ms - m_troubleSince_ms >= kPatience_ms) {
+        m_writer.submit(
+            RaiseAlarm{kShopOutOfReach, 3,
+                       Sentence(KERF_TEXT("The shop has been out of reach for %1 min; %2 entries wait here."),
+                                SentenceArg(static_cast<double>(now_ms - m_troubleSince_ms) / 60000.0, 0),
+                                SentenceArg(static_cast<double>(state.unsent), 0))},
+            {});
+        m_alarm = true;
+    }
+}
+
+std::string ShopLink::json() const {
+    if (!m_sender) {
+        return {};
+    }
+    const db::ShopState state = m_sender->state();
+    return fmt::format(R"({{"trouble":"{}","detail":{},"unsent":{},"set_aside":{},"contact_utc_ms":{}}})",
+                       key(state.trouble), db::jsonText(state.detail), state.unsent, state.setAside,
+                       state.lastContact_utc_ms);
+}
+
+}  // namespace kerf::console
