@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,6 +6,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/data_file.h"
 #include "db/api/csv_export.h"
 #include "db/location.h"
 #include "db/migrator.h"
@@ -23,46 +23,6 @@ struct DataOptions {
     std::string copy{};
 };
 
-/// Qt's SQL drivers want an application object; it lives as long as the command.
-struct QtForSql {
-    int argc{1};
-    char name[5]{"kerf"};
-    char* argv[2]{name, nullptr};
-    QCoreApplication application{argc, argv};
-};
-
-std::string dataFile(const DataOptions& options) {
-    return db::databaseFile(options.folder.empty() ? db::defaultDataFolder() : options.folder);
-}
-
-/// The data file, after a look that this program can read it. Never brings it up to date: only the console does.
-std::string checkedFile(const DataOptions& options) {
-    const std::string path = dataFile(options);
-    const int newest = static_cast<int>(db::builtInMigrations().size());
-    const Result<int> version = db::fileVersion(path, newest);
-    if (!version) {
-        throw BadInput(fmt::format("{}: {}", path, version.error().english()));
-    }
-    if (*version == 0) {
-        throw BadInput(fmt::format("{}: there is no data file; expected --data FOLDER with a kerf.db in it.", path));
-    }
-    if (*version < newest) {
-        throw BadInput(
-            fmt::format("{}: the data file has version {}, expected {}; start the console once to bring it "
-                        "up to date (it makes a backup first).",
-                        path, *version, newest));
-    }
-    return path;
-}
-
-std::unique_ptr<db::DatabaseReader> openReader(const std::string& path) {
-    Result<std::unique_ptr<db::DatabaseReader>> reader = db::DatabaseReader::open(path);
-    if (!reader) {
-        throw BadInput(fmt::format("{}: {}", path, reader.error().english()));
-    }
-    return std::move(*reader);
-}
-
 PartQuery queryOf(const DataOptions& options) {
     PartQuery query;
     query.text = options.text;
@@ -76,8 +36,8 @@ PartQuery queryOf(const DataOptions& options) {
 
 void exportTable(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
-    const auto reader = openReader(path);
+    const std::string path = checkedDatabase(options.folder);
+    const auto reader = openDatabase(path);
     // Collected first: a file that turns out to be damaged in its middle leaves nothing half-written.
     std::string text;
     const CsvSink sink = [&text](std::string_view piece) {
@@ -99,8 +59,8 @@ void exportTable(const DataOptions& options) {
 
 void verify(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
-    const Result<AuditVerdict> verdict = openReader(path)->verifyAudit();
+    const std::string path = checkedDatabase(options.folder);
+    const Result<AuditVerdict> verdict = openDatabase(path)->verifyAudit();
     if (!verdict) {
         throw BadInput(fmt::format("{}: {}", path, verdict.error().english()));
     }
@@ -126,11 +86,11 @@ void verify(const DataOptions& options) {
 
 void check(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDatabase(options.folder);
     if (const Result<void> whole = db::checkDatabase(path); !whole) {
         throw BadInput(fmt::format("{}: {}", path, whole.error().english()));
     }
-    const auto reader = openReader(path);
+    const auto reader = openDatabase(path);
     nlohmann::ordered_json report;
     report["file"] = path;
     report["version"] = db::builtInMigrations().size();
@@ -142,7 +102,7 @@ void check(const DataOptions& options) {
 
 void backup(const DataOptions& options) {
     const QtForSql qt;
-    const std::string path = checkedFile(options);
+    const std::string path = checkedDatabase(options.folder);
     if (const Result<void> copied = db::backupDatabase(path, options.copy); !copied) {
         throw BadInput(fmt::format("{}: {}", options.copy, copied.error().english()));
     }

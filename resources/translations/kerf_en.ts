@@ -23,6 +23,18 @@
             <comment>part number, depth of its bore</comment>
             <translation>part %1, %2</translation>
         </message>
+        <message>
+            <source>Tool reground</source>
+            <translation>Tool reground</translation>
+        </message>
+        <message>
+            <source>Other material</source>
+            <translation>Other material</translation>
+        </message>
+        <message>
+            <source>New insert</source>
+            <translation>New insert</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -3656,6 +3668,82 @@
             <source>This machine is not shared: there is nobody to take it over from.</source>
             <translation>This machine is not shared: there is nobody to take it over from.</translation>
         </message>
+        <message>
+            <source>A change is announced for part %1: it begins from what such changes have brought.</source>
+            <translation>A change is announced for part %1: it begins from what such changes have brought.</translation>
+        </message>
+        <message>
+            <source>A part is being bored; announce the change when it is finished.</source>
+            <translation>A part is being bored; announce the change when it is finished.</translation>
+        </message>
+        <message>
+            <source>Begin from earlier lots (1 yes, 0 no)</source>
+            <translation>Begin from earlier lots (1 yes, 0 no)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</source>
+            <translation>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</translation>
+        </message>
+        <message>
+            <source>Expected from the %1 measured parts of this lot.</source>
+            <translation>Expected from the %1 measured parts of this lot.</translation>
+        </message>
+        <message>
+            <source>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</source>
+            <translation>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</translation>
+        </message>
+        <message>
+            <source>First part teaches (1 yes, 0 no)</source>
+            <translation>First part teaches (1 yes, 0 no)</translation>
+        </message>
+        <message>
+            <source>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</source>
+            <translation>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</translation>
+        </message>
+        <message>
+            <source>Nothing is measured in this lot yet: it begins from the lots before it.</source>
+            <translation>Nothing is measured in this lot yet: it begins from the lots before it.</translation>
+        </message>
+        <message>
+            <source>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</source>
+            <translation>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</translation>
+        </message>
+        <message>
+            <source>Prior: feed exponent α</source>
+            <translation>Prior: feed exponent α</translation>
+        </message>
+        <message>
+            <source>Prior: ln C</source>
+            <translation>Prior: ln C</translation>
+        </message>
+        <message>
+            <source>Prior: overhang exponent β</source>
+            <translation>Prior: overhang exponent β</translation>
+        </message>
+        <message>
+            <source>Prior: spread of the level</source>
+            <translation>Prior: spread of the level</translation>
+        </message>
+        <message>
+            <source>Prior: spread of α</source>
+            <translation>Prior: spread of α</translation>
+        </message>
+        <message>
+            <source>Prior: spread of β</source>
+            <translation>Prior: spread of β</translation>
+        </message>
+        <message>
+            <source>The first part of a lot counts as cut with a new tool already.</source>
+            <translation>The first part of a lot counts as cut with a new tool already.</translation>
+        </message>
+        <message>
+            <source>This lot does not begin from earlier ones; a change is found by its bores.</source>
+            <translation>This lot does not begin from earlier ones; a change is found by its bores.</translation>
+        </message>
+        <message>
+            <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
+            <translation>wide guess for any boring spindle about table 1 of Lee (1983)</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -3857,6 +3945,22 @@
             <source>Cpk %1 (%2)</source>
             <comment>figure, depth</comment>
             <translation>Cpk %1 (%2)</translation>
+        </message>
+        <message>
+            <source>What is new with the next part?</source>
+            <translation>What is new with the next part?</translation>
+        </message>
+        <message>
+            <source>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</source>
+            <translation>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Take back</source>
+            <translation>Take back</translation>
         </message>
     </context>
     <context>
@@ -4713,6 +4817,47 @@
             <source>The lot is closed.</source>
             <translation>The lot is closed.</translation>
         </message>
+        <message>
+            <source>Insert grade</source>
+            <translation>Insert grade</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <comment>share of a lot in what this one began from</comment>
+            <translation>Counts</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>left out</translation>
+        </message>
+        <message>
+            <source>touch a lot that the current one begins from</source>
+            <translation>touch a lot that the current one begins from</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>Lot %1 counts again.</source>
+            <translation>Lot %1 counts again.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is left out of what lots begin from.</source>
+            <translation>Lot %1 is left out of what lots begin from.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
@@ -5390,6 +5535,14 @@
         <message>
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
+        </message>
+        <message>
+            <source>Announced: %1</source>
+            <translation>Announced: %1</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>Tool or material changed</translation>
         </message>
     </context>
     <context>

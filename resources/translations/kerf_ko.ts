@@ -23,6 +23,18 @@
             <comment>part number, depth of its bore</comment>
             <translation>%1번 공작물, %2</translation>
         </message>
+        <message>
+            <source>Tool reground</source>
+            <translation>공구 재연삭</translation>
+        </message>
+        <message>
+            <source>Other material</source>
+            <translation>다른 소재</translation>
+        </message>
+        <message>
+            <source>New insert</source>
+            <translation>새 인서트</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -3655,6 +3667,82 @@
             <source>This machine is not shared: there is nobody to take it over from.</source>
             <translation>이 기계는 공유되지 않습니다. 넘겨받을 상대가 없습니다.</translation>
         </message>
+        <message>
+            <source>A change is announced for part %1: it begins from what such changes have brought.</source>
+            <translation>공작물 %1에 변경이 예고되었습니다. 그런 변경이 지금까지 가져온 결과에서 시작합니다.</translation>
+        </message>
+        <message>
+            <source>A part is being bored; announce the change when it is finished.</source>
+            <translation>공작물을 보링하는 중입니다. 끝난 뒤에 변경을 예고하십시오.</translation>
+        </message>
+        <message>
+            <source>Begin from earlier lots (1 yes, 0 no)</source>
+            <translation>이전 로트에서 시작 (1 예, 0 아니오)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</source>
+            <translation>이전 로트 %1개로 예상한 값입니다. 새 공구의 휨은 ± %2 % (1σ) 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Expected from the %1 measured parts of this lot.</source>
+            <translation>이 로트에서 측정한 공작물 %1개로 예상한 값입니다.</translation>
+        </message>
+        <message>
+            <source>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</source>
+            <translation>이 로트와 이전 로트 %1개로 예상한 값입니다. 이런 변경 뒤에는 휨이 ± %2 % (1σ) 다릅니다.</translation>
+        </message>
+        <message>
+            <source>First part teaches (1 yes, 0 no)</source>
+            <translation>첫 공작물로 학습 (1 예, 0 아니오)</translation>
+        </message>
+        <message>
+            <source>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</source>
+            <translation>아직 알려진 것이 없습니다. 이송의 영향을 알 수 있도록 바닥 근처에서 이송을 %1에서 %2 mm/rev로 낮춥니다. 가운데도 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing is measured in this lot yet: it begins from the lots before it.</source>
+            <translation>이 로트에는 아직 측정값이 없습니다. 이전 로트에서 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</source>
+            <translation>공작물 %1이 과거에서 예상한 것과 다릅니다. 과거를 버리고 법칙을 새로 학습합니다.</translation>
+        </message>
+        <message>
+            <source>Prior: feed exponent α</source>
+            <translation>사전값: 이송 지수 α</translation>
+        </message>
+        <message>
+            <source>Prior: ln C</source>
+            <translation>사전값: ln C</translation>
+        </message>
+        <message>
+            <source>Prior: overhang exponent β</source>
+            <translation>사전값: 돌출 길이 지수 β</translation>
+        </message>
+        <message>
+            <source>Prior: spread of the level</source>
+            <translation>사전값: 수준의 산포</translation>
+        </message>
+        <message>
+            <source>Prior: spread of α</source>
+            <translation>사전값: α의 산포</translation>
+        </message>
+        <message>
+            <source>Prior: spread of β</source>
+            <translation>사전값: β의 산포</translation>
+        </message>
+        <message>
+            <source>The first part of a lot counts as cut with a new tool already.</source>
+            <translation>로트의 첫 공작물은 이미 새 공구로 가공하는 것으로 봅니다.</translation>
+        </message>
+        <message>
+            <source>This lot does not begin from earlier ones; a change is found by its bores.</source>
+            <translation>이 로트는 이전 로트에서 시작하지 않습니다. 변경은 내경으로 찾아냅니다.</translation>
+        </message>
+        <message>
+            <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
+            <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 스핀들의 넓은 추정</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -3855,6 +3943,22 @@
             <source>Cpk %1 (%2)</source>
             <comment>figure, depth</comment>
             <translation>Cpk %1 (%2)</translation>
+        </message>
+        <message>
+            <source>What is new with the next part?</source>
+            <translation>다음 공작물에서 무엇이 바뀝니까?</translation>
+        </message>
+        <message>
+            <source>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</source>
+            <translation>그러면 예상 내경은 그런 변경이 지금까지 가져온 결과에서 시작합니다. 아는 것이 없으면 그냥 계속하십시오.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Take back</source>
+            <translation>예고 취소</translation>
         </message>
     </context>
     <context>
@@ -4711,6 +4815,47 @@
             <source>The lot is closed.</source>
             <translation>로트를 닫았습니다.</translation>
         </message>
+        <message>
+            <source>Insert grade</source>
+            <translation>인서트 재종</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>소재</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <comment>share of a lot in what this one began from</comment>
+            <translation>비중</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>제외됨</translation>
+        </message>
+        <message>
+            <source>touch a lot that the current one begins from</source>
+            <translation>현재 로트가 시작하는 데 쓰인 로트를 누르십시오</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>이유를 입력하십시오</translation>
+        </message>
+        <message>
+            <source>Lot %1 counts again.</source>
+            <translation>로트 %1을 다시 포함합니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is left out of what lots begin from.</source>
+            <translation>로트 %1을 로트의 시작 값에서 제외합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
@@ -5387,6 +5532,14 @@
         <message>
             <source>Lot %1 is full: %2 parts</source>
             <translation>로트 %1 완료: 공작물 %2개</translation>
+        </message>
+        <message>
+            <source>Announced: %1</source>
+            <translation>예고됨: %1</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>공구나 소재 변경</translation>
         </message>
     </context>
     <context>

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <memory>
+#include <string>
+
+#include "db/readers/database_reader.h"
+
+/// The console's data file, read by a headless command.
+namespace kerf::headless {
+
+/// Qt's SQL drivers want an application object; it lives as long as the command.
+struct QtForSql {
+    int argc{1};
+    char name[5]{"kerf"};
+    char* argv[2]{name, nullptr};
+    QCoreApplication application{argc, argv};
+};
+
+/// `folder` empty: the default one.
+[[nodiscard]] std::string databasePath(const std::string& folder);
+/// The same after a look that this program can read it. Never brings it up to date: only the console does.
+/// @throws BadInput
+[[nodiscard]] std::string checkedDatabase(const std::string& folder);
+/// @throws BadInput
+[[nodiscard]] std::unique_ptr<db::DatabaseReader> openDatabase(const std::string& path);
+
+}  // namespace kerf::headless
