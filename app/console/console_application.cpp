@@ -212,6 +212,7 @@ void ConsoleApplication::openLots() {
     first.author = std::string(kAuthor);
     StoredBoringService::Links links{*m_writer, *m_engine};
     links.rights = rights();
+    links.records = m_reader.get();
     links.gauge = [this](const ServicePart& part, const BoringRecipe& recipe,
                          double overhang_mm) -> std::optional<double> {
         if (!m_simulator) {

@@ -223,6 +223,8 @@ void addBoringCommands(CLI::App& kerf) {
     addBoringSimulate(*boring);
     addBoringTable(*boring);
     addBoringGcode(*boring);
+    addBoringMemory(*boring);
+    addBoringRobust(*boring);
 }
 
 }  // namespace kerf::headless

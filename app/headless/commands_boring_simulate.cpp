@@ -15,6 +15,12 @@ struct SimulateOptions {
     BoringOptions common{};
     std::uint32_t parts{30};
     std::uint32_t runs{1};
+    std::uint32_t lots{1};
+    std::string memory{"off"};
+    std::string firstPart{"fixed"};
+    std::string announcedFile{};
+    std::uint64_t machineSeed{0};
+    bool learnSigma{false};
     std::uint64_t seed{1};
     double feed0_mmPerRev{0.5};
     std::optional<double> minFeed_mmPerRev{};
@@ -83,6 +89,14 @@ boring::TruthPlan basePlan(const SimulateOptions& options) {
     return plan;
 }
 
+boring::TruthPlan randomPlan(const SimulateOptions& options, std::uint32_t run, std::uint32_t lot) {
+    const Random ofRun = Random(options.seed).stream(run).stream(kTruthStream);
+    Random random = lot == 1 ? ofRun : ofRun.stream(lot);
+    boring::TruthPlan truth = boring::randomChanges(random, options.common.targetDeflection_mm);
+    truth.drift_percentPerPart = options.drift_percent;
+    return truth;
+}
+
 void checkDepths(const char* option, const std::vector<double>& overhangs_mm, std::size_t most) {
     if (overhangs_mm.empty() || overhangs_mm.size() > most) {
         throw CLI::ValidationError(option, fmt::format("expects 1 to {} overhangs", most));
@@ -95,18 +109,22 @@ void checkDepths(const char* option, const std::vector<double>& overhangs_mm, st
     }
 }
 
-nlohmann::ordered_json summaryJson(const SimulateOptions& options, std::uint32_t runs,
+nlohmann::ordered_json summaryJson(const SimulateOptions& options, std::uint32_t runs, std::uint32_t lots,
                                    const boring::CampaignSummary& s) {
     return {{"estimator", options.common.estimator},
             {"policy", options.policy},
             {"parts", options.parts},
             {"runs", runs},
+            {"lots", lots},
+            {"memory", options.memory},
+            {"first_part", options.firstPart},
             {"seed", options.seed},
             {"sigma_mm", options.common.sigma_mm},
             {"alpha0", options.common.alpha0},
             {"feed0_mm_per_rev", options.feed0_mmPerRev},
             {"scrap_mean", s.scrap.value},
             {"scrap_ci95", s.scrap.half95},
+            {"scrap_per_lot", s.scrapPerLot},
             {"scrap_from_part_4_mean", s.scrapFromPart4.value},
             {"false_alarm", s.falseAlarm},
             {"detections_mean", s.detectionsPerLot},
@@ -120,7 +138,7 @@ nlohmann::ordered_json summaryJson(const SimulateOptions& options, std::uint32_t
             {"refused_mean", s.refused}};
 }
 
-void simulate(const SimulateOptions& options, bool runsGiven) {
+void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
     if (options.randomChanges && (!options.changes.empty() || !options.truthFile.empty())) {
         throw CLI::ValidationError("--random-changes", "cannot be combined with --change or --truth");
     }
@@ -130,9 +148,21 @@ void simulate(const SimulateOptions& options, bool runsGiven) {
     if (options.policy == "told-changes" && options.common.estimator != "kalman") {
         throw CLI::ValidationError("--policy", "told-changes needs --estimator kalman");
     }
+    if (options.machineSeed != 0 && (options.randomChanges || !options.changes.empty() || !options.truthFile.empty())) {
+        throw CLI::ValidationError("--machine-seed",
+                                   "brings its own truth: not with --change, --random-changes, --truth");
+    }
+    if (options.learnSigma && (options.memory == "on" || options.common.estimator != "kalman")) {
+        throw CLI::ValidationError("--learn-sigma", "needs --estimator kalman and --memory off");
+    }
+    if (options.memory == "on" && options.common.estimator != "kalman") {
+        throw CLI::ValidationError("--memory", "on needs --estimator kalman");
+    }
     checkDepths("--measure-at", options.measureAt_mm, kMaxBoreDepths);
     checkDepths("--evaluate-at", options.evaluateAt_mm, 1000);
-    const boring::TruthPlan plan = basePlan(options);
+    const boring::TruthPlan plan =
+        options.machineSeed != 0 ? boring::hardMachine(options.machineSeed, options.common.targetDeflection_mm).truth
+                                 : basePlan(options);
 
     boring::CampaignParams params;
     params.estimator = options.common.params();
@@ -150,11 +180,17 @@ void simulate(const SimulateOptions& options, bool runsGiven) {
     params.scrapBand_mm = 3.0 * options.common.sigma_mm;
     params.typoRate = options.typoRate;
     params.gated = !options.noGate;
+    params.memory = options.memory == "on";
+    params.teach = options.firstPart == "teach";
+    params.learnSigma = options.learnSigma;
+    params.hard = boring::hardMachine(options.machineSeed, options.common.targetDeflection_mm);
 
     std::uint32_t runs = options.runs;
     std::uint32_t firstRun = 1;
     std::optional<NoiseFile> noise;
-    std::vector<boring::TruthPlan> plans;
+    std::uint32_t lots = options.lots;
+    std::uint32_t firstLot = 1;
+    std::vector<std::vector<boring::TruthPlan>> plans;
     if (!options.noiseFile.empty()) {
         noise.emplace(options.noiseFile);
         runs = runsGiven ? runs : noise->runs();
@@ -164,25 +200,33 @@ void simulate(const SimulateOptions& options, bool runsGiven) {
         const TruthFile truth(options.truthFile);
         runs = runsGiven || noise ? runs : truth.runs();
         firstRun = noise ? firstRun : truth.firstRun();
-        plans = truth.plans(runs, options.parts);
+        lots = lotsGiven ? lots : truth.lots();
+        firstLot = truth.firstLot();
+        plans = truth.plans(runs, lots, options.parts);
     }
     if (noise) {
-        noise->require(runs, options.parts, options.measureAt_mm);
-        params.noise = [&noise](std::uint32_t run, std::uint32_t part, std::size_t depth) {
-            return noise->z(run, part, depth);
+        const auto first_mm = params.teach ? boring::teachDepths_mm(params) : options.measureAt_mm;
+        noise->require({runs, lots, options.parts, first_mm, options.measureAt_mm});
+        params.noise = [&noise](std::uint32_t run, std::uint32_t lot, std::uint32_t part, std::size_t depth) {
+            return noise->z(run, lot, part, depth);
         };
+    }
+    std::optional<AnnouncedFile> announced;
+    if (!options.announcedFile.empty()) {
+        announced.emplace(options.announcedFile, firstRun, firstLot);
     }
 
     CsvOutput csv(
         "run,part,overhang_mm,measured,feed_mm_per_rev,deflection_true_mm,deflection_measured_mm,ln_c,alpha,beta,"
-        "perturbed");
+        "perturbed,lot");
     std::function<void(const boring::CampaignRow&)> sink;
     if (options.csv) {
         sink = [&](const boring::CampaignRow& row) {
             const auto& after = row.outcome.after;
             const auto cells = [&](const auto& measured, const auto& lnC, const auto& alpha, const auto& beta) {
                 csv.row(row.run + firstRun - 1U, row.part, row.overhang_mm, row.measured, row.feed_mmPerRev,
-                        row.deflectionTrue_mm, measured, lnC, alpha, beta, row.outcome.perturbed);
+                        row.deflectionTrue_mm, measured, lnC, alpha, beta, row.outcome.perturbed,
+                        row.lot + firstLot - 1U);
             };
             const auto estimate = [&](const auto& measured) {
                 after.ready ? cells(measured, after.law.lnC, after.law.alpha, after.law.beta)
@@ -193,18 +237,22 @@ void simulate(const SimulateOptions& options, bool runsGiven) {
     }
     boring::CampaignTally tally;
     for (std::uint32_t run = 1; run <= runs; ++run) {
-        boring::TruthPlan truth = plans.empty() ? plan : plans[run - 1U];
-        if (options.randomChanges) {
-            Random random = Random(options.seed).stream(run).stream(kTruthStream);
-            truth = boring::randomChanges(random, options.common.targetDeflection_mm);
-            truth.drift_percentPerPart = options.drift_percent;
+        std::vector<boring::PastLot> past;
+        for (std::uint32_t lot = 1; lot <= lots; ++lot) {
+            const boring::TruthPlan truth = options.randomChanges ? randomPlan(options, run, lot)
+                                            : plans.empty()       ? plan
+                                                                  : plans[run - 1U][lot - 1U];
+            const auto changes = announced ? announced->changes(run, lot) : std::vector<boring::AnnouncedChange>{};
+            boring::LotResult result =
+                boring::simulateLot(params, truth, options.seed, run, sink, {lot, past, changes});
+            tally.add(result, truth, lot);
+            past.push_back({lot, {}, std::move(result.stretches)});
         }
-        tally.add(boring::simulateLot(params, truth, options.seed, run, sink), truth);
     }
     if (options.csv) {
         csv.flush();
     } else {
-        printJson(summaryJson(options, runs, tally.summary()));
+        printJson(summaryJson(options, runs, lots, tally.summary()));
     }
 }
 
@@ -219,9 +267,12 @@ void addBoringSimulate(CLI::App& boring) {
         "is more than 3σ off d0 at any --evaluate-at overhang.\n"
         "--csv: "
         "run,part,overhang_mm,measured,feed_mm_per_rev,deflection_true_mm,deflection_measured_mm,ln_c,alpha,beta,\n"
-        "  perturbed; per part the measured depths in measuring order, then those only evaluated; estimate after the "
+        "  perturbed,lot; per part the measured depths in measuring order, then those only evaluated; estimate after "
+        "the "
         "row.\n"
-        "--summary (default), JSON: scrap_mean per lot and scrap_ci95 (half width of its 95 % interval); false_alarm "
+        "--summary (default), JSON: scrap_mean per lot and scrap_ci95 (half width of its 95 % interval); "
+        "scrap_per_lot[] "
+        "(mean over runs, lot by lot);\n  false_alarm "
         "(share\n"
         "  of lots that perturbed between part 4 and the first change); perturbed_after_change[] (share of lots, per "
         "change,\n"
@@ -234,6 +285,26 @@ void addBoringSimulate(CLI::App& boring) {
     CLI::Option* runs =
         app->add_option("--runs", options->runs, "lots; default: as many as the noise or truth file has, else 1")
             ->check(CLI::Range(1U, 1000000U));
+    CLI::Option* lots = app->add_option("--lots", options->lots,
+                                        "lots per run, one after the other; default: as many as the truth file has")
+                            ->check(CLI::Range(1U, 1000U));
+    app->add_option("--memory", options->memory,
+                    "on: a lot begins from the lots of its run before it, and an announced change draws on them; off: "
+                    "each lot\n"
+                    "begins from the wide prior and announcements are not used")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
+    app->add_option("--first-part", options->firstPart,
+                    "teach: without a past the feed varies along the first part, which is measured in the middle too; "
+                    "fixed: --feed0")
+        ->check(CLI::IsMember({"teach", "fixed"}))
+        ->capture_default_str();
+    app->add_option("--machine-seed", options->machineSeed,
+                    "a hard machine drawn from this seed (docs/boring.md); 0: the reference machine")
+        ->capture_default_str();
+    app->add_flag("--learn-sigma", options->learnSigma, "the gauge's σ is learnt from the bores instead of --sigma-mm");
+    app->add_option("--announced", options->announcedFile,
+                    "CSV run,lot,part: the first part cut with a new insert, as the operator announces it");
     app->add_option("--seed", options->seed, "same seed, same digits")->capture_default_str();
     options->common.addTo(*app);
     app->add_option("--feed0", options->feed0_mmPerRev, "constant feed of part 1, mm/rev")
@@ -256,8 +327,9 @@ void addBoringSimulate(CLI::App& boring) {
     app->add_option("--measure-at", options->measureAt_mm, "overhangs measured, mm, in this order (1 to 8)")
         ->delimiter(',');
     app->add_option("--evaluate-at", options->evaluateAt_mm, "overhangs that decide over scrap, mm")->delimiter(',');
-    app->add_option("--noise", options->noiseFile, "CSV run,part,overhang_mm,z: the standard normal noise to use");
-    app->add_option("--truth", options->truthFile, "CSV run,part,alpha,beta,c_mm: the true law of every part");
+    app->add_option("--noise", options->noiseFile,
+                    "CSV run,[lot,]part,overhang_mm,z: the standard normal noise to use");
+    app->add_option("--truth", options->truthFile, "CSV run,[lot,]part,alpha,beta,c_mm: the true law of every part");
     app->add_option("--typo-rate", options->typoRate, "share of entries that slip by a decade, up or down")
         ->check(CLI::Range(0.0, 1.0));
     app->add_flag("--no-gate", options->noGate, "accept implausible entries without asking (d ≤ 0 stays refused)");
@@ -269,7 +341,7 @@ void addBoringSimulate(CLI::App& boring) {
         ->capture_default_str();
     CLI::Option* csv = app->add_flag("--csv", options->csv, "print every row");
     app->add_flag("--summary", options->summary, "print the figures (default)")->excludes(csv);
-    app->callback([options, runs] { simulate(*options, runs->count() > 0); });
+    app->callback([options, runs, lots] { simulate(*options, runs->count() > 0, lots->count() > 0); });
 }
 
 }  // namespace kerf::headless

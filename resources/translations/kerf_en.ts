@@ -23,6 +23,18 @@
             <comment>part number, depth of its bore</comment>
             <translation>part %1, %2</translation>
         </message>
+        <message>
+            <source>Tool reground</source>
+            <translation>Tool reground</translation>
+        </message>
+        <message>
+            <source>Other material</source>
+            <translation>Other material</translation>
+        </message>
+        <message>
+            <source>New insert</source>
+            <translation>New insert</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -4032,6 +4044,22 @@
             <comment>figure, depth</comment>
             <translation>Cpk %1 (%2)</translation>
         </message>
+        <message>
+            <source>What is new with the next part?</source>
+            <translation>What is new with the next part?</translation>
+        </message>
+        <message>
+            <source>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</source>
+            <translation>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Take back</source>
+            <translation>Take back</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -4887,6 +4915,47 @@
             <source>The lot is closed.</source>
             <translation>The lot is closed.</translation>
         </message>
+        <message>
+            <source>Insert grade</source>
+            <translation>Insert grade</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <comment>share of a lot in what this one began from</comment>
+            <translation>Counts</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>left out</translation>
+        </message>
+        <message>
+            <source>touch a lot that the current one begins from</source>
+            <translation>touch a lot that the current one begins from</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>Lot %1 counts again.</source>
+            <translation>Lot %1 counts again.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is left out of what lots begin from.</source>
+            <translation>Lot %1 is left out of what lots begin from.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
@@ -5568,6 +5637,14 @@
         <message>
             <source>Lot %1 is full: %2 parts</source>
             <translation>Lot %1 is full: %2 parts</translation>
+        </message>
+        <message>
+            <source>Announced: %1</source>
+            <translation>Announced: %1</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>Tool or material changed</translation>
         </message>
     </context>
     <context>

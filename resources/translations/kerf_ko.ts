@@ -23,6 +23,18 @@
             <comment>part number, depth of its bore</comment>
             <translation>%1번 공작물, %2</translation>
         </message>
+        <message>
+            <source>Tool reground</source>
+            <translation>공구 재연삭</translation>
+        </message>
+        <message>
+            <source>Other material</source>
+            <translation>다른 소재</translation>
+        </message>
+        <message>
+            <source>New insert</source>
+            <translation>새 인서트</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -4030,6 +4042,22 @@
             <comment>figure, depth</comment>
             <translation>Cpk %1 (%2)</translation>
         </message>
+        <message>
+            <source>What is new with the next part?</source>
+            <translation>다음 공작물에서 무엇이 바뀝니까?</translation>
+        </message>
+        <message>
+            <source>The expected diameters then begin from what such changes have brought before. Nothing known: just go on.</source>
+            <translation>그러면 예상 내경은 그런 변경이 지금까지 가져온 결과에서 시작합니다. 아는 것이 없으면 그냥 계속하십시오.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Take back</source>
+            <translation>예고 취소</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -4885,6 +4913,47 @@
             <source>The lot is closed.</source>
             <translation>로트를 닫았습니다.</translation>
         </message>
+        <message>
+            <source>Insert grade</source>
+            <translation>인서트 재종</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>소재</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <comment>share of a lot in what this one began from</comment>
+            <translation>비중</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>제외됨</translation>
+        </message>
+        <message>
+            <source>touch a lot that the current one begins from</source>
+            <translation>현재 로트가 시작하는 데 쓰인 로트를 누르십시오</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>이유를 입력하십시오</translation>
+        </message>
+        <message>
+            <source>Lot %1 counts again.</source>
+            <translation>로트 %1을 다시 포함합니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is left out of what lots begin from.</source>
+            <translation>로트 %1을 로트의 시작 값에서 제외합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
@@ -5565,6 +5634,14 @@
         <message>
             <source>Lot %1 is full: %2 parts</source>
             <translation>로트 %1 완료: 공작물 %2개</translation>
+        </message>
+        <message>
+            <source>Announced: %1</source>
+            <translation>예고됨: %1</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>공구나 소재 변경</translation>
         </message>
     </context>
     <context>

@@ -177,6 +177,48 @@ class TestBoringCommands : public QObject {
         QCOMPARE(summary["bad_parts_after_change"].size(), std::size_t{1});
         QCOMPARE(summary["feed_error_percent_mean"].size(), std::size_t{12});
     }
+    void lotsFollowEachOtherAndRemember() {
+        QString truth = QStringLiteral("run,lot,part,alpha,beta,c_mm\n");
+        QString announced = QStringLiteral("run,lot,part\n");
+        for (int lot = 1; lot <= 3; ++lot) {
+            for (int part = 1; part <= 8; ++part) {
+                truth += QStringLiteral("1,%1,%2,.5025,.2676,%3\n").arg(lot).arg(part).arg(part < 5 ? ".0871" : ".09");
+            }
+            announced += QStringLiteral("1,%1,5\n").arg(lot);
+        }
+        const QStringList common{"boring",      "simulate",
+                                 "--parts",     "8",
+                                 "--lots",      "3",
+                                 "--truth",     scratchFile("truth.csv", truth),
+                                 "--announced", scratchFile("announced.csv", announced)};
+        const auto on = runKerf(common + QStringList{"--memory", "on"});
+        const auto off = runKerf(common + QStringList{"--memory", "off"});
+        QCOMPARE(on.exitCode, 0);
+        const json with = json::parse(on.out.toStdString());
+        const json without = json::parse(off.out.toStdString());
+        QCOMPARE(with["scrap_per_lot"], json({1.0, 0.0, 0.0}));
+        QCOMPARE(without["scrap_per_lot"], json({1.0, 1.0, 1.0}));
+        const auto rows = csvRows(runKerf(common + QStringList{"--memory", "on", "--csv"}).out);
+        const auto lotColumn = rows[0].indexOf("lot");
+        QVERIFY(lotColumn > 0);
+        QCOMPARE(rows.last()[lotColumn], QStringLiteral("3"));
+        // Without memory, a lot of its own is what a run of one lot is.
+        const auto one = csvRows(runKerf({"boring", "simulate", "--parts", "8", "--seed", "4", "--csv"}).out);
+        const auto two = csvRows(
+            runKerf({"boring", "simulate", "--parts", "8", "--seed", "4", "--csv", "--lots", "2", "--memory", "off"})
+                .out);
+        QCOMPARE(two.first(one.size()), one);
+    }
+    void firstPartThatTeachesIsMeasuredInTheMiddleToo() {
+        const auto rows = csvRows(
+            runKerf({"boring", "simulate", "--parts", "2", "--first-part", "teach", "--csv", "--sigma-mm", ".005"})
+                .out);
+        int measured = 0;
+        for (const auto& row : rows) {
+            measured += row[1] == u"1" && row[3] == u"1" ? 1 : 0;
+        }
+        QCOMPARE(measured, 3);
+    }
     void sameSeedPrintsTheSame() {
         const QStringList arguments{"boring", "simulate", "--parts", "8", "--runs", "3", "--seed", "9", "--csv"};
         QCOMPARE(runKerf(arguments).out, runKerf(arguments).out);
@@ -246,6 +288,12 @@ class TestBoringCommands : public QObject {
                       {"line 3", "alpha", "range"});
         expectRefused(runKerf(two + QStringList{"--truth", scratchFile("bad.csv", truth + "1,2,.5,.3,-1\n")}), 3,
                       {"line 3", "c_mm", "range"});
+        const QString lots = QStringLiteral("run,lot,part,alpha,beta,c_mm\n1,1,1,.5,.3,.1\n1,2,1,.5,.3,.1\n");
+        const QStringList one{"boring", "simulate", "--parts", "1", "--truth", scratchFile("lots.csv", lots)};
+        expectRefused(runKerf(one + QStringList{"--lots", "3"}), 3, {"column lot", "2 lots", "expected 3"});
+        expectRefused(runKerf(one + QStringList{"--announced", scratchFile("bad.csv", "run,part\n1,1\n")}), 3, {"lot"});
+        expectRefused(runKerf(one + QStringList{"--announced", scratchFile("bad.csv", "run,lot,part\n1,1,0\n")}), 3,
+                      {"line 2", "part", "range"});
     }
     void wrongUsageExitsWithTwo_data() {
         QTest::addColumn<QStringList>("arguments");
@@ -262,6 +310,11 @@ class TestBoringCommands : public QObject {
         QTest::newRow("csv and summary") << QStringList{"boring", "simulate", "--csv", "--summary"};
         QTest::newRow("random and given")
             << QStringList{"boring", "simulate", "--random-changes", "--change", "2:.7,.4,.1"};
+        QTest::newRow("memory") << QStringList{"boring", "simulate", "--memory", "perhaps"};
+        QTest::newRow("paper has none") << QStringList{"boring", "simulate",    "--memory",
+                                                       "on",     "--estimator", "perturbation"};
+        QTest::newRow("first part") << QStringList{"boring", "simulate", "--first-part", "preach"};
+        QTest::newRow("no lots") << QStringList{"boring", "simulate", "--lots", "0"};
         QTest::newRow("unknown option") << QStringList{"boring", "simulate", "--fast"};
     }
     void wrongUsageExitsWithTwo() {

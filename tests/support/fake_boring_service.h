@@ -190,6 +190,27 @@ class FakeBoringService : public BoringService {
             return {};
         });
     }
+    void announceChange(BoringChange change, const std::string& author, Done done) override {
+        calls.push_back({"announce", static_cast<MeasurementId>(change), 0.0, author, {}});
+        reply(std::move(done), [this, change]() -> Result<void> {
+            m_view.announced = change;
+            announce();
+            return {};
+        });
+    }
+    /// What the page says the expected diameters rest on.
+    void restOn(const Sentence& sentence) {
+        m_view.nextRestsOn = sentence;
+        announce();
+    }
+    void withdrawChange(const std::string& author, Done done) override {
+        calls.push_back({"withdraw", 0, 0.0, author, {}});
+        reply(std::move(done), [this]() -> Result<void> {
+            m_view.announced.reset();
+            announce();
+            return {};
+        });
+    }
     std::optional<double> gaugeReading_mm(PartId part, std::uint8_t depth) override {
         return gaugeFitted ? std::optional(trueDiameter_mm(part, depth) + 0.00037) : std::nullopt;
     }

@@ -387,6 +387,26 @@ class TestBoringPage : public QObject {
         QVERIFY(!accept->isEnabled());
         QVERIFY(accept->reason().contains(QStringLiteral("control")));
     }
+    void aChangeIsAnnouncedWithTwoTouchesAndTakenBack() {
+        m_service->runParts(2);
+        show();
+        QVERIFY(m_bench->press("boringChange"));
+        QVERIFY(m_bench->press("boringChangeInsert"));
+        QCOMPARE(m_service->calls.back().what, std::string("announce"));
+        QVERIFY(m_service->view().announced == BoringChange::Insert);
+        QVERIFY(m_bench->find<QPushButton>("boringChange")->text().contains(QStringLiteral("New insert")));
+        QVERIFY(m_bench->press("boringChange"));
+        QVERIFY(m_bench->press("boringChangeNone"));
+        QVERIFY(!m_service->view().announced);
+    }
+    void whatTheExpectedDiametersRestOnIsSaid() {
+        m_service->runParts(1);
+        show();
+        QVERIFY(!visible("boringNextRests"));
+        m_service->restOn(
+            kerf::Sentence(KERF_TEXT("Expected from the %1 measured parts of this lot."), kerf::SentenceArg(1.0, 0)));
+        QVERIFY(visible("boringNextRests"));
+    }
     void theSwitchAsksTheEngineAndShowsWhatItSays() {
         show();
         QVERIFY(m_bench->press("boringModeControl"));

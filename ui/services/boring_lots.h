@@ -56,6 +56,8 @@ struct BoringLotView {
     std::int64_t openedUtc_ms{0};
     bool closed{false};
     bool current{false};
+    std::string insertGrade{};  ///< as told when it was opened
+    std::string material{};
 };
 
 /// A lot to be opened. The newest recipe of the part type holds for it, and stays with it.
@@ -65,6 +67,18 @@ struct BoringLotOrder {
     std::uint32_t size{30};
     std::string estimator{"kalman"};  ///< "kalman", "perturbation"
     std::string author{};
+    std::string insertGrade{};  ///< what memory goes by, beside machine and part type; may be empty
+    std::string material{};
+};
+
+/// A lot that the next one begins from, and how much it counts.
+struct BoringMemoryLotView {
+    LotId lot{0};
+    std::string partType{}, name{}, insertGrade{}, material{};
+    std::uint32_t tools{0};  ///< stretches with one and the same tool
+    double share{0.0};       ///< of the expected bending; 0 when left out
+    bool leftOut{false};
+    std::string reason{};  ///< why it was left out or taken in again
 };
 
 /// The lots of this machine. GUI thread. `Done` runs on it when the change is on disk, or has failed and why; when a
@@ -101,6 +115,11 @@ class BoringLots {
     virtual void open(const BoringLotOrder& order, Done done) = 0;
     /// Go on with an earlier lot, for a bore that still wants its diameter.
     virtual void choose(LotId lot, const std::string& author, Done done) = 0;
+    /// What the current lot begins from: every measured lot before it, newest first.
+    [[nodiscard]] virtual Result<std::vector<BoringMemoryLotView>> memory() = 0;
+    /// Leaves a lot out of memory, or takes it in again; the current lot is computed anew. Reason and author must not
+    /// be empty.
+    virtual void leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) = 0;
     /// No part is started for the current lot any more; its diameters may still be entered and corrected.
     virtual void close(const std::string& author, const std::string& reason, Done done) = 0;
 

@@ -88,6 +88,13 @@ struct CapabilityView {
     std::uint32_t parts{0};
 };
 
+/// What an operator can announce between two parts.
+enum class BoringChange : std::uint8_t {
+    Insert,    ///< new insert or tool
+    Reground,  ///< tool reground or set anew
+    Material,  ///< other batch of material
+};
+
 /// Everything the boring page shows that is not live. Rebuilt after each change; cheap to copy (25 parts).
 struct BoringServiceView {
     std::uint64_t revision{0};  ///< rises with each change
@@ -105,7 +112,9 @@ struct BoringServiceView {
     BoringSchedule nextSchedule{};
     std::vector<std::optional<DiameterPrediction>> nextPrediction{};  ///< per depth
     Sentence nextReason{};                                            ///< why the schedule changed
-    bool nextLimited{false};                                          ///< α clipped or feed at a limit
+    Sentence nextRestsOn{};                      ///< what the expected diameters rest on; empty before there are any
+    std::optional<BoringChange> announced{};     ///< for the next part
+    bool nextLimited{false};                     ///< α clipped or feed at a limit
     bool scheduleAccepted{true};                 ///< advise mode: the operator has yet to accept nextSchedule
     std::optional<CapabilityView> capability{};  ///< over `parts`; empty while there are too few
     std::optional<PartId> awaiting{};            ///< the oldest part that still wants a diameter
@@ -140,6 +149,10 @@ class BoringService {
     virtual void undoLast(const std::string& author, Done done) = 0;
     /// Advise mode: use the proposed schedule for the next part.
     virtual void acceptSchedule(const std::string& author, Done done) = 0;
+    /// The next part is cut with something new: its expectation widens to what such changes have brought before.
+    virtual void announceChange(BoringChange change, const std::string& author, Done done) = 0;
+    /// Takes back what was announced for the next part.
+    virtual void withdrawChange(const std::string& author, Done done) = 0;
     /// A reading of the machine's own gauge for this part and depth; empty when no gauge is fitted.
     [[nodiscard]] virtual std::optional<double> gaugeReading_mm(PartId part, std::uint8_t depth) = 0;
     /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.

@@ -124,10 +124,20 @@ Result<std::vector<BoringLotView>> StoredBoringLots::lots() {
     if (!known) {
         return tl::unexpected(known.error());
     }
+    std::vector<boring::MemoryContext> contexts(known->size());
+    if (m_links.records != nullptr) {
+        auto told = memoryContextsOf(*m_links.records, *known);
+        if (!told) {
+            return tl::unexpected(told.error());
+        }
+        contexts = std::move(*told);
+    }
     std::vector<BoringLotView> shown;
-    for (const LotRow& lot : *known) {
+    for (std::size_t i = 0; i < known->size(); ++i) {
+        const LotRow& lot = (*known)[i];
         shown.push_back({lot.id, lot.partType, lot.partTypeName, lot.name, lot.size, lot.estimator, lot.openedUtc_ms,
-                         lot.closedUtc_ms.has_value(), lot.id == m_current});
+                         lot.closedUtc_ms.has_value(), lot.id == m_current, contexts[i].names[2],
+                         contexts[i].names[3]});
     }
     return shown;
 }
@@ -191,15 +201,65 @@ void StoredBoringLots::open(const BoringLotOrder& order, Done done) {
     if (!lot) {
         return answer(done, tl::unexpected(lot.error()));
     }
-    m_links.writer.submit(*lot, [this, alive = std::weak_ptr(m_alive), author = order.author,
-                                 done = std::move(done)](const Result<Receipt>& receipt) {
+    const auto opened = [this, alive = std::weak_ptr(m_alive), order,
+                         done = std::move(done)](const Result<Receipt>& receipt) {
         if (!alive.lock()) {
             return;
         }
         if (!receipt) {
             return answer(done, tl::unexpected(receipt.error()));
         }
-        activate(receipt->id, author, done);
+        if (order.insertGrade.empty() && order.material.empty()) {
+            return activate(receipt->id, order.author, done);
+        }
+        const AddRoomRecord told{ProcessId::Boring,
+                                 kLotRecord,
+                                 std::to_string(receipt->id),
+                                 lotRecordJson(order.insertGrade, order.material),
+                                 order.author,
+                                 ""};
+        submit(told, [this, lot = receipt->id, author = order.author, done](const Result<void>& stored) {
+            stored ? activate(lot, author, done) : answer(done, stored);
+        });
+    };
+    m_links.writer.submit(*lot, opened);
+}
+
+Result<std::vector<BoringMemoryLotView>> StoredBoringLots::memory() {
+    std::vector<BoringMemoryLotView> shown;
+    if (m_links.records == nullptr || !m_current) {
+        return shown;
+    }
+    const auto history = m_reader.history(*m_current);
+    if (!history || !*history) {
+        return history ? Result<std::vector<BoringMemoryLotView>>(shown) : tl::unexpected(history.error());
+    }
+    const auto recipe = recipeFromJson((*history)->recipe.parametersJson);
+    const auto basis = readBoringMemory(m_reader, *m_links.records, (*history)->lot);
+    if (!recipe || !basis) {
+        return tl::unexpected(recipe ? basis.error() : recipe.error());
+    }
+    const boring::LotBegin begin = lotBegin(*basis, *recipe);
+    const boring::Memory memory(*begin.past, begin.context, recipe->estimator(boring::EstimatorKind::Kalman).kalman);
+    for (auto lot = basis->past.rbegin(); lot != basis->past.rend(); ++lot) {
+        const auto weight = std::ranges::find(memory.weights(), lot->lot.id, &boring::MemoryWeight::lot);
+        shown.push_back({lot->lot.id, lot->lot.partTypeName, lot->lot.name, lot->context.names[2],
+                         lot->context.names[3], static_cast<std::uint32_t>(lot->stretches.size()),
+                         weight == memory.weights().end() ? 0.0 : weight->share, lot->leftOut, lot->reason});
+    }
+    return shown;
+}
+
+void StoredBoringLots::leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) {
+    if (const auto why = whyNoWords(author, reason)) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (const auto why = whyNoOther()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    const AddRoomRecord record{ProcessId::Boring, kMemoryRecord, std::to_string(lot), leftOutJson(out), author, reason};
+    submit(record, [this, done = std::move(done)](const Result<void>& stored) {
+        answer(done, stored && m_current ? openService(*m_current) : stored);
     });
 }
 

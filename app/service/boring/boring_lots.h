@@ -37,6 +37,8 @@ class StoredBoringLots final : public BoringLots {
     [[nodiscard]] std::optional<Sentence> whyNoOther() const override;
     void open(const BoringLotOrder& order, Done done) override;
     void choose(LotId lot, const std::string& author, Done done) override;
+    [[nodiscard]] Result<std::vector<BoringMemoryLotView>> memory() override;
+    void leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) override;
     void close(const std::string& author, const std::string& reason, Done done) override;
     void addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
                      PartTypeDone done) override;

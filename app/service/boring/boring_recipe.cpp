@@ -12,6 +12,8 @@ constexpr const char* kDepths = "boring.depths";
 constexpr const char* kDrawing = KERF_TEXT("drawing of the part");
 constexpr const char* kTable = KERF_TEXT("table 1 of Lee (1983)");
 constexpr const char* kShop = KERF_TEXT("set up with the machine");
+constexpr const char* kPrior = KERF_TEXT("wide guess for any boring spindle about table 1 of Lee (1983)");
+constexpr const char* kMemory = "boring.memory";
 
 struct Field {
     ParamSpec spec;
@@ -19,10 +21,10 @@ struct Field {
 };
 
 /// One row per number: key, label, unit, range, default, decimals, source.
-const std::array<Field, 13>& fields() {
+const std::array<Field, 21>& fields() {
     using R = BoringRecipe;
     static const R kDefault{};
-    static const std::array<Field, 13> kFields{{
+    static const std::array<Field, 21> kFields{{
         {{"boring.target_diameter_mm", KERF_TEXT("Target diameter"), "mm", 1.0, 2000.0, kDefault.targetDiameter_mm, 3,
           kDrawing},
          &R::targetDiameter_mm},
@@ -60,6 +62,25 @@ const std::array<Field, 13>& fields() {
         {{"boring.spindle_speed_rpm", KERF_TEXT("Spindle speed"), "rpm", 1.0, 20000.0, kDefault.spindleSpeed_rpm, 0,
           kShop},
          &R::spindleSpeed_rpm},
+        {{kMemory, KERF_TEXT("Begin from earlier lots (1 yes, 0 no)"), "", 0.0, 1.0, kDefault.memory, 0, kShop},
+         &R::memory},
+        {{"boring.first_part_teaches", KERF_TEXT("First part teaches (1 yes, 0 no)"), "", 0.0, 1.0,
+          kDefault.firstPartTeaches, 0, kShop},
+         &R::firstPartTeaches},
+        {{"boring.prior_ln_c", KERF_TEXT("Prior: ln C"), "", -20.0, 10.0, kDefault.priorLnC, 4, kPrior}, &R::priorLnC},
+        {{"boring.prior_alpha", KERF_TEXT("Prior: feed exponent α"), "", 0.05, 2.0, kDefault.priorAlpha, 3, kPrior},
+         &R::priorAlpha},
+        {{"boring.prior_beta", KERF_TEXT("Prior: overhang exponent β"), "", -2.0, 5.0, kDefault.priorBeta, 4, kPrior},
+         &R::priorBeta},
+        {{"boring.prior_level_spread", KERF_TEXT("Prior: spread of the level"), "", 0.05, 3.0,
+          kDefault.priorLevelSpread, 2, kPrior},
+         &R::priorLevelSpread},
+        {{"boring.prior_alpha_spread", KERF_TEXT("Prior: spread of α"), "", 0.01, 1.0, kDefault.priorAlphaSpread, 2,
+          kPrior},
+         &R::priorAlphaSpread},
+        {{"boring.prior_beta_spread", KERF_TEXT("Prior: spread of β"), "", 0.01, 2.0, kDefault.priorBetaSpread, 2,
+          kPrior},
+         &R::priorBetaSpread},
     }};
     return kFields;
 }
@@ -67,7 +88,10 @@ const std::array<Field, 13>& fields() {
 }  // namespace
 
 boring::EstimatorParams BoringRecipe::estimator(boring::EstimatorKind kind) const {
-    return boring::estimatorParams(kind, sigma_mm, targetDeflection_mm, alpha0);
+    boring::EstimatorParams params = boring::estimatorParams(kind, sigma_mm, targetDeflection_mm, alpha0);
+    params.kalman.prior = {priorLnC, priorAlpha, priorBeta};
+    params.kalman.priorSpread = {priorLevelSpread, priorAlphaSpread, priorBetaSpread};
+    return params;
 }
 
 boring::FeedLawParams BoringRecipe::feedLaw(boring::EstimatorKind kind) const {
@@ -177,6 +201,9 @@ Result<BoringRecipe> recipeFromJson(const std::string& text) {
         const auto json = nlohmann::json::parse(text);
         for (const Field& field : fields()) {
             recipe.*field.value = json.value(field.spec.key, field.spec.fallback);
+        }
+        if (!json.contains(kMemory)) {
+            recipe.memory = 0.0;  // written before there was one: its lots go on as they began
         }
         if (json.contains(kDepths)) {
             recipe.depths.clear();

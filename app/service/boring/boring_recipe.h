@@ -30,9 +30,19 @@ struct BoringRecipe {
     double overhangFrom_mm{boring::kTableOverhangFrom_mm};
     double overhangTo_mm{boring::kTableOverhangTo_mm};
     double spindleSpeed_rpm{400.0};
+    double memory{1.0};            ///< 1: a lot begins from the lots before it; 0: from the prior below
+    double firstPartTeaches{0.0};  ///< 1: without a past the feed varies along the first part; 0: first feed
+    double priorLnC{boring::KalmanParams{}.prior.lnC};  ///< the wide prior: what is known of any boring spindle
+    double priorAlpha{boring::KalmanParams{}.prior.alpha};
+    double priorBeta{boring::KalmanParams{}.prior.beta};
+    double priorLevelSpread{boring::KalmanParams{}.priorSpread.level};
+    double priorAlphaSpread{boring::KalmanParams{}.priorSpread.alpha};
+    double priorBetaSpread{boring::KalmanParams{}.priorSpread.beta};
     std::vector<DepthView> depths{{"top", boring::kTableOverhangFrom_mm}, {"bottom", boring::kTableOverhangTo_mm}};
 
     [[nodiscard]] boring::EstimatorParams estimator(boring::EstimatorKind kind) const;
+    [[nodiscard]] bool usesMemory() const noexcept { return memory >= 0.5; }
+    [[nodiscard]] bool teaches() const noexcept { return firstPartTeaches >= 0.5; }
     [[nodiscard]] boring::FeedLawParams feedLaw(boring::EstimatorKind kind) const;
 };
 

@@ -71,17 +71,27 @@ Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Lin
     if (!kind) {
         return fail(KERF_TEXT("The lot asks for an estimator that this program does not have."));
     }
-    return std::unique_ptr<StoredBoringService>(new StoredBoringService(links, **history, *recipe, *kind));
+    BoringMemoryBasis basis;
+    if (links.records != nullptr) {
+        auto read = readBoringMemory(reader, *links.records, (*history)->lot);
+        if (!read) {
+            return tl::unexpected(read.error());
+        }
+        basis = std::move(*read);
+    }
+    return std::unique_ptr<StoredBoringService>(new StoredBoringService(links, **history, *recipe, *kind, basis));
 }
 
 StoredBoringService::StoredBoringService(const Links& links, const LotHistory& history, BoringRecipe recipe,
-                                         boring::EstimatorKind kind)
+                                         boring::EstimatorKind kind, const BoringMemoryBasis& basis)
     : m_links(links),
       m_lot(history.lot),
       m_recipeRevision(history.recipe.revision),
       m_kind(kind),
-      m_records(std::move(recipe), kind) {
+      m_records(recipe, kind, links.records != nullptr ? lotBegin(basis, recipe) : boring::LotBegin{}) {
+    m_hasMemory = links.records != nullptr && recipe.usesMemory() && kind == boring::EstimatorKind::Kalman;
     m_view.revision = links.firstRevision;
+    m_records.setAnnounced(basis.announced);
     restore(history);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     m_problemSubscription = m_links.writer.onProblemChanged([this] {
@@ -89,7 +99,7 @@ StoredBoringService::StoredBoringService(const Links& links, const LotHistory& h
         m_listeners.tell();
     });
     compareWithStored(history);
-    proposeFirst();
+    propose();
     rebuild();
     send();
 }
@@ -120,8 +130,12 @@ void StoredBoringService::restore(const LotHistory& history) {
 }
 
 void StoredBoringService::compareWithStored(const LotHistory& history) {
-    const bool stateSame = history.lastState ? history.lastState->stateJson == stateJson(m_records.tracker().state())
-                                             : m_records.tracker().steps().empty();
+    if (m_records.tracker().fromMemory() || !m_records.tracker().announced().empty()) {
+        return;  // a correction in an earlier lot, or one left out, rightly changes all that follows from it
+    }
+    const bool stateSame = history.lastState
+                               ? history.lastState->stateJson == stateJson(m_records.tracker().measuredState())
+                               : m_records.tracker().steps().empty();
     const bool scheduleSame = m_next.revision == 0 || sameLaw(m_next, m_records.advice().schedule);
     if (!stateSame || !scheduleSame) {
         m_restartFinding =
@@ -132,7 +146,7 @@ void StoredBoringService::compareWithStored(const LotHistory& history) {
     }
 }
 
-void StoredBoringService::proposeFirst() {
+void StoredBoringService::propose() {
     BoringSchedule schedule = m_records.advice().schedule;
     if (m_next.revision != 0 && sameLaw(schedule, m_next)) {
         return;
@@ -401,6 +415,64 @@ void StoredBoringService::partStored(const StoredPart& stored) {
     m_listeners.tell();
 }
 
+void StoredBoringService::announceChange(BoringChange change, const std::string& author, Done done) {
+    const auto kind = change == BoringChange::Reground   ? boring::StretchKind::Reground
+                      : change == BoringChange::Material ? boring::StretchKind::Material
+                                                         : boring::StretchKind::Insert;
+    tellChange(kind, author, std::move(done));
+}
+
+void StoredBoringService::withdrawChange(const std::string& author, Done done) {
+    tellChange(std::nullopt, author, std::move(done));
+}
+
+void StoredBoringService::tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done) {
+    if (author.empty()) {
+        return answer(done, fail(KERF_TEXT("Sign on first: this change needs a name.")));
+    }
+    if (!m_hasMemory) {
+        return answer(done,
+                      fail(KERF_TEXT("This lot does not begin from earlier ones; a change is found by its bores.")));
+    }
+    if (!idle()) {
+        return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
+    }
+    const Status& status = m_links.engine.status();
+    const bool boring = (status.program == ProgramState::Running || status.program == ProgramState::Paused) &&
+                        status.programProcess == ProcessId::Boring;
+    if (boring) {
+        return answer(done, fail(KERF_TEXT("A part is being bored; announce the change when it is finished.")));
+    }
+    const std::uint32_t part = m_records.nextNumber();
+    if (part == 1) {
+        return answer(done, fail(KERF_TEXT("The first part of a lot counts as cut with a new tool already.")));
+    }
+    AddRoomRecord record{ProcessId::Boring,      kChangeRecord, std::to_string(m_lot.id),
+                         changeJson(part, kind), author,        ""};
+    m_busy = true;
+    m_links.writer.submit(std::move(record), [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (!alive.lock()) {
+            return;
+        }
+        m_busy = false;
+        m_storeProblem = receipt ? Sentence() : receipt.error();
+        if (receipt) {
+            auto announced = m_records.tracker().announced();
+            std::erase_if(announced, [&](const auto& one) { return one.part == part; });
+            if (kind) {
+                announced.push_back({part, *kind});
+            }
+            m_records.setAnnounced(std::move(announced));
+            propose();
+        }
+        rebuild();
+        send();
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+        m_listeners.tell();
+        runNext();
+    });
+}
+
 std::optional<double> StoredBoringService::gaugeReading_mm(PartId id, std::uint8_t depth) {
     const ServicePart* part = m_records.part(id);
     if (part == nullptr || depth >= m_records.recipe().depths.size() || !m_links.gauge) {
@@ -443,6 +515,12 @@ void StoredBoringService::rebuild() {
     const boring::FeedAdvice advice = m_records.advice();
     view.nextSchedule = m_next;
     view.nextPrediction = m_predictions[m_next.revision];
+    view.nextRestsOn = m_records.restsOn();
+    if (const auto* announced = m_records.announcedNext(); announced != nullptr && m_hasMemory) {
+        view.announced = announced->kind == boring::StretchKind::Reground   ? BoringChange::Reground
+                         : announced->kind == boring::StretchKind::Material ? BoringChange::Material
+                                                                            : BoringChange::Insert;
+    }
     view.nextLimited = advice.limited;
     view.nextReason = advice.limited ? advice.reason : m_records.reason();
     view.scheduleAccepted = m_accepted && m_accepted->revision == m_next.revision;
@@ -506,7 +584,7 @@ void StoredBoringService::fillParts() {
             }
         }
         shown.complete = part.complete;
-        for (std::uint8_t depth = 0; depth < m_view.depths.size() && part.complete; ++depth) {
+        for (std::uint8_t depth = 0; depth < m_records.depthsOf(part) && part.complete; ++depth) {
             if (m_records.measured(part.id, depth) == nullptr) {
                 shown.complete = false;
                 if (!m_view.awaiting) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "app/service/boring/boring_memory.h"
 #include "app/service/boring/boring_recipe.h"
 #include "app/service/boring/lot_records.h"
 #include "app/service/rights.h"
@@ -55,6 +56,8 @@ class StoredBoringService final : public BoringService {
         Rights rights{};
         /// The view's revision goes on from here when this service follows that of another lot.
         std::uint64_t firstRevision{0};
+        /// Where announced changes and lots left out stand; null: no memory.
+        RoomRecordReader* records{nullptr};
     };
     /// Reads the lot and goes on where it was. Links must outlive the service.
     [[nodiscard]] static Result<std::unique_ptr<StoredBoringService>> open(const Links& links, LotReader& reader,
@@ -68,6 +71,8 @@ class StoredBoringService final : public BoringService {
     void voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason, Done done) override;
     void undoLast(const std::string& author, Done done) override;
     void acceptSchedule(const std::string& author, Done done) override;
+    void announceChange(BoringChange change, const std::string& author, Done done) override;
+    void withdrawChange(const std::string& author, Done done) override;
     [[nodiscard]] std::optional<double> gaugeReading_mm(PartId part, std::uint8_t depth) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
@@ -88,7 +93,8 @@ class StoredBoringService final : public BoringService {
         Done done{};
     };
 
-    StoredBoringService(const Links& links, const LotHistory& history, BoringRecipe recipe, boring::EstimatorKind kind);
+    StoredBoringService(const Links& links, const LotHistory& history, BoringRecipe recipe, boring::EstimatorKind kind,
+                        const BoringMemoryBasis& basis);
 
     void restore(const LotHistory& history);
     void compareWithStored(const LotHistory& history);
@@ -96,7 +102,8 @@ class StoredBoringService final : public BoringService {
     void runNext();
     void submit(const MeasurementRow& row, Done done);
     void partStored(const StoredPart& part);
-    void proposeFirst();
+    void propose();
+    void tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done);
     void adopt(const BoringSchedule& schedule, const Predictions& predictions, bool accepted);
     void send();
     void rebuild();
@@ -120,6 +127,7 @@ class StoredBoringService final : public BoringService {
     bool m_busy{false};       ///< a change is on its way to the disk
     bool m_accepting{false};  ///< an acceptance is
     bool m_retired{false};
+    bool m_hasMemory{false};
     Sentence m_storeProblem{};
     Sentence m_restartFinding{};
     BoringServiceView m_view{};

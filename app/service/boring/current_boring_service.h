@@ -39,6 +39,12 @@ class CurrentBoringService final : public BoringService {
     void acceptSchedule(const std::string& author, Done done) override {
         m_service->acceptSchedule(author, std::move(done));
     }
+    void announceChange(BoringChange change, const std::string& author, Done done) override {
+        m_service->announceChange(change, author, std::move(done));
+    }
+    void withdrawChange(const std::string& author, Done done) override {
+        m_service->withdrawChange(author, std::move(done));
+    }
     [[nodiscard]] std::optional<double> gaugeReading_mm(PartId part, std::uint8_t depth) override {
         return m_service->gaugeReading_mm(part, depth);
     }

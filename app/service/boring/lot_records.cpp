@@ -31,8 +31,30 @@ EstimatorStateRow stateRow(MeasurementId measurement, boring::EstimatorKind kind
 
 }  // namespace
 
-LotRecords::LotRecords(BoringRecipe recipe, boring::EstimatorKind kind)
-    : m_recipe(std::move(recipe)), m_kind(kind), m_tracker(m_recipe.estimator(kind)) {}
+LotRecords::LotRecords(BoringRecipe recipe, boring::EstimatorKind kind, boring::LotBegin begin)
+    : m_recipe(std::move(recipe)),
+      m_everyPart(m_recipe.depths.size()),
+      m_kind(kind),
+      m_tracker(m_recipe.estimator(kind), std::move(begin)) {
+    const double middle_mm = boring::teachMiddle_mm(m_recipe.feedLaw(kind));
+    const auto there = [&](const DepthView& depth) { return depth.overhang_mm == middle_mm; };
+    if (m_recipe.teaches() && m_everyPart < boring::kTeachDepths && std::ranges::none_of(m_recipe.depths, there)) {
+        m_recipe.depths.push_back({"middle", middle_mm});
+    }
+}
+
+void LotRecords::setAnnounced(std::vector<boring::AnnouncedChange> announced) {
+    m_tracker.setAnnounced(std::move(announced));
+}
+
+const boring::AnnouncedChange* LotRecords::announcedNext() const noexcept {
+    const auto found = std::ranges::find(m_tracker.announced(), nextNumber(), &boring::AnnouncedChange::part);
+    return found == m_tracker.announced().end() ? nullptr : &*found;
+}
+
+std::size_t LotRecords::depthsOf(const ServicePart& part) const noexcept {
+    return boring::teaches(part.schedule) ? m_recipe.depths.size() : m_everyPart;
+}
 
 void LotRecords::addPart(const ServicePart& part) {
     const auto place = std::ranges::upper_bound(m_parts, part.number, {}, &ServicePart::number);
@@ -85,7 +107,9 @@ void LotRecords::restoreRows(std::vector<MeasurementRow> rows) {
         measurement.feed_mmPerRev = boring::cutFeed_mmPerRev(cutPartOf(*owner), row.position_mm);
         entries.push_back({row.id, owner->number, measurement});
     }
-    m_tracker = boring::LotTracker(m_recipe.estimator(m_kind));
+    const auto announced = m_tracker.announced();
+    m_tracker = boring::LotTracker(m_recipe.estimator(m_kind), m_tracker.begin());
+    m_tracker.setAnnounced(announced);
     m_tracker.restore(std::move(cut), std::move(entries));
 }
 
@@ -170,7 +194,12 @@ EntryCheck LotRecords::check(PartId id, std::uint8_t depth, double diameter_mm) 
 }
 
 boring::FeedAdvice LotRecords::advice() const noexcept {
-    return boring::adviseFeed(m_tracker.state(), m_recipe.feedLaw(m_kind));
+    const boring::FeedLawParams law = m_recipe.feedLaw(m_kind);
+    boring::FeedAdvice advice = boring::adviseFeed(m_tracker.state(), law);
+    if (m_recipe.teaches() && !boring::estimateOf(m_tracker.state()).ready) {
+        advice.schedule = boring::teachSchedule(law);
+    }
+    return advice;
 }
 
 Predictions LotRecords::predictionFor(const BoringSchedule& schedule) const {
@@ -190,6 +219,19 @@ Predictions LotRecords::predictionFor(const BoringSchedule& schedule) const {
 }
 
 Sentence LotRecords::reason() const {
+    if (announcedNext() != nullptr && m_tracker.begin().memory) {
+        return Sentence(KERF_TEXT("A change is announced for part %1: it begins from what such changes have brought."),
+                        SentenceArg(nextNumber(), 0));
+    }
+    if ((m_rows.empty() || m_tracker.steps().empty()) && m_tracker.fromMemory()) {
+        return Sentence(KERF_TEXT("Nothing is measured in this lot yet: it begins from the lots before it."));
+    }
+    if ((m_rows.empty() || m_tracker.steps().empty()) && m_recipe.teaches()) {
+        return Sentence(KERF_TEXT("Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that "
+                                  "this part shows what the feed does. Measure it in the middle too."),
+                        SentenceArg(m_recipe.firstFeed_mmPerRev, 3),
+                        SentenceArg(advice().schedule.minFeed_mmPerRev, 3));
+    }
     if (m_rows.empty() || m_tracker.steps().empty()) {
         return Sentence(KERF_TEXT("Nothing is measured yet: the part is cut at the constant feed of %1 mm/rev."),
                         SentenceArg(m_recipe.firstFeed_mmPerRev, 3));
@@ -209,6 +251,14 @@ Sentence LotRecords::reason() const {
         return owner != nullptr && s.visit.part == owner->number && s.perturbed();
     });
     if (step != m_tracker.steps().end()) {
+        const bool fresh = std::ranges::any_of(m_tracker.announced(),
+                                               [&](const auto& change) { return change.part == step->visit.part; });
+        if (m_tracker.begin().memory && (fresh || (step == m_tracker.steps().begin() && m_tracker.fromMemory()))) {
+            return Sentence(
+                KERF_TEXT(
+                    "Part %1 contradicts what was expected from the past: the past is let go, the law learned anew."),
+                SentenceArg(number, 0));
+        }
         return Sentence(KERF_TEXT("The process changed with part %1: the law is learned anew from there."),
                         SentenceArg(number, 0));
     }
@@ -227,9 +277,35 @@ Sentence LotRecords::reason() const {
     return Sentence(text, SentenceArg(number, 0), SentenceArg(std::abs(mean_um), 0));
 }
 
+Sentence LotRecords::restsOn() const {
+    if (!boring::estimateOf(m_tracker.state()).ready) {
+        return {};
+    }
+    const std::uint32_t measured = m_tracker.steps().empty() ? 0 : m_tracker.steps().back().visit.part;
+    const bool changes = announcedNext() != nullptr && announcedNext()->part > measured && m_tracker.begin().memory;
+    if (measured > 0 && !changes) {
+        return Sentence(KERF_TEXT("Expected from the %1 measured parts of this lot."),
+                        SentenceArg(static_cast<double>(m_tracker.steps().size()), 0));
+    }
+    constexpr double kPercent = 100.0;
+    const boring::Memory memory = m_tracker.memoryNow();
+    const double lots = static_cast<double>(memory.weights().size());
+    const auto kind = changes ? announcedNext()->kind : boring::StretchKind::Insert;
+    const SentenceArg spread(kPercent * memory.start(kind).spread[0], 0);
+    if (measured == 0) {
+        return Sentence(KERF_TEXT("Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ)."),
+                        SentenceArg(lots, 0), spread);
+    }
+    return Sentence(
+        KERF_TEXT(
+            "Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ)."),
+        SentenceArg(lots, 0), spread);
+}
+
 EstimatorStateRow LotRecords::lastState() const {
-    return stateRow(0, m_kind, boring::estimateOf(m_tracker.state()),
-                    !m_tracker.steps().empty() && m_tracker.steps().back().perturbed(), stateJson(m_tracker.state()));
+    const boring::EstimatorState& state = m_tracker.measuredState();
+    return stateRow(0, m_kind, boring::estimateOf(state),
+                    !m_tracker.steps().empty() && m_tracker.steps().back().perturbed(), stateJson(state));
 }
 
 std::vector<EstimatorStateRow> LotRecords::changedStates(const boring::LotTracker& before) const {

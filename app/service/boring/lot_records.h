@@ -30,7 +30,10 @@ struct ServicePart {
 /// values in, values out, so that a restart is the same computation as the shift before it.
 class LotRecords {
  public:
-    LotRecords(BoringRecipe recipe, boring::EstimatorKind kind);
+    LotRecords(BoringRecipe recipe, boring::EstimatorKind kind, boring::LotBegin begin = {});
+
+    /// Changes announced in this lot, in place of those before.
+    void setAnnounced(std::vector<boring::AnnouncedChange> announced);
 
     void addPart(const ServicePart& part);
     /// A row that is safely stored. Its deflection must be usable for the estimator (see whyRefused()).
@@ -56,6 +59,15 @@ class LotRecords {
     [[nodiscard]] Predictions predictionFor(const BoringSchedule& schedule) const;
     /// Why the schedule is what it is.
     [[nodiscard]] Sentence reason() const;
+    /// What the expected diameters of the next part rest on; empty before there are any.
+    [[nodiscard]] Sentence restsOn() const;
+    /// Number of the part that is cut next.
+    [[nodiscard]] std::uint32_t nextNumber() const noexcept { return m_parts.empty() ? 1 : m_parts.back().number + 1; }
+    /// Announced for it.
+    [[nodiscard]] const boring::AnnouncedChange* announcedNext() const noexcept;
+    /// How many of the recipe's depths this part is measured at: all when it teaches, else without the middle that was
+    /// added for it.
+    [[nodiscard]] std::size_t depthsOf(const ServicePart& part) const noexcept;
 
     /// The estimator rows to be stored with `next`, the newest row of these records, which has no id yet: every state
     /// that differs from `before`, the lot's last state at the end.
@@ -66,6 +78,7 @@ class LotRecords {
     void track(const MeasurementRow& row);
 
     BoringRecipe m_recipe;
+    std::size_t m_everyPart;  ///< depths each part is measured at; those behind are for a part that teaches
     boring::EstimatorKind m_kind;
     boring::LotTracker m_tracker;
     std::vector<ServicePart> m_parts;    ///< by number

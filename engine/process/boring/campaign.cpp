@@ -4,12 +4,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace kerf::boring {
 namespace {
 
 constexpr std::uint64_t kNoiseStream = 1;
 constexpr std::uint64_t kTypoStream = 2;
+constexpr std::uint64_t kLotStream = 1000;  // the first lot keeps the run's own streams
+constexpr std::uint64_t kShopStream = 5;
+constexpr double kExpansion_perK = 20e-6;
+constexpr double kThermometer_K = 0.5;
+constexpr std::uint32_t kUnstableParts = 10;
 constexpr std::uint32_t kSteadyFrom = 4;
 constexpr double kTwoSided95 = 1.959963984540054;
 
@@ -78,27 +84,119 @@ class Operator {
     Random m_random;
 };
 
+/// What the lot begins from, and what an announced change brings back. Idle without memory.
+class LotMemory {
+ public:
+    LotMemory(const CampaignParams& params, const LotPlace& place) : m_params(params), m_place(place) {}
+
+    void begin(EstimatorState& state) const {
+        if (m_params.memory) {
+            use(Memory(m_place.past, {}, m_params.estimator.kalman), StretchKind::Insert, state);
+        }
+    }
+    void announce(std::uint32_t part, EstimatorState& state) const {
+        const auto change = std::ranges::find(m_place.announced, part, &AnnouncedChange::part);
+        if (m_params.memory && part > 1 && change != m_place.announced.end()) {
+            use(Memory(m_place.past, {}, m_params.estimator.kalman, stretches()), change->kind, state);
+        }
+    }
+    void keep(const PartVisit& visit) {
+        if (m_params.memory && visit.count > 0) {
+            m_visits.push_back(visit);
+        }
+    }
+    [[nodiscard]] std::vector<Stretch> stretches() const {
+        return stretchesOf(m_visits, m_place.announced, m_params.estimator.kalman);
+    }
+
+ private:
+    void use(const Memory& memory, StretchKind kind, EstimatorState& state) const {
+        if (memory.usable()) {
+            state = stateFrom(memory.start(kind), m_params.estimator.kalman);
+        }
+    }
+    const CampaignParams& m_params;
+    const LotPlace& m_place;
+    std::vector<PartVisit> m_visits{};
+};
+
+/// What the shop floor adds to the law, part by part. The reference machine adds nothing, to the last digit.
+class ShopFloor {
+ public:
+    ShopFloor(const CampaignParams& params, Random random) : m_params(params), m_random(random) {
+        m_hardness = params.hard.hardnessSpread * m_random.gauss();
+    }
+    void nextPart() {
+        const HardMachine& hard = m_params.hard;
+        if (hard.seed == 0) {
+            return;
+        }
+        m_hardness = hard.hardnessMemory * m_hardness + std::sqrt(1.0 - hard.hardnessMemory * hard.hardnessMemory) *
+                                                            hard.hardnessSpread * m_random.gauss();
+        const double warm_K = hard.warm_K + hard.warmSpread_K * m_random.gauss();
+        const double left_K = m_params.temperatureEntered ? kThermometer_K * m_random.gauss() : warm_K;
+        const double larger_mm = kExpansion_perK * m_params.boreDiameter_mm * left_K;
+        m_gauge_mm = larger_mm / (2.0 * std::cos(m_params.phi_deg * std::numbers::pi / 180.0));
+    }
+    [[nodiscard]] double true_mm(const LawConstants& law, double feed_mmPerRev, double overhang_mm) const {
+        const double d_mm = deflection_mm(law, feed_mmPerRev, overhang_mm);
+        const FeedLawParams& feed = m_params.feed;
+        const double along = (overhang_mm - feed.overhangFrom_mm) / (feed.overhangTo_mm - feed.overhangFrom_mm);
+        return m_params.hard.seed == 0 ? d_mm : d_mm * std::exp(m_hardness + m_params.hard.wearAlongBore * along);
+    }
+    /// A warm bore is larger, so its deflection seems smaller by this.
+    [[nodiscard]] double gauge_mm() const { return m_gauge_mm; }
+
+ private:
+    const CampaignParams& m_params;
+    Random m_random;
+    double m_hardness{0.0};
+    double m_gauge_mm{0.0};
+};
+
 }  // namespace
 
+std::vector<double> teachDepths_mm(const CampaignParams& params) {
+    std::vector<double> depths_mm = params.measureAt_mm;
+    const double middle_mm = teachMiddle_mm(params.feed);
+    if (depths_mm.size() < kTeachDepths && std::ranges::find(depths_mm, middle_mm) == depths_mm.end()) {
+        depths_mm.push_back(middle_mm);
+    }
+    return depths_mm;
+}
+
 LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std::uint64_t seed, std::uint32_t run,
-                      const std::function<void(const CampaignRow&)>& sink) {
+                      const std::function<void(const CampaignRow&)>& sink, const LotPlace& place) {
     assert(!params.measureAt_mm.empty() && params.measureAt_mm.size() <= kMaxBoreDepths);
     const double d0_mm = params.feed.targetDeflection_mm;
     const double sigma_mm = params.estimator.sigma_mm();
-    const Random base = Random(seed).stream(run);
+    const Random ofRun = Random(seed).stream(run);
+    const Random base = place.lot == 1 ? ofRun : ofRun.stream(kLotStream + place.lot);
     Random noise = base.stream(kNoiseStream);
     Operator person(params, base.stream(kTypoStream));
     LotResult lot;
     EstimatorState state = initialState(params.estimator);
+    LotMemory memory(params, place);
+    memory.begin(state);
+    ShopFloor shop(params, base.stream(kShopStream));
+    std::optional<SigmaBank> bank;
+    if (params.learnSigma && params.estimator.kind == EstimatorKind::Kalman) {
+        bank = SigmaBank::from(std::get<KalmanState>(state));
+    }
+    std::uint32_t badInARow = 0;
     for (std::uint32_t part = 1; part <= params.parts; ++part) {
         const LawConstants law = truth.at(part);
-        const BoringSchedule schedule = scheduleFor(params, state, truth, part);
+        memory.announce(part, state);
+        shop.nextPart();
+        const bool teaching = params.teach && part == 1 && !estimateOf(state).ready;
+        const BoringSchedule schedule = teaching ? teachSchedule(params.feed) : scheduleFor(params, state, truth, part);
+        const std::vector<double> measureAt_mm = teaching ? teachDepths_mm(params) : params.measureAt_mm;
         bool scrap = false;
         double feedError = 0.0;
         double squares = 0.0;
         for (const double overhang_mm : params.evaluateAt_mm) {
             const double feed_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
-            const double error_mm = deflection_mm(law, feed_mmPerRev, overhang_mm) - d0_mm;
+            const double error_mm = shop.true_mm(law, feed_mmPerRev, overhang_mm) - d0_mm;
             const double best_mmPerRev = optimalFeed_mmPerRev(law, d0_mm, overhang_mm);
             scrap = scrap || std::abs(error_mm) > params.scrapBand_mm;
             feedError += std::abs(feed_mmPerRev - best_mmPerRev) / best_mmPerRev;
@@ -106,6 +204,12 @@ LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std:
         }
         const auto evaluated = static_cast<double>(std::max<std::size_t>(1, params.evaluateAt_mm.size()));
         lot.scrap.push_back(scrap);
+        const auto within = [&](double overhang_mm) {
+            const double best_mmPerRev = optimalFeed_mmPerRev(law, d0_mm, overhang_mm);
+            return best_mmPerRev > params.feed.minFeed_mmPerRev && best_mmPerRev < params.feed.maxFeed_mmPerRev;
+        };
+        const bool could = within(params.feed.overhangFrom_mm) && within(params.feed.overhangTo_mm);
+        badInARow = scrap && could ? badInARow + 1 : 0;
         lot.feedError_percent.push_back(100.0 * feedError / evaluated);
         lot.squaredError.push_back(squares / evaluated);
 
@@ -113,15 +217,17 @@ LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std:
         visit.part = part;
         std::array<CampaignRow, kMaxBoreDepths> rows{};
         std::array<std::optional<std::size_t>, kMaxBoreDepths> used{};
-        const std::size_t depths = params.measureAt_mm.size();
+        const std::size_t depths = measureAt_mm.size();
         for (std::size_t i = 0; i < depths; ++i) {
-            const double overhang_mm = params.measureAt_mm[i];
-            const double true_mm = deflection_mm(law, schedule.feed_mmPerRev(overhang_mm), overhang_mm);
+            const double overhang_mm = measureAt_mm[i];
+            const double true_mm = shop.true_mm(law, schedule.feed_mmPerRev(overhang_mm), overhang_mm);
             const double drawn = noise.gauss();  // always drawn: noise given from outside does not shift the others
-            const double z = params.noise ? params.noise(run, part, i) : drawn;
-            const Measurement measured = measurementAt(schedule, overhang_mm, measured_mm(true_mm, sigma_mm, z));
+            const double z = params.noise ? params.noise(run, place.lot, part, i) : drawn;
+            const Measurement measured = measurementAt(
+                schedule, overhang_mm, measured_mm(true_mm, sigma_mm * params.hard.sigmaFactor, z) - shop.gauge_mm());
             const auto entry = person.enter(state, measured, lot);
             rows[i] = {run,
+                       place.lot,
                        part,
                        overhang_mm,
                        entry.has_value(),
@@ -138,11 +244,15 @@ LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std:
         const bool wantRows = static_cast<bool>(sink) || params.estimator.kind == EstimatorKind::Perturbation;
         const std::span<RowOutcome> all = std::span(outcomes).first(visit.count);
         const ChangeKnowledge knowledge = knowledgeOf(params, truth, part);
-        if (wantRows) {
+        if (bank && visit.count > 0) {
+            bank = update(*bank, params.estimator.kalman, visit, &all.back());
+            state = bank->state();
+        } else if (wantRows) {
             state = step(state, params.estimator, visit, all, knowledge);
         } else if (visit.count > 0) {  // the last row is enough: the Kalman filter judges the whole part
             state = update(std::get<KalmanState>(state), params.estimator.kalman, visit, &all.back(), knowledge);
         }
+        memory.keep(visit);
         const bool kalman = params.estimator.kind == EstimatorKind::Kalman;
         const auto fired = [](const RowOutcome& row) { return row.perturbed; };
         lot.perturbed.push_back(!all.empty() && (kalman ? all.back().perturbed : std::ranges::any_of(all, fired)));
@@ -153,18 +263,21 @@ LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std:
                 sink(rows[i]);
             }
             for (const double overhang_mm : params.evaluateAt_mm) {
-                if (std::ranges::find(params.measureAt_mm, overhang_mm) == params.measureAt_mm.end()) {
+                if (std::ranges::find(measureAt_mm, overhang_mm) == measureAt_mm.end()) {
                     const double feed_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
-                    sink({run, part, overhang_mm, false, feed_mmPerRev, deflection_mm(law, feed_mmPerRev, overhang_mm),
-                          0.0, end});
+                    sink({run, place.lot, part, overhang_mm, false, feed_mmPerRev,
+                          shop.true_mm(law, feed_mmPerRev, overhang_mm), 0.0, end});
                 }
             }
         }
     }
+    lot.unstable = badInARow >= kUnstableParts;
+    lot.sigmaFactor = bank ? bank->factor() : 1.0;
+    lot.stretches = memory.stretches();
     return lot;
 }
 
-void CampaignTally::add(const LotResult& lot, const TruthPlan& truth) {
+void CampaignTally::add(const LotResult& lot, const TruthPlan& truth, std::uint32_t place) {
     const auto parts = static_cast<std::uint32_t>(lot.scrap.size());
     const auto changes = truth.changeParts();
     const std::uint32_t steadyTo = std::min(parts, changes.empty() ? parts : changes.front() - 1);
@@ -197,6 +310,10 @@ void CampaignTally::add(const LotResult& lot, const TruthPlan& truth) {
     for (std::size_t i = 0; i < noticed.size(); ++i) {
         m_perturbed[i] += noticed[i] ? 1.0 : 0.0;
     }
+    m_scrapOfLot.resize(std::max<std::size_t>(m_scrapOfLot.size(), place));
+    m_runsOfLot.resize(m_scrapOfLot.size());
+    m_scrapOfLot[place - 1] += scrap;
+    ++m_runsOfLot[place - 1];
     ++m_lots;
     m_scrap += scrap;
     m_scrapSquared += scrap * scrap;
@@ -234,6 +351,9 @@ CampaignSummary CampaignTally::summary() const {
     out.asked = m_asked / n;
     out.askedWrongly = m_askedWrongly / n;
     out.refused = m_refused / n;
+    for (std::size_t i = 0; i < m_scrapOfLot.size(); ++i) {
+        out.scrapPerLot.push_back(m_scrapOfLot[i] / std::max(1U, m_runsOfLot[i]));
+    }
     return out;
 }
 

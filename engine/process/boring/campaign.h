@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/process/boring/estimator.h"
 #include "engine/process/boring/feed_law.h"
+#include "engine/process/boring/memory.h"
 #include "engine/process/boring/plant.h"
+#include "engine/process/boring/sigma_bank.h"
 
 /// Simulated lots, part by part: cut, measure, estimate, next schedule. What `kerf boring simulate`, the tests and the
 /// benchmark run; the laws in it are the console's.
@@ -31,14 +34,34 @@ struct CampaignParams {
     std::vector<double> evaluateAt_mm{40.0, 175.0, 310.0};  ///< where the true bore decides over scrap
     double scrapBand_mm{3.0 * kTableSigma_mm};              ///< scrap when |d − d0| is above this anywhere
     double typoRate{0.0};                                   ///< share of entries that slip by a decade, up or down
-    bool gated{true};  ///< implausible entries are measured again, and confirmed when they stay
-    /// Standard normal noise instead of the random one; run and part count from 1.
-    std::function<double(std::uint32_t run, std::uint32_t part, std::size_t depth)> noise{};
+    bool gated{true};        ///< implausible entries are measured again, and confirmed when they stay
+    bool memory{false};      ///< a lot begins from the lots before it, an announced change from them and from the lot
+    bool learnSigma{false};  ///< kalman only: σ is one of several candidates, by the evidence of the parts (SigmaBank)
+    HardMachine hard{};      ///< what the shop floor adds; its truth counts when its seed is not 0
+    bool temperatureEntered{true};  ///< a warm part's temperature is entered with its bores, ± .5 K, and corrected for
+    double boreDiameter_mm{50.0};   ///< for that correction, 20 µm/m·K
+    double phi_deg{kTablePhi_deg};
+    bool teach{false};  ///< without a past, the feed varies along the first part, which is measured at three depths
+    /// Standard normal noise instead of the random one; run, lot and part count from 1, depth by teachDepths_mm() in
+    /// the first part that teaches, else by measureAt_mm.
+    std::function<double(std::uint32_t run, std::uint32_t lot, std::uint32_t part, std::size_t depth)> noise{};
+};
+
+/// Where the first part is measured when it teaches: measureAt_mm, and the middle of the bore when that is fewer than
+/// three depths.
+[[nodiscard]] std::vector<double> teachDepths_mm(const CampaignParams& params);
+
+/// Which lot of a machine's life is bored, and what is known when it begins.
+struct LotPlace {
+    std::uint32_t lot{1};
+    std::span<const PastLot> past{};
+    std::span<const AnnouncedChange> announced{};  ///< used with memory only
 };
 
 /// One row: a depth of a part that was measured or evaluated.
 struct CampaignRow {
     std::uint32_t run{0};
+    std::uint32_t lot{1};
     std::uint32_t part{0};
     double overhang_mm{0.0};
     bool measured{false};
@@ -58,11 +81,15 @@ struct LotResult {
     std::uint32_t askedWrongly{0};       ///< of them: the entry was right
     std::uint32_t entries{0};
     std::uint32_t refused{0};  ///< measured d ≤ 0: not used
+    double sigmaFactor{1.0};   ///< with learnSigma: what the gauge's σ is taken to be at the end, of the assumed one
+    bool unstable{false};      ///< the last ten parts are scrap although their best feed was within the range
+    std::vector<Stretch> stretches{};  ///< with memory: what the lot leaves to the next ones
 };
 
-/// One lot. Random streams depend on seed and run only, so two policies see the same noise. `sink` may be empty.
+/// One lot. Random streams depend on seed, run and lot only, so two policies see the same noise. `sink` may be empty.
 [[nodiscard]] LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std::uint64_t seed,
-                                    std::uint32_t run, const std::function<void(const CampaignRow&)>& sink = {});
+                                    std::uint32_t run, const std::function<void(const CampaignRow&)>& sink = {},
+                                    const LotPlace& place = {});
 
 /// Mean over lots and half width of its 95 % interval.
 struct Mean {
@@ -83,12 +110,13 @@ struct CampaignSummary {
     double asked{0.0};                            ///< questions per lot
     double askedWrongly{0.0};
     double refused{0.0};
+    std::vector<double> scrapPerLot{};  ///< mean over runs, lot by lot
 };
 
 /// Adds up lots; each with the truth it had.
 class CampaignTally {
  public:
-    void add(const LotResult& lot, const TruthPlan& truth);
+    void add(const LotResult& lot, const TruthPlan& truth, std::uint32_t place = 1);
     [[nodiscard]] CampaignSummary summary() const;
 
  private:
@@ -97,7 +125,8 @@ class CampaignTally {
     double m_falseAlarms{0.0}, m_detections{0.0};
     double m_steadyParts{0.0}, m_steadyInBand{0.0}, m_steadySquares{0.0};
     double m_asked{0.0}, m_askedWrongly{0.0}, m_refused{0.0};
-    std::vector<double> m_perturbed{}, m_bad{}, m_feedError_percent{};
+    std::vector<double> m_perturbed{}, m_bad{}, m_feedError_percent{}, m_scrapOfLot{};
+    std::vector<std::uint32_t> m_runsOfLot{};
 };
 
 }  // namespace kerf::boring

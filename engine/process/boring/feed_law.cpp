@@ -67,6 +67,25 @@ FeedAdvice adviseFeed(const Estimate& estimate, double workingPoint, const FeedL
     return advice;
 }
 
+double teachMiddle_mm(const FeedLawParams& params) noexcept {
+    return 0.5 * (params.overhangFrom_mm + params.overhangTo_mm);
+}
+
+BoringSchedule teachSchedule(const FeedLawParams& params) noexcept {
+    BoringSchedule schedule = adviseFeed(Estimate{}, 0.0, params).schedule;
+    const double high_mmPerRev = schedule.feed_mmPerRev(params.overhangFrom_mm);
+    const double low_mmPerRev = std::max(high_mmPerRev / kTeachRatio, params.minFeed_mmPerRev);
+    const double fallsAt_mm = 0.5 * (teachMiddle_mm(params) + params.overhangTo_mm);
+    schedule.constantFeed_mmPerRev = 0.0;
+    schedule.minFeed_mmPerRev = low_mmPerRev;
+    schedule.maxFeed_mmPerRev = high_mmPerRev;
+    schedule.alpha = 1.0;
+    schedule.beta = kTeachSteepness;
+    schedule.lnC = std::log(params.targetDeflection_mm) - 0.5 * std::log(high_mmPerRev * low_mmPerRev) -
+                   kTeachSteepness * std::log(fallsAt_mm);
+    return schedule;
+}
+
 Measurement measurementAt(const BoringSchedule& schedule, double overhang_mm, double deflection_mm) noexcept {
     return {overhang_mm, schedule.feed_mmPerRev(overhang_mm), deflection_mm, atLimit(schedule, overhang_mm)};
 }

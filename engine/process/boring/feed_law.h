@@ -36,6 +36,23 @@ struct FeedAdvice {
 [[nodiscard]] FeedAdvice adviseFeed(const Estimate& estimate, double workingLnFeed,
                                     const FeedLawParams& params) noexcept;
 
+/// A first part that teaches: S0 over most of the bore, a fifth of it near the far end, measured at three depths. ln S
+/// is then no straight line in ln L, so that α, β and ln C can be told apart from this one part. The feed only falls
+/// from S0, which the setter has found good enough for feed and finish, and stays within the limits.
+///
+///   schedule  a law so steep (α 1, β kTeachSteepness) that it runs from S0 down to the lower feed within 4 % of L,
+///             clamped to these two: what carries any schedule carries this one
+///   α̂'s spread from the part alone ≈ (σ/d)·√(1 + .08 + .52)/ln 5 for depths at 40, 175 and 310 mm
+inline constexpr std::size_t kTeachDepths = 3;
+inline constexpr double kTeachRatio = 5.0;
+inline constexpr double kTeachSteepness = 40.0;
+[[nodiscard]] BoringSchedule teachSchedule(const FeedLawParams& params) noexcept;
+[[nodiscard]] inline bool teaches(const BoringSchedule& schedule) noexcept {
+    return schedule.constantFeed_mmPerRev == 0.0 && schedule.beta == kTeachSteepness;
+}
+/// The third depth: the middle of the bore, well above where the feed falls.
+[[nodiscard]] double teachMiddle_mm(const FeedLawParams& params) noexcept;
+
 /// A measurement of a part that was cut with `schedule` (or really cut with `feed_mmPerRev`, where the trace says so).
 [[nodiscard]] Measurement measurementAt(const BoringSchedule& schedule, double overhang_mm,
                                         double deflection_mm) noexcept;

@@ -22,6 +22,7 @@ constexpr double kSmallStep = 1e-10;        // of ln d
 constexpr double kLargestLnD = 5.0;         // keeps a wild step finite
 constexpr double kLeastProbability = 1e-4;  // neither model is ever ruled out
 constexpr double kLargestLogOdds = 50.0;
+constexpr double kChangeProbability = 0.02;  // per part, for the evidence
 
 struct Gaussian {
     Eigen::Vector3d mean;
@@ -213,7 +214,7 @@ Estimate predictedFor(const KalmanState& before, const KalmanParams& params, con
 }
 
 KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
-                   ChangeKnowledge knowledge) noexcept {
+                   ChangeKnowledge knowledge, double* lnEvidence) noexcept {
     if (visit.count == 0) {
         return before;
     }
@@ -223,8 +224,12 @@ KalmanState update(const KalmanState& before, const KalmanParams& params, const 
     double t2 = 0.0;
     if (!before.ready) {
         const Gaussian prior{vectorOf(params.prior), covarianceOf(params.priorSpread, 1.0, state)};
-        beginWeights(state, params, posterior(prior, bores, params.sigma_mm).theta);
+        const Posterior first = posterior(prior, bores, params.sigma_mm);
+        beginWeights(state, params, first.theta);
         state.ready = true;
+        if (lnEvidence != nullptr) {
+            *lnEvidence = first.lnEvidence;
+        }
     } else {
         const Prediction predicted = predictionOf(before, params, visit.part, state);
         const std::array<Gaussian, kKalmanModels>& prior = predicted.models;
@@ -235,13 +240,22 @@ KalmanState update(const KalmanState& before, const KalmanParams& params, const 
                   (knowledge == ChangeKnowledge::Unknown && t2 > changeThreshold(visit.count));
         if (changed) {
             weighted.p += covarianceOf(params.change, 1.0, state);
-            beginWeights(state, params, posterior(weighted, bores, params.sigma_mm).theta);
+            const Posterior anew = posterior(weighted, bores, params.sigma_mm);
+            beginWeights(state, params, anew.theta);
+            if (lnEvidence != nullptr) {
+                *lnEvidence = anew.lnEvidence + std::log(kChangeProbability);
+            }
         } else {
             const Posterior asQuiet = posterior(prior[kQuiet], bores, params.sigma_mm);
             const Posterior asMoving = posterior(prior[kMoving], bores, params.sigma_mm);
             const double logOdds = std::log(moving / (1.0 - moving)) + asMoving.lnEvidence - asQuiet.lnEvidence;
             const double odds = std::exp(std::clamp(logOdds, -kLargestLogOdds, kLargestLogOdds));
             state.modes = {modeOf(asQuiet.theta), modeOf(asMoving.theta)};
+            if (lnEvidence != nullptr) {
+                const double most = std::max(asQuiet.lnEvidence, asMoving.lnEvidence);
+                *lnEvidence = most + std::log((1.0 - moving) * std::exp(asQuiet.lnEvidence - most) +
+                                              moving * std::exp(asMoving.lnEvidence - most));
+            }
             state.movingProbability = std::clamp(odds / (1.0 + odds), kLeastProbability, 1.0 - kLeastProbability);
         }
     }

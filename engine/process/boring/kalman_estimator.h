@@ -78,8 +78,10 @@ enum class ChangeKnowledge : std::uint8_t {
                                     const PartVisit& visit) noexcept;
 
 /// Takes one part with all its bores measured so far. A bore that comes later means: step again from the state before.
-/// A visit without bores leaves the state as it is. `outcome` may be null.
+/// A visit without bores leaves the state as it is. `outcome` and `lnEvidence` (how probable the bores were, up to a
+/// constant common to all parameters; a change counts with its probability) may be null.
 [[nodiscard]] KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit,
-                                 RowOutcome* outcome, ChangeKnowledge knowledge = ChangeKnowledge::Unknown) noexcept;
+                                 RowOutcome* outcome, ChangeKnowledge knowledge = ChangeKnowledge::Unknown,
+                                 double* lnEvidence = nullptr) noexcept;
 
 }  // namespace kerf::boring

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace kerf::boring {
 namespace {
@@ -70,7 +71,61 @@ bool LotTracker::Step::perturbed() const noexcept {
     return std::any_of(rows.begin(), rows.begin() + visit.count, [](const RowOutcome& row) { return row.perturbed; });
 }
 
-LotTracker::LotTracker(const EstimatorParams& params) : m_params(params), m_initial(initialState(params)) {}
+LotTracker::LotTracker(const EstimatorParams& params, LotBegin begin)
+    : m_params(params), m_begin(std::move(begin)), m_initial(initialState(params)) {
+    m_begin.memory = m_begin.memory && params.kind == EstimatorKind::Kalman;
+    if (m_begin.memory) {
+        const Memory memory = memoryNow();
+        if (memory.usable()) {
+            m_initial = stateFrom(memory.start(), m_params.kalman);
+        }
+    }
+    m_state = m_initial;
+}
+
+Memory LotTracker::memoryNow() const {
+    static const std::vector<PastLot> kNone;
+    return {m_begin.past ? *m_begin.past : kNone, m_begin.context, m_params.kalman, stretches()};
+}
+
+std::vector<Stretch> LotTracker::stretches() const {
+    return stretchesOfFirst(m_steps.size());
+}
+
+std::vector<Stretch> LotTracker::stretchesOfFirst(std::size_t steps) const {
+    std::vector<PartVisit> visits;
+    for (std::size_t i = 0; i < steps; ++i) {
+        visits.push_back(m_steps[i].visit);
+    }
+    return stretchesOf(visits, m_announced, m_params.kalman);
+}
+
+void LotTracker::setAnnounced(std::vector<AnnouncedChange> announced) {
+    m_announced = std::move(announced);
+    std::ranges::sort(m_announced, {}, &AnnouncedChange::part);
+    if (m_begin.memory) {
+        stepFrom(0);
+    }
+}
+
+const AnnouncedChange* LotTracker::changeIn(std::uint32_t after, std::uint32_t to) const noexcept {
+    const AnnouncedChange* found = nullptr;
+    for (const AnnouncedChange& change : m_announced) {
+        // The first part of a lot begins anew anyway.
+        if (m_begin.memory && change.part > std::max(after, 1U) && change.part <= to) {
+            found = &change;
+        }
+    }
+    return found;
+}
+
+EstimatorState LotTracker::changed(const EstimatorState& before, std::size_t steps,
+                                   const AnnouncedChange& change) const {
+    static const std::vector<PastLot> kNone;
+    const Memory memory(m_begin.past ? *m_begin.past : kNone, m_begin.context, m_params.kalman,
+                        stretchesOfFirst(steps));
+    return memory.usable() ? EstimatorState(stateFrom(memory.start(change.kind), m_params.kalman)) : before;
+}
 
 Result<void> LotTracker::addPart(const CutPart& part) {
     if (part.number == 0 || LotTracker::part(part.number) != nullptr) {
@@ -149,13 +204,17 @@ Result<void> LotTracker::voidEntry(EntryId id) {
 
 const EstimatorState& LotTracker::stateBefore(std::uint32_t number) const noexcept {
     const EstimatorState* before = &m_initial;
+    std::uint32_t measured = 0;
     for (const Step& step : m_steps) {
         if (step.visit.part >= number) {
             break;
         }
         before = &step.after;
+        measured = step.visit.part;
     }
-    return *before;
+    const AnnouncedChange* change = number > 0 ? changeIn(measured, number - 1) : nullptr;
+    const auto after = change != nullptr ? m_changed.find(change->part) : m_changed.end();
+    return after != m_changed.end() ? after->second : *before;
 }
 
 const CutPart* LotTracker::part(std::uint32_t number) const noexcept {
@@ -217,11 +276,21 @@ void LotTracker::replay() {
 }
 
 void LotTracker::stepFrom(std::size_t first) {
+    const auto partBefore = [this](std::size_t i) { return i == 0 ? 0U : m_steps[i - 1].visit.part; };
+    const auto base = [this](std::size_t i) -> const EstimatorState& {
+        return i == 0 ? m_initial : m_steps[i - 1].after;
+    };
+    const auto begins = [&](std::size_t i, std::uint32_t part) -> const EstimatorState& {
+        const AnnouncedChange* change = changeIn(partBefore(i), part);
+        return change == nullptr ? base(i) : (m_changed[change->part] = changed(base(i), i, *change));
+    };
+    m_changed.erase(m_changed.upper_bound(partBefore(first)), m_changed.end());
     for (std::size_t i = first; i < m_steps.size(); ++i) {
         Step& next = m_steps[i];
-        next.after = step(i == 0 ? m_initial : m_steps[i - 1].after, m_params, next.visit,
-                          std::span(next.rows).first(next.visit.count));
+        next.after =
+            step(begins(i, next.visit.part), m_params, next.visit, std::span(next.rows).first(next.visit.count));
     }
+    m_state = begins(m_steps.size(), std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace kerf::boring

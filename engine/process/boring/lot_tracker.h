@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/boring/estimator.h"
 #include "engine/process/boring/feed_law.h"
+#include "engine/process/boring/memory.h"
 
 namespace kerf::boring {
 
@@ -23,6 +26,14 @@ struct CutPart {
 /// contact has a length and stays off the edge.
 [[nodiscard]] double cutFeed_mmPerRev(const CutPart& part, double overhang_mm) noexcept;
 
+/// What a lot begins from. Without memory: the wide prior, and announced changes are not used. The paper's estimator
+/// has no memory.
+struct LotBegin {
+    bool memory{false};
+    MemoryContext context{};
+    std::shared_ptr<const std::vector<PastLot>> past{};  ///< may be null: no past
+};
+
 /// The ordered history of one lot and the estimate it leads to.
 ///
 /// Whatever is added late, voided or corrected, the state is the one a fresh replay of the surviving history gives, bit
@@ -30,7 +41,8 @@ struct CutPart {
 ///   kalman        one visit per part, parts in the order of their numbers: a late bore is used where it belongs, and
 ///                 together with the part's other bores (the change test counts as many as there are)
 ///   perturbation  in the order of entry, as the paper takes it; neighbours of the same part form a visit
-/// A correction takes the place of what it replaces. Not in the cycle: allocates.
+/// A correction takes the place of what it replaces. With memory the first part begins from the lots before, and the
+/// first part after an announced change from them and from what this lot has shown. Not in the cycle: allocates.
 class LotTracker {
  public:
     using EntryId = std::int64_t;
@@ -52,7 +64,7 @@ class LotTracker {
         }
     };
 
-    explicit LotTracker(const EstimatorParams& params);
+    explicit LotTracker(const EstimatorParams& params, LotBegin begin = {});
 
     /// A part that has been cut. Numbers may come in any order, each once.
     [[nodiscard]] Result<void> addPart(const CutPart& part);
@@ -62,16 +74,30 @@ class LotTracker {
     [[nodiscard]] Result<void> correct(EntryId id, EntryId replacement, double deflection_mm);
     [[nodiscard]] Result<void> voidEntry(EntryId id);
 
+    /// All changes announced in this lot, in place of those before.
+    void setAnnounced(std::vector<AnnouncedChange> announced);
+
     /// A whole history at once (restart, replay of a file): as if added one by one. @pre the tracker is empty, entries
     /// are usable, and no part has more than kMaxBoreDepths of them
     void restore(std::vector<CutPart> parts, std::vector<Entry> entries);
 
     [[nodiscard]] const EstimatorParams& params() const noexcept { return m_params; }
-    [[nodiscard]] const EstimatorState& state() const noexcept {
+    /// What the next part is cut with: an announced change that no measured part shows yet counts.
+    [[nodiscard]] const EstimatorState& state() const noexcept { return m_state; }
+    /// After the newest measured part, whatever was announced since.
+    [[nodiscard]] const EstimatorState& measuredState() const noexcept {
         return m_steps.empty() ? m_initial : m_steps.back().after;
     }
-    /// State before the first visit to `part` (or a later one): what its prediction rests on.
+    /// With the bores of all parts below `part` and the changes announced for them.
     [[nodiscard]] const EstimatorState& stateBefore(std::uint32_t part) const noexcept;
+    [[nodiscard]] const LotBegin& begin() const noexcept { return m_begin; }
+    /// The lot began from the lots before it.
+    [[nodiscard]] bool fromMemory() const noexcept { return estimateOf(m_initial).ready; }
+    [[nodiscard]] const std::vector<AnnouncedChange>& announced() const noexcept { return m_announced; }
+    /// Memory with what the lot has shown up to the newest measured part.
+    [[nodiscard]] Memory memoryNow() const;
+    /// What the lot leaves to the next ones.
+    [[nodiscard]] std::vector<Stretch> stretches() const;
     [[nodiscard]] const std::vector<Step>& steps() const noexcept { return m_steps; }
     /// Surviving entries in the order they were made.
     [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return m_entries; }
@@ -85,12 +111,22 @@ class LotTracker {
     /// The newest entry came last in order: only the last visit changes, or a new one begins.
     [[nodiscard]] bool appendNewest();
     void stepFrom(std::size_t first);
+    [[nodiscard]] std::vector<Stretch> stretchesOfFirst(std::size_t steps) const;
+    /// The last change announced for a part in (after, to]; null: none, or no memory.
+    [[nodiscard]] const AnnouncedChange* changeIn(std::uint32_t after, std::uint32_t to) const noexcept;
+    /// What holds after that change, with the first `steps` steps known.
+    [[nodiscard]] EstimatorState changed(const EstimatorState& before, std::size_t steps,
+                                         const AnnouncedChange& change) const;
 
     EstimatorParams m_params;
+    LotBegin m_begin;
     EstimatorState m_initial;
-    std::vector<CutPart> m_parts;  ///< by number
-    std::vector<Entry> m_entries;  ///< by entry
-    std::vector<Step> m_steps;     ///< by visit
+    EstimatorState m_state;
+    std::vector<AnnouncedChange> m_announced;
+    std::map<std::uint32_t, EstimatorState> m_changed;  ///< by the part the change was announced for
+    std::vector<CutPart> m_parts;                       ///< by number
+    std::vector<Entry> m_entries;                       ///< by entry
+    std::vector<Step> m_steps;                          ///< by visit
 };
 
 }  // namespace kerf::boring

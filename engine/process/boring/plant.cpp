@@ -67,4 +67,49 @@ TruthPlan randomChanges(Random& random, double targetDeflection_mm) {
     return plan;
 }
 
+HardMachine hardMachine(std::uint64_t seed, double targetDeflection_mm) {
+    HardMachine machine;
+    machine.seed = seed;
+    if (seed == 0) {
+        return machine;
+    }
+    constexpr double kLevelFeed_mmPerRev = 0.17;
+    constexpr double kLeastFeed_mmPerRev = 0.01;
+    constexpr double kMostFeed_mmPerRev = 1.0;
+    constexpr double kChangeFrom = 8.0;
+    constexpr double kChangeBefore = 23.0;
+    Random random(seed);
+    const double lnFeed = std::log(kLevelFeed_mmPerRev);
+    const double lnOverhang = 0.5 * (std::log(kTableOverhangFrom_mm) + std::log(kTableOverhangTo_mm));
+    const auto feasible = [&](const LawConstants& one) {
+        return one.alpha > 0.1 &&
+               optimalFeed_mmPerRev(one, targetDeflection_mm, kTableOverhangFrom_mm) <= kMostFeed_mmPerRev &&
+               optimalFeed_mmPerRev(one, targetDeflection_mm, kTableOverhangTo_mm) >= kLeastFeed_mmPerRev;
+    };
+    double level = 0.0;
+    LawConstants first;
+    do {
+        level = std::log(targetDeflection_mm) + 0.3 * random.gauss();
+        first.alpha = random.uniform(0.35, 0.8);
+        first.beta = random.uniform(0.1, 0.5);
+        first.lnC = level - first.alpha * lnFeed - first.beta * lnOverhang;
+    } while (!feasible(first));
+    LawConstants second;
+    do {
+        second.alpha = first.alpha + 0.08 * random.gauss();
+        second.beta = first.beta + 0.06 * random.gauss();
+        second.lnC = level + 0.25 * random.gauss() - second.alpha * lnFeed - second.beta * lnOverhang;
+    } while (!feasible(second));
+    const auto part = static_cast<std::uint32_t>(random.uniform(kChangeFrom, kChangeBefore));
+    machine.truth.changes = {{1, first}, {part, second}};
+    machine.truth.drift_percentPerPart = 100.0 * std::expm1(random.uniform(0.0, 0.01));
+    machine.sigmaFactor = std::exp2(random.uniform(-1.0, 1.0));
+    machine.wearAlongBore = random.uniform(0.0, 0.03);
+    machine.hardnessMemory = random.uniform(0.3, 0.9);
+    machine.hardnessSpread = random.uniform(0.0, 0.03);
+    machine.warm_K = random.uniform(0.0, 15.0);
+    machine.warmSpread_K = 3.0;
+    return machine;
+}
+
 }  // namespace kerf::boring

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <array>
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
@@ -70,6 +71,8 @@ void BoringPage::build() {
             [this] { m_next->setWhyNoMode(context().session.whyNot(Role::Setter)); });
     connect(m_next, &NextPartPanel::acceptRequested, this,
             [this] { context().withOperator([this] { acceptSchedule(); }); });
+    connect(m_next, &NextPartPanel::changeRequested, this,
+            [this] { context().withOperator([this] { openChange(); }); });
     connect(m_entry, &EntryPanel::undoRequested, this, [this] { context().withOperator([this] { undoLast(); }); });
     connect(m_entry, &EntryPanel::measurementsRequested, this, &BoringPage::openList);
     connect(m_entry, &EntryPanel::attentionNeeded, this, [this] {
@@ -267,6 +270,39 @@ void BoringPage::acceptSchedule() {
             page->context().notify(sentenceText(result.error(), page->look().units()));
         }
     });
+}
+
+void BoringPage::openChange() {
+    Sheet* sheet = context().sheets.open(
+        tr("What is new with the next part?"),
+        tr("The expected diameters then begin from what such changes have brought before. Nothing known: just go on."));
+    const std::array<std::pair<BoringChange, const char*>, 3> kinds{{{BoringChange::Insert, "boringChangeInsert"},
+                                                                     {BoringChange::Reground, "boringChangeReground"},
+                                                                     {BoringChange::Material, "boringChangeMaterial"}}};
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("boringChangeCancel"));
+    if (m_service->view().announced) {
+        sheet->addButton(tr("Take back"), [this] { tellChange(std::nullopt); })
+            ->setObjectName(QStringLiteral("boringChangeNone"));
+    }
+    for (const auto& [kind, name] : kinds) {
+        sheet->addButton(changeName(kind), [this, kind = kind] { tellChange(kind); })
+            ->setObjectName(QLatin1String(name));
+    }
+}
+
+void BoringPage::tellChange(std::optional<BoringChange> change) {
+    const QPointer<BoringPage> self(this);
+    const auto answered = [self](const Result<void>& result) {
+        BoringPage* page = self.data();
+        if (page == nullptr) {
+            return;
+        }
+        if (!result) {
+            page->context().notify(sentenceText(result.error(), page->look().units()));
+        }
+    };
+    const std::string author = context().session.author();
+    change ? m_service->announceChange(*change, author, answered) : m_service->withdrawChange(author, answered);
 }
 
 void BoringPage::setMode(LoopMode mode) {

@@ -3,6 +3,7 @@
 
 #include <QPointer>
 #include <memory>
+#include <optional>
 
 #include "ui/dialogs/measurement_sheet.h"
 #include "ui/entry/gauge_wedge.h"
@@ -26,6 +27,8 @@ namespace kerf::ui {
 ///   boringNextPart: boringNextDiameter0…, boringNextFeed, boringNextReason, boringNextLimited, boringAccept,
 ///     boringNextLot (in its place when the lot is full or closed), boringLoopReason, boringModeOff, boringModeAdvise,
 ///     boringModeControl
+///     boringNextRests (what the expected diameters rest on), boringChange (two touches announce a change; its sheet:
+///     boringChangeInsert, boringChangeReground, boringChangeMaterial, boringChangeNone, boringChangeCancel)
 ///   boringEstimates
 ///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
 ///     boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter), boringGauge, boringCorrect, boringUndo,
@@ -55,6 +58,8 @@ class BoringPage : public Page {
     void openForm(PartId part, std::uint8_t depth, MeasurementId id, MeasurementForm::Start start);
     void onGauge(const GaugeReading& reading);
     void acceptSchedule();
+    void openChange();
+    void tellChange(std::optional<BoringChange> change);
     void setMode(LoopMode mode);
 
     BoringService* m_service;

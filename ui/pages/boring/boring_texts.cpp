@@ -24,6 +24,18 @@ QString depthName(const DepthView& depth) {
     return QString::fromStdString(depth.name);
 }
 
+QString changeName(BoringChange change) {
+    switch (change) {
+        case BoringChange::Reground:
+            return BoringTexts::tr("Tool reground");
+        case BoringChange::Material:
+            return BoringTexts::tr("Other material");
+        case BoringChange::Insert:
+            break;
+    }
+    return BoringTexts::tr("New insert");
+}
+
 QString placeName(std::uint32_t partNumber, const DepthView& depth) {
     return BoringTexts::tr("part %1, %2", "part number, depth of its bore").arg(partNumber).arg(depthName(depth));
 }

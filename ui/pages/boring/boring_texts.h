@@ -18,6 +18,9 @@ inline constexpr int kFeedDecimals = 3;      ///< of the stored mm/rev
 [[nodiscard]] QString placeName(std::uint32_t partNumber, const DepthView& depth);
 [[nodiscard]] QString diameterText(double diameter_mm, const UnitSystem& units);
 
+/// "new insert", "tool reground", "other material".
+[[nodiscard]] QString changeName(BoringChange change);
+
 /// The measurement of a depth that holds now; null while there is none.
 [[nodiscard]] const BoreMeasurementView* measurementAt(const BorePartView& part, std::uint8_t depth);
 [[nodiscard]] const BorePartView* findPart(const BoringServiceView& view, PartId id);

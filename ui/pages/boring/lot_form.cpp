@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QScroller>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/recipe_form.h"
@@ -76,6 +77,8 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
       m_partType(new QComboBox(this)),
       m_nameLabel(makeLabel(TextRole::Small, this)),
       m_name(new QLineEdit(this)),
+      m_grade(new QLineEdit(this)),
+      m_material(new QLineEdit(this)),
       m_size(new ValueField(context.look, sizeSpec(), this)),
       m_estimator(new QButtonGroup(this)),
       m_kalman(new QPushButton(this)),
@@ -83,6 +86,7 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
       m_keypad(new Keypad(context.look, Keypad::Shape::Wide, this)),
       m_table(new QTableWidget(this)),
       m_reason(new QLineEdit(this)),
+      m_leaveOut(new ActionButton(context.look, this)),
       m_message(makeLabel(TextRole::Body, this, true)),
       m_cancel(new QPushButton),
       m_close(new ActionButton(context.look)),
@@ -97,6 +101,9 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     m_partType->setObjectName(QStringLiteral("lotPartType"));
     m_name->setObjectName(QStringLiteral("lotName"));
     m_size->setObjectName(QStringLiteral("lotSize"));
+    m_grade->setObjectName(QStringLiteral("lotGrade"));
+    m_material->setObjectName(QStringLiteral("lotMaterial"));
+    m_leaveOut->setObjectName(QStringLiteral("lotLeaveOut"));
     m_kalman->setObjectName(QStringLiteral("lotKalman"));
     m_perturbation->setObjectName(QStringLiteral("lotPerturbation"));
     m_keypad->setObjectName(QStringLiteral("lotKeypad"));
@@ -130,6 +137,8 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     m_fields->addWidget(m_size, 2, 1, 2, 1);
     m_fields->addWidget(m_kalman, 4, 0);
     m_fields->addWidget(m_perturbation, 4, 1);
+    m_fields->addWidget(m_grade, 5, 0);
+    m_fields->addWidget(m_material, 5, 1);
     m_columns->addLayout(m_fields, 1);
     m_columns->addWidget(m_keypad);
     auto* column = new QVBoxLayout(this);
@@ -139,7 +148,11 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     column->addWidget(m_table, 1);
     m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     column->addWidget(m_message);
-    column->addWidget(m_reason);
+    auto* reasonRow = new QHBoxLayout;
+    reasonRow->addWidget(m_reason, 1);
+    reasonRow->addWidget(m_leaveOut);
+    column->addLayout(reasonRow);
+    connect(m_leaveOut, &QPushButton::clicked, this, &LotForm::leaveOut);
 
     sheet->addButton(m_cancel, {});
     sheet->addButton(
@@ -153,6 +166,7 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     sheet->addButton(
         m_open, [this] { openLot(); }, false);
     m_close->setPredicate([this] { return whyNoClose(); });
+    m_leaveOut->setPredicate([this] { return whyNoLeaveOut(); });
     m_newPartType->setPredicate([this] { return m_context.session.whyNot(Role::Engineer); });
     m_choose->setPredicate([this] { return whyNoChoice(); });
     m_open->setPredicate([this] { return whyNoOpen(); });
@@ -181,6 +195,8 @@ void LotForm::read() {
     }
     m_types = *types;
     m_known = *lots;
+    const auto memory = m_lots.memory();
+    m_memory = memory ? *memory : std::vector<BoringMemoryLotView>{};
     const QSignalBlocker quiet(m_partType);
     m_partType->clear();
     PartTypeId current = 0;
@@ -218,6 +234,8 @@ void LotForm::propose() {
         if (lot.partType == partType()) {
             size = lot.size > 0 ? lot.size : size;
             estimator = lot.estimator;
+            m_grade->setText(QString::fromStdString(lot.insertGrade));
+            m_material->setText(QString::fromStdString(lot.material));
             break;  // newest first
         }
     }
@@ -234,6 +252,9 @@ void LotForm::refresh() {
     m_kalman->setText(tr("Estimator kalman"));
     m_perturbation->setText(tr("perturbation (paper)"));
     m_reason->setPlaceholderText(tr("Reason, when the lot is closed before it is full"));
+    m_grade->setPlaceholderText(tr("Insert grade"));
+    m_material->setPlaceholderText(tr("Material"));
+    m_leaveOut->setText(remembered() != nullptr && remembered()->leftOut ? tr("Take in again") : tr("Leave out"));
     m_cancel->setText(tr("Back"));
     m_close->setText(tr("Close this lot"));
     m_recipe->setText(tr("Recipe"));
@@ -265,17 +286,24 @@ void LotForm::fillTable() {
                        .arg(state));
     const int row = m_table->currentRow();
     m_table->clear();
-    m_table->setColumnCount(5);
-    m_table->setHorizontalHeaderLabels({tr("Lot"), tr("Part type"), tr("Parts"), tr("Opened"), tr("State")});
+    m_table->setColumnCount(6);
+    m_table->setHorizontalHeaderLabels({tr("Lot"), tr("Part type"), tr("Parts"), tr("Opened"), tr("State"),
+                                        tr("Counts", "share of a lot in what this one began from")});
     m_table->setRowCount(qMin(kLotsShown, static_cast<int>(m_known.size())));
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const BoringLotView& lot = m_known[static_cast<std::size_t>(i)];
+        const auto memory = std::ranges::find(m_memory, lot.id, &BoringMemoryLotView::lot);
         const QStringList cells{
-            QString::fromStdString(lot.name), QString::fromStdString(lot.partTypeName), QString::number(lot.size),
+            QString::fromStdString(lot.name),
+            QString::fromStdString(lot.partTypeName),
+            QString::number(lot.size),
             QDateTime::fromMSecsSinceEpoch(lot.openedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")),
             lot.current  ? tr("current")
             : lot.closed ? tr("closed")
-                         : tr("open")};
+                         : tr("open"),
+            memory == m_memory.end() ? QString()
+            : memory->leftOut        ? tr("left out")
+                                     : QStringLiteral("%1 %").arg(qRound(100.0 * memory->share))};
         for (int c = 0; c < cells.size(); ++c) {
             m_table->setItem(i, c, new QTableWidgetItem(cells[c]));
         }
@@ -293,9 +321,10 @@ const BoringLotView* LotForm::chosen() const {
 }
 
 void LotForm::reconsider() {
-    for (ActionButton* button : {m_close, m_newPartType, m_choose, m_open}) {
+    for (ActionButton* button : {m_close, m_newPartType, m_choose, m_open, m_leaveOut}) {
         button->reconsider();
     }
+    m_leaveOut->setText(remembered() != nullptr && remembered()->leftOut ? tr("Take in again") : tr("Leave out"));
     const QString text = !m_trouble.isEmpty()
                              ? m_trouble
                              : tr("The newest recipe of the part type holds for a new lot, and stays with it.");
@@ -346,6 +375,36 @@ QString LotForm::whyNoClose() const {
     return !lotFull(view) && m_reason->text().trimmed().isEmpty() ? tr("give a reason: it is not full") : QString();
 }
 
+const BoringMemoryLotView* LotForm::remembered() const {
+    const BoringLotView* lot = chosen();
+    const auto found =
+        lot == nullptr ? m_memory.end() : std::ranges::find(m_memory, lot->id, &BoringMemoryLotView::lot);
+    return found == m_memory.end() ? nullptr : &*found;
+}
+
+QString LotForm::whyNoLeaveOut() const {
+    if (const QString why = whyNoChange(); !why.isEmpty()) {
+        return why;
+    }
+    if (remembered() == nullptr) {
+        return tr("touch a lot that the current one begins from");
+    }
+    return m_reason->text().trimmed().isEmpty() ? tr("give a reason") : QString();
+}
+
+void LotForm::leaveOut() {
+    const BoringMemoryLotView* lot = remembered();
+    if (lot == nullptr) {
+        return;
+    }
+    const QString done = lot->leftOut ? tr("Lot %1 counts again.") : tr("Lot %1 is left out of what lots begin from.");
+    change(done.arg(QString::fromStdString(lot->name)),
+           [id = lot->lot, out = !lot->leftOut, reason = m_reason->text().trimmed().toStdString()](
+               const PageContext& context, BoringLots::Done answer) {
+               context.services.boringLots->leaveOut(id, out, context.session.author(), reason, std::move(answer));
+           });
+}
+
 // The name is asked for first: what is typed into the recipe must not be lost to that question.
 void LotForm::openRecipe(std::optional<PartTypeId> type) {
     m_context.withOperator([context = m_context, type] { RecipeForm::open(context, type); });
@@ -356,6 +415,8 @@ void LotForm::openLot() {
     order.partType = partType();
     order.name = m_name->text().trimmed().toStdString();
     order.size = static_cast<std::uint32_t>(m_size->value().value_or(0.0));
+    order.insertGrade = m_grade->text().trimmed().toStdString();
+    order.material = m_material->text().trimmed().toStdString();
     order.estimator = m_perturbation->isChecked() ? "perturbation" : "kalman";
     const QString done = tr("Lot %1 is open.").arg(m_name->text().trimmed());
     change(done, [order](const PageContext& context, BoringLots::Done answer) mutable {

@@ -21,7 +21,8 @@ namespace kerf::ui {
 /// types and their recipes. The next lot stands filled in, so that opening it is one touch.
 ///
 /// Object names: lotNow, lotPartType, lotName, lotSize, lotKalman, lotPerturbation, lotKeypad, lotTable, lotMessage,
-/// lotReason; buttons: lotCancel, lotClose, lotRecipe, lotNewPartType, lotChoose, lotOpen.
+/// lotReason, lotGrade, lotMaterial, lotLeaveOut; buttons: lotCancel, lotClose, lotRecipe, lotNewPartType, lotChoose,
+/// lotOpen.
 class LotForm : public FaceWidget {
     Q_OBJECT
  public:
@@ -44,6 +45,9 @@ class LotForm : public FaceWidget {
     void openLot();
     void chooseLot();
     void closeLot();
+    void leaveOut();
+    [[nodiscard]] const BoringMemoryLotView* remembered() const;
+    [[nodiscard]] QString whyNoLeaveOut() const;
     void change(const QString& done, std::function<void(const PageContext&, BoringLots::Done)> act);
     void answered(const Result<void>& result, const QString& done);
     [[nodiscard]] PartTypeId partType() const;
@@ -61,6 +65,8 @@ class LotForm : public FaceWidget {
     QComboBox* m_partType;
     QLabel* m_nameLabel;
     QLineEdit* m_name;
+    QLineEdit* m_grade;
+    QLineEdit* m_material;
     ValueField* m_size;
     QButtonGroup* m_estimator;
     QPushButton* m_kalman;
@@ -68,6 +74,7 @@ class LotForm : public FaceWidget {
     Keypad* m_keypad;
     QTableWidget* m_table;
     QLineEdit* m_reason;
+    ActionButton* m_leaveOut;
     QLabel* m_message;
     QPushButton* m_cancel;
     ActionButton* m_close;
@@ -79,6 +86,7 @@ class LotForm : public FaceWidget {
     QHBoxLayout* m_columns;
     std::vector<BoringPartTypeView> m_types;
     std::vector<BoringLotView> m_known;
+    std::vector<BoringMemoryLotView> m_memory;
     QString m_trouble{};
     bool m_pending{false};
 };

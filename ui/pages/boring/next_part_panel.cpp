@@ -19,6 +19,8 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
       m_feedLabel(makeLabel(TextRole::Small, this)),
       m_feed(makeLabel(TextRole::CardNumber, this)),
       m_why(makeLabel(TextRole::Body, this, true)),
+      m_rests(makeLabel(TextRole::Small, this, true)),
+      m_change(new QPushButton(this)),
       m_limited(new Lamp(look, this)),
       m_accept(new ActionButton(look, this)),
       m_nextLot(new QPushButton(this)),
@@ -28,6 +30,9 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     setObjectName(QStringLiteral("boringNextPart"));
     m_feed->setObjectName(QStringLiteral("boringNextFeed"));
     m_why->setObjectName(QStringLiteral("boringNextReason"));
+    m_rests->setObjectName(QStringLiteral("boringNextRests"));
+    m_change->setObjectName(QStringLiteral("boringChange"));
+    m_change->setFocusPolicy(Qt::TabFocus);
     m_limited->setObjectName(QStringLiteral("boringNextLimited"));
     m_accept->setObjectName(QStringLiteral("boringAccept"));
     m_nextLot->setObjectName(QStringLiteral("boringNextLot"));
@@ -36,13 +41,16 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     m_loopReason->setObjectName(QStringLiteral("boringLoopReason"));
 
     body()->addLayout(m_diameters);
+    body()->addWidget(m_rests);
     body()->addWidget(m_feedLabel);
     body()->addWidget(m_feed);
     body()->addWidget(m_limited);
     body()->addWidget(m_why);
     body()->addStretch(1);
+    body()->addWidget(m_change);
     body()->addWidget(m_nextLot);
     body()->addWidget(m_accept);
+    connect(m_change, &QPushButton::clicked, this, &NextPartPanel::changeRequested);
     connect(m_nextLot, &QPushButton::clicked, this, &NextPartPanel::lotsRequested);
     body()->addWidget(m_loopReason);
     constexpr std::array<const char*, 3> names{"boringModeOff", "boringModeAdvise", "boringModeControl"};
@@ -134,6 +142,11 @@ void NextPartPanel::showNext() {
                               .arg(units.number(next.feed_mmPerRev(next.overhangFrom_mm), "mm/rev", kFeedDecimals),
                                    units.withUnit(next.feed_mmPerRev(next.overhangTo_mm), "mm/rev", kFeedDecimals)));
     m_why->setText(m_view.nextReason.empty() ? QString() : sentenceText(m_view.nextReason, units));
+    m_rests->setText(m_view.nextRestsOn.empty() ? QString() : sentenceText(m_view.nextRestsOn, units));
+    m_rests->setVisible(!m_rests->text().isEmpty());
+    m_change->setText(m_view.announced ? tr("Announced: %1").arg(changeName(*m_view.announced))
+                                       : tr("Tool or material changed"));
+    m_change->setVisible(!over && number > 1);
     m_limited->setVisible(m_view.nextLimited);
     m_accept->setPrimary(!m_view.scheduleAccepted);
     m_accept->reconsider();

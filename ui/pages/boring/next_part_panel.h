@@ -40,6 +40,7 @@ class NextPartPanel : public Card {
     void acceptRequested();
     void modeRequested(kerf::LoopMode mode);
     void lotsRequested();
+    void changeRequested();
 
  protected:
     void changeEvent(QEvent* event) override;
@@ -56,6 +57,8 @@ class NextPartPanel : public Card {
     QLabel* m_feedLabel;
     QLabel* m_feed;
     QLabel* m_why;
+    QLabel* m_rests;
+    QPushButton* m_change;
     Lamp* m_limited;
     ActionButton* m_accept;
     QPushButton* m_nextLot;
