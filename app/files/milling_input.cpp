@@ -78,8 +78,8 @@ void printMillingPlant(const milling::CutCase& cut) {
     printJson(json);
 }
 
-milling::BlankProfile readBlank(const std::string& path) {
-    const Table table = Table::read(path);
+milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read) {
+    const Table table = Table::read(path, read);
     const auto& x_mm = table.column("x_mm");
     const auto& height_mm = table.column("height_mm");
     if (table.rows() < 2) {

@@ -24,6 +24,6 @@ void readMillingPlant(const std::string& path, milling::CutCase& cut);
 /// The plant as a file that readMillingPlant() reads back.
 void printMillingPlant(const milling::CutCase& cut);
 /// x_mm,height_mm: each row begins a step; the last row's position ends the blank. @throws BadInput
-[[nodiscard]] milling::BlankProfile readBlank(const std::string& path);
+[[nodiscard]] milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read = {});
 
 }  // namespace kerf::headless

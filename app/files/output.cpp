@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/output.h"
 
-#include <cstdio>
+#include "app/files/whole_file.h"
 
 namespace kerf::headless {
 
 void CsvOutput::flush() {
-    std::fwrite(m_text.data(), 1, m_text.size(), stdout);
-    std::fflush(stdout);
+    files::writeOut(m_text);
     m_text.clear();
 }
 
 void printJson(const nlohmann::ordered_json& document) {
-    const std::string text = document.dump(2) + "\n";
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
+    // A name of unknown encoding never ends in an exception.
+    files::writeOut(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace kerf::headless

@@ -11,17 +11,19 @@
 
 namespace kerf::headless {
 
-/// CSV on stdout, collected first: nothing half-written if an error comes in between. Numbers with 17 digits.
+/// CSV on stdout, collected first: nothing half-written if an error comes in between. Numbers with the fewest digits
+/// that give the same number back.
 class CsvOutput {
  public:
     explicit CsvOutput(std::string_view header) : m_text(header) { m_text += '\n'; }
-    /// One row; doubles print with 17 significant digits, integers plainly, empty strings as empty fields.
+    /// One row; doubles print with their shortest digits, integers plainly, empty strings as empty fields.
     template <class... Cells>
     void row(const Cells&... cells) {
         bool first = true;
         ((cell(cells, first), first = false), ...);
         m_text += '\n';
     }
+    /// @throws BadInput when standard output did not take everything
     void flush();
 
  private:
@@ -31,7 +33,7 @@ class CsvOutput {
             m_text += ',';
         }
         if constexpr (std::is_floating_point_v<Cell>) {
-            fmt::format_to(std::back_inserter(m_text), "{:.17g}", value);
+            fmt::format_to(std::back_inserter(m_text), "{}", value);
         } else if constexpr (std::is_same_v<Cell, bool>) {
             m_text += value ? '1' : '0';
         } else {

@@ -4,114 +4,385 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <sstream>
 
-namespace kerf::headless {
+namespace kerf::files {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) {
-        return {};
+constexpr std::size_t kMostCells = 40'000'000;
+constexpr std::size_t kOddKept = 1000;  ///< texts kept per column for complaints
+constexpr std::size_t kLongestQuoted = 60;
+
+/// For a sentence: short, and cut between letters.
+std::string shown(std::string_view text) {
+    if (text.size() <= kLongestQuoted) {
+        return std::string(text);
     }
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    std::size_t end = kLongestQuoted;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+        --end;
+    }
+    return fmt::format("{}…", text.substr(0, end));
 }
 
-std::vector<std::string_view> fields(std::string_view line) {
-    std::vector<std::string_view> out;
-    for (std::size_t begin = 0;;) {
-        const auto comma = line.find(',', begin);
-        out.push_back(trimmed(line.substr(begin, comma - begin)));
-        if (comma == std::string_view::npos) {
-            return out;
+std::string shownNames(const std::vector<std::string>& names) {
+    std::string out;
+    for (const std::string& name : names) {
+        if (name.empty()) continue;
+        if (!out.empty()) out += ',';
+        if (out.size() > 400) {
+            out += "…";
+            break;
         }
-        begin = comma + 1;
+        out += shown(name);
     }
+    return out;
 }
 
 }  // namespace
 
-std::string readFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) {
-        throw BadInput(fmt::format("{}: cannot be read; expected an existing file.", path));
-    }
-    std::ostringstream text;
-    text << file.rdbuf();
-    return std::move(text).str();
+Table Table::read(const std::string& path, const ReadOptions& options) {
+    return parse(readFile(path), utf8Of(path), options);
 }
 
-Table Table::read(const std::string& path, Gaps gaps) {
-    const std::string text = readFile(path);
+Table Table::parse(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     Table table;
-    table.m_path = path;
-    std::string_view rest = text;
-    if (rest.starts_with("\xEF\xBB\xBF")) {
-        rest.remove_prefix(3);
+    table.m_path = name;
+    const DecodedText text = decodeText(bytes, options.encoding);
+    if (text.utf8.find('\0') != std::string::npos) {
+        throw BadInput(
+            fmt::format("{}: holds zero bytes; expected a text file (UTF-8, UTF-16, Windows-1252 or CP949).", name));
     }
-    std::size_t lineNumber = 0;
-    while (!rest.empty()) {
-        const auto end = rest.find('\n');
-        const std::string_view line = trimmed(rest.substr(0, end));
-        rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-        ++lineNumber;
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        const auto cells = fields(line);
-        if (table.m_names.empty()) {
-            for (const auto cell : cells) {
-                if (cell.empty() || std::ranges::find(table.m_names, cell) != table.m_names.end()) {
-                    throw BadInput(
-                        fmt::format("{}, line {}: column name '{}' is empty or stands twice.", path, lineNumber, cell));
-                }
-                table.m_names.emplace_back(cell);
-            }
-            table.m_columns.resize(table.m_names.size());
-            continue;
-        }
-        if (cells.size() != table.m_names.size()) {
-            throw BadInput(fmt::format("{}, line {}: {} fields; expected {} as in the header.", path, lineNumber,
-                                       cells.size(), table.m_names.size()));
-        }
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (gaps == Gaps::Allowed && (cells[i].empty() || cells[i] == "nan")) {
-                table.m_columns[i].push_back(std::numeric_limits<double>::quiet_NaN());
-                continue;
-            }
-            double value = 0.0;
-            const auto [stop, error] = std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
-            if (error != std::errc{} || stop != cells[i].data() + cells[i].size() || !std::isfinite(value)) {
-                throw BadInput(
-                    fmt::format("{}, line {}, column {}: '{}' is not a number; expected a finite decimal number.", path,
-                                lineNumber, table.m_names[i], cells[i]));
-            }
-            table.m_columns[i].push_back(value);
-        }
-        table.m_lines.push_back(lineNumber);
+    const std::vector<Line> lines = linesOf(text.utf8);
+    const TableLayout layout = findLayout(lines, options, name);
+    if (text.encoding != Encoding::Utf8 && !text.ascii) {
+        table.note(fmt::format("{}: read as {}.", name, files::nameOf(text.encoding)));
     }
-    if (table.m_names.empty()) {
-        throw BadInput(fmt::format("{}: empty; expected a header line with column names.", path));
+    if (text.damaged) {
+        table.note(
+            fmt::format("{}: some characters fit no encoding; expected UTF-8, UTF-16, Windows-1252 or CP949.", name));
     }
+    table.take(lines, layout, options);
     return table;
 }
 
-bool Table::has(std::string_view name) const {
-    return std::ranges::find(m_names, name) != m_names.end();
+void Table::take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options) {
+    m_headerLine = layout.headerLine;
+    m_separator = layout.separator;
+    m_decimal = options.decimal != 0 ? options.decimal : layout.decimal;
+    m_names = layout.names;
+    for (std::size_t i = 0; i < m_names.size(); ++i) {
+        m_parsed.push_back(columnName(m_names[i]));
+        if (!layout.units[i].empty() && m_parsed[i].unit.empty()) {
+            m_parsed[i].unit = layout.units[i];
+            m_parsed[i].bracketed = true;
+        }
+    }
+    const std::size_t width = m_names.size();
+    m_columns.resize(width);
+    m_kinds.resize(width);
+    m_texts.resize(width);
+    m_marks.resize(width);
+    m_markLines.resize(width);
+    m_odd.resize(width);
+    const bool lvm = !layout.format.empty();
+    Fields row;
+    std::size_t blocks = 0;
+    for (const TableLayout::Range& range : layout.rows) {
+        blocks += range.end > range.begin ? 1U : 0U;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            if (trimmedCell(lines[i].text).empty() || isComment(lines[i].text)) {
+                continue;
+            }
+            row.cut(lines[i].text, m_separator);
+            const std::size_t filled = row.width();
+            if (filled == 0) {
+                continue;
+            }
+            if (filled > width || (row.size() < width && !lvm)) {
+                const char* hint = m_separator == ',' && filled > width
+                                       ? " Decimal commas need another separator than the comma."
+                                       : "";
+                throw WrongWidth(fmt::format("{}, line {}: {} fields; expected {} as in the header.{}", m_path,
+                                             lines[i].number, row.size(), width, hint),
+                                 lines[i].number, row.size());
+            }
+            if ((m_lines.size() + 1) * width > kMostCells) {
+                throw BadInput(fmt::format("{}, line {}: more than {} fields; split the record.", m_path,
+                                           lines[i].number, kMostCells));
+            }
+            for (std::size_t k = 0; k < width; ++k) {
+                const std::string_view text = k < row.size() ? row[k] : std::string_view();
+                const Cell cell = readCell(text, m_decimal);
+                m_columns[k].push_back(cell.kind == CellKind::Number ? cell.value : 0.0);
+                m_kinds[k].push_back(cell.kind);
+                if (cell.kind != CellKind::Number) {
+                    m_texts[k] += cell.kind == CellKind::Text ? 1U : 0U;
+                    if (!text.empty() && m_odd[k].size() < kOddKept) {
+                        m_odd[k].emplace(lines[i].number, shown(text));
+                    }
+                } else if (cell.marks != Marks::None) {
+                    const auto mark = static_cast<std::size_t>(cell.marks);
+                    if (m_marks[k][mark]++ == 0) {
+                        m_markLines[k][mark] = lines[i].number;
+                    }
+                }
+            }
+            m_lines.push_back(lines[i].number);
+        }
+    }
+    if (blocks > 1) {
+        note(fmt::format("{}: {} blocks under the same header, read as one.", m_path, blocks));
+    }
+    addTime(layout, options);
+}
+
+void Table::addTime(const TableLayout& layout, const ReadOptions& options) {
+    const double step_s = options.period_s > 0.0 ? options.period_s : layout.step_s;
+    if (!(step_s > 0.0)) {
+        return;
+    }
+    if (options.period_s > 0.0 && has("t_s")) {
+        throw BadInput(fmt::format("{}, line {}: there is a time column already; --period-s is for files without one.",
+                                   m_path, m_headerLine));
+    }
+    std::vector<double> time_s(rows());
+    for (std::size_t k = 0; k < time_s.size(); ++k) {
+        time_s[k] = layout.x0_s + step_s * static_cast<double>(k);
+    }
+    m_names.emplace_back("t_s");
+    m_parsed.push_back(columnName("t_s"));
+    m_columns.push_back(std::move(time_s));
+    m_kinds.emplace_back(rows(), CellKind::Number);
+    m_texts.push_back(0);
+    m_marks.push_back({});
+    m_markLines.push_back({});
+    m_odd.emplace_back();
+}
+
+void Table::note(std::string sentence) const {
+    if (std::ranges::find(m_notes, sentence) == m_notes.end()) {
+        m_notes.push_back(std::move(sentence));
+    }
+}
+
+std::optional<std::size_t> Table::find(std::string_view name) const {
+    const ColumnName wanted = columnName(name);
+    const auto pick = [&](const auto& matches) -> std::optional<std::size_t> {
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < m_names.size(); ++i) {
+            if (m_names[i].empty() || !matches(i)) {
+                continue;
+            }
+            if (found) {
+                throw BadInput(fmt::format("{}, line {}: column name '{}' stands twice ({} and {}); rename one.",
+                                           m_path, m_headerLine, name, m_names[*found], m_names[i]));
+            }
+            found = i;
+        }
+        return found;
+    };
+    const auto unitFits = [&](std::size_t i) {
+        return !m_parsed[i].unit.empty() && !wanted.unit.empty() &&
+               unitChange(m_parsed[i].unit, wanted.unit).has_value();
+    };
+    if (const auto i = pick([&](std::size_t k) { return m_names[k] == name; })) return i;
+    if (const auto i = pick([&](std::size_t k) { return m_parsed[k].whole == wanted.whole; })) return i;
+    if (const auto i =
+            pick([&](std::size_t k) { return m_parsed[k].base == wanted.base && m_parsed[k].unit == wanted.unit; }))
+        return i;
+    if (const auto i = pick([&](std::size_t k) { return m_parsed[k].base == wanted.base && unitFits(k); })) return i;
+    if (const auto i = pick([&](std::size_t k) {
+            return sameThing(m_parsed[k].base, wanted.base) &&
+                   (unitFits(k) || (wanted.unit.empty() && m_parsed[k].unit.empty()));
+        }))
+        return i;
+    if (const auto i = pick([&](std::size_t k) { return m_parsed[k].base == wanted.base && m_parsed[k].unit.empty(); }))
+        return i;
+    return pick([&](std::size_t k) { return sameThing(m_parsed[k].base, wanted.base) && m_parsed[k].unit.empty(); });
+}
+
+std::size_t Table::need(std::string_view name) const {
+    const auto found = find(name);
+    if (!found) {
+        const ColumnName wanted = columnName(name);
+        for (std::size_t i = 0; i < m_names.size(); ++i) {
+            if (m_parsed[i].base == wanted.base && !m_parsed[i].unit.empty() && !wanted.unit.empty()) {
+                throw BadInput(fmt::format("{}, line {}: column '{}' is in {}; expected {}.", m_path, m_headerLine,
+                                           m_names[i], m_parsed[i].unit, wanted.unit));
+            }
+        }
+        throw BadInput(fmt::format("{}, line {}: column {} is missing; found {}.", m_path, m_headerLine, name,
+                                   shownNames(m_names)));
+    }
+    return *found;
+}
+
+UnitChange Table::changeFor(std::size_t column, std::string_view name) const {
+    return changeTo(column, columnName(name).unit, name);
+}
+
+UnitChange Table::changeTo(std::size_t column, std::string_view unit, std::string_view name) const {
+    const std::string& own = m_parsed[column].unit;
+    if (own.empty() || unit.empty() || own == unit) {
+        return {};
+    }
+    const auto change = unitChange(own, unit);
+    if (!change) {
+        return {};  // asked for by its whole name
+    }
+    if (change->factor != 1.0 || change->offset != 0.0) {
+        note(fmt::format("{}: column '{}' is in {} and was converted for {}.", m_path, m_names[column], own, name));
+    }
+    return *change;
+}
+
+void Table::requireOneMark(std::size_t column) const {
+    if (m_decimal != 0) {
+        return;
+    }
+    const auto count = [](const auto& marks, Marks mark) { return marks[static_cast<std::size_t>(mark)]; };
+    std::array<std::size_t, kMarks> file{};
+    for (const auto& one : m_marks) {
+        for (std::size_t k = 0; k < kMarks; ++k) {
+            file[k] += one[k];
+        }
+    }
+    const auto& own = m_marks[column];
+    const auto points = [&](const auto& m) { return count(m, Marks::Point) + count(m, Marks::PointThousands); };
+    const auto commas = [&](const auto& m) { return count(m, Marks::Comma) + count(m, Marks::CommaThousands); };
+    const auto refuse = [&](Marks mark, const char* doubt) {
+        throw BadInput(fmt::format("{}, line {}, column {}: {}; say which with --decimal.", m_path,
+                                   m_markLines[column][static_cast<std::size_t>(mark)], m_names[column], doubt));
+    };
+    if (points(own) > 0 && commas(own) > 0) {
+        refuse(count(own, Marks::Comma) > 0 ? Marks::Comma : Marks::CommaThousands,
+               "some numbers have a decimal comma and others a decimal point");
+    }
+    if (count(own, Marks::CommaMaybe) > 0) {
+        const bool said = commas(own) > 0 || (points(own) == 0 && commas(file) > 0 && points(file) == 0);
+        const bool excel = m_separator == ';' && points(file) == 0 && count(file, Marks::PointMaybe) == 0;
+        if (!said && !excel) {
+            refuse(Marks::CommaMaybe, "the comma may be a decimal comma or stand for thousands");
+        }
+    }
+    if (count(own, Marks::PointMaybe) > 0) {
+        const bool said = points(own) > 0;
+        const bool doubt = commas(own) > 0 || (!said && (commas(file) > 0 || count(file, Marks::CommaMaybe) > 0));
+        if (doubt) {
+            refuse(Marks::PointMaybe, "the point may be a decimal point or stand for thousands");
+        }
+    }
+}
+
+void Table::refuseCell(std::size_t row, std::size_t column) const {
+    const auto odd = m_odd[column].find(m_lines[row]);
+    const std::string text = odd == m_odd[column].end() ? std::string() : odd->second;
+    const char* why = "is not a number";
+    if (m_kinds[column][row] == CellKind::Missing && !text.empty()) why = "means no value";
+    if (m_kinds[column][row] == CellKind::OverRange) why = "means beyond the range";
+    throw BadInput(fmt::format("{}, line {}, column {}: '{}' {}; expected a finite decimal number.", m_path,
+                               m_lines[row], m_names[column], text, why));
 }
 
 const std::vector<double>& Table::column(std::string_view name) const {
-    const auto found = std::ranges::find(m_names, name);
-    if (found == m_names.end()) {
-        throw BadInput(
-            fmt::format("{}, line 1: column {} is missing; found {}.", m_path, name, fmt::join(m_names, ",")));
+    if (const auto asked = m_asked.find(name); asked != m_asked.end()) {
+        return asked->second;
     }
-    return m_columns[static_cast<std::size_t>(found - m_names.begin())];
+    const std::size_t column = need(name);
+    requireOneMark(column);
+    for (std::size_t row = 0; row < rows(); ++row) {
+        if (m_kinds[column][row] != CellKind::Number) {
+            refuseCell(row, column);
+        }
+    }
+    const UnitChange change = changeFor(column, name);
+    std::vector<double> values = m_columns[column];
+    if (change.factor != 1.0 || change.offset != 0.0) {
+        for (double& value : values) {
+            value = change.factor * value + change.offset;
+        }
+    }
+    return m_asked.emplace(std::string(name), std::move(values)).first->second;
+}
+
+std::vector<std::optional<double>> Table::columnWithGaps(std::string_view name) const {
+    const std::size_t column = need(name);
+    requireOneMark(column);
+    const UnitChange change = changeFor(column, name);
+    std::vector<std::optional<double>> out(rows());
+    for (std::size_t row = 0; row < rows(); ++row) {
+        if (m_kinds[column][row] == CellKind::Text) {
+            refuseCell(row, column);
+        }
+        if (m_kinds[column][row] == CellKind::Number) {
+            out[row] = change.factor * m_columns[column][row] + change.offset;
+        }
+    }
+    return out;
+}
+
+std::vector<std::optional<double>> Table::columnWithGaps(std::size_t column, std::string_view unit) const {
+    requireOneMark(column);
+    const UnitChange change = changeTo(column, unit, unit);
+    std::vector<std::optional<double>> out(rows());
+    for (std::size_t row = 0; row < rows(); ++row) {
+        if (m_kinds[column][row] == CellKind::Number) {
+            out[row] = change.factor * m_columns[column][row] + change.offset;
+        }
+    }
+    return out;
+}
+
+bool Table::hasGaps(std::string_view name) const {
+    const auto& kinds = m_kinds[need(name)];
+    return std::ranges::any_of(kinds, [](CellKind kind) { return kind != CellKind::Number; });
+}
+
+std::string Table::cellText(std::size_t row, std::size_t column) const {
+    const auto odd = m_odd.at(column).find(m_lines.at(row));
+    if (odd != m_odd[column].end()) {
+        return odd->second;
+    }
+    return m_kinds[column][row] == CellKind::Number ? fmt::format("{}", m_columns[column][row]) : std::string();
+}
+
+void Table::dropRowsWithGaps(const std::vector<std::string_view>& names) {
+    std::vector<bool> drop(rows(), false);
+    for (const std::string_view name : names) {
+        const std::size_t column = need(name);
+        std::size_t count = 0;
+        std::size_t first = 0;
+        for (std::size_t row = 0; row < rows(); ++row) {
+            if (m_kinds[column][row] == CellKind::Text) {
+                refuseCell(row, column);
+            }
+            if (m_kinds[column][row] != CellKind::Number) {
+                first = count++ == 0 ? row : first;
+                drop[row] = true;
+            }
+        }
+        if (count > 0) {
+            note(fmt::format(
+                "{}'{}' is no value; {} left out.", where(first, m_names[column]), cellText(first, column),
+                count == 1 ? std::string("the row was") : fmt::format("this and {} more rows were", count - 1)));
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < drop.size(); ++row) {
+        if (drop[row]) continue;
+        for (std::size_t k = 0; k < m_columns.size(); ++k) {
+            m_columns[k][kept] = m_columns[k][row];
+            m_kinds[k][kept] = m_kinds[k][row];
+        }
+        m_lines[kept++] = m_lines[row];
+    }
+    for (std::size_t k = 0; k < m_columns.size(); ++k) {
+        m_columns[k].resize(kept);
+        m_kinds[k].resize(kept);
+    }
+    m_lines.resize(kept);
+    m_asked.clear();
 }
 
 std::string Table::where(std::size_t row, std::string_view name) const {
@@ -128,4 +399,4 @@ void Table::requireRange(std::string_view name, double low, double high) const {
     }
 }
 
-}  // namespace kerf::headless
+}  // namespace kerf::files

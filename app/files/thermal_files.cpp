@@ -3,23 +3,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <optional>
 
+#include "app/files/temperature_columns.h"
 #include "app/files/thermal_model_json.h"
 
 namespace kerf::headless {
 namespace {
 
+using files::CellKind;
+using files::utf8Of;
+
 constexpr std::array<const char*, 3> kMeasured{"yx_meas", "yy_meas", "yz_meas"};
 constexpr std::array<const char*, 3> kTrue{"yx_true", "yy_true", "yz_true"};
+constexpr double kLongestDay_min = 2880.0;                             ///< longer is a day in seconds
+constexpr double kWarmestShop_degC = 50.0;                             ///< at the baseline; above: degrees Fahrenheit
+constexpr Eigen::Index kBridged = 2;                                   ///< rows in a row
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();  ///< inside a matrix of drifts only
 
-bool isTemperature(const std::string& name) {
-    return name != "t_min" && name != "rpm" && !name.ends_with("_true") && !name.ends_with("_meas");
+std::string leaf(const std::string& path) {
+    return utf8Of(std::filesystem::path(path).filename().string());
 }
 
-/// Three columns, or none at all.
+/// Three columns, or none at all. A cell without a value stays without one.
 Eigen::MatrixXd threeColumns(const Table& table, const std::array<const char*, 3>& names) {
     Eigen::MatrixXd out;
     if (!table.has(names[0]) && !table.has(names[1]) && !table.has(names[2])) {
@@ -27,77 +38,268 @@ Eigen::MatrixXd threeColumns(const Table& table, const std::array<const char*, 3
     }
     out.resize(static_cast<Eigen::Index>(table.rows()), 3);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& column = table.column(names[axis]);
-        out.col(static_cast<Eigen::Index>(axis)) = Eigen::Map<const Eigen::VectorXd>(column.data(), out.rows());
+        const auto column = table.columnWithGaps(names[axis]);
+        for (std::size_t row = 0; row < column.size(); ++row) {
+            out(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(axis)) = column[row].value_or(kNoValue);
+        }
     }
     return out;
 }
 
-/// Gaps are for temperatures and drifts; time and speed must be there.
-void requireNumbers(const Table& table, std::string_view name) {
-    const auto& column = table.column(name);
-    for (std::size_t row = 0; row < column.size(); ++row) {
-        if (!std::isfinite(column[row])) {
-            throw BadInput(fmt::format("{}no value; expected a finite decimal number.", table.where(row, name)));
+/// The speed of every minute; in a prediction a missing one is the one before.
+std::vector<double> speeds(const Table& table, HistoryUse use) {
+    if (use == HistoryUse::Training || !table.hasGaps("rpm")) {
+        table.requireRange("rpm", -100'000.0, 100'000.0);
+        return table.column("rpm");
+    }
+    std::vector<double> out;
+    std::size_t missing = 0;
+    for (const auto& value : table.columnWithGaps("rpm")) {
+        if (!value && out.empty()) {
+            throw BadInput(fmt::format("{}no value; expected a speed in the first row.", table.where(0, "rpm")));
+        }
+        missing += value ? 0U : 1U;
+        out.push_back(value.value_or(out.empty() ? 0.0 : out.back()));
+        if (std::abs(out.back()) > 100'000.0) {
+            throw BadInput(fmt::format("{}{} is out of range; expected -100000 to 100000.",
+                                       table.where(out.size() - 1, "rpm"), out.back()));
         }
     }
+    table.note(fmt::format("{}: column rpm: {} values missing; the speed before holds.", table.file(), missing));
+    return out;
+}
+
+/// What the numbers of a thermocouple outside its range mean.
+const char* faultOf(double value) {
+    return value > thermal::kHighestTemp_degC ? "open" : "short";
+}
+
+bool usable(const std::optional<double>& value) {
+    return value && *value >= thermal::kLowestTemp_degC && *value <= thermal::kHighestTemp_degC;
+}
+
+/// Says how many readings of a column are missing, and what stands for the first of them.
+void tellGaps(const Table& table, std::size_t column, const std::vector<std::optional<double>>& values,
+              std::size_t bridged) {
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count_if(values, [](const auto& value) { return !usable(value); }));
+    if (count == 0) {
+        return;
+    }
+    const auto at = static_cast<std::size_t>(
+        std::ranges::find_if(values, [](const auto& value) { return !usable(value); }) - values.begin());
+    const std::string told = table.cellText(at, column);
+    std::string why = "no value, as of an open thermocouple";
+    if (values[at]) {
+        why = fmt::format("beyond the range of a thermocouple: {}", faultOf(*values[at]));
+    } else if (table.kind(at, column) == CellKind::OverRange) {
+        why = told.starts_with('-') ? "beyond the range: short" : "beyond the range: open";
+    }
+    table.note(fmt::format("{}'{}' is {}; {} missing{}.", table.where(at, table.names()[column]), told, why,
+                           count == 1 ? std::string("one reading") : fmt::format("{} readings", count),
+                           bridged == 0       ? ""
+                           : bridged == count ? ", the one before holds"
+                                              : ", short gaps hold the one before"));
+}
+
+/// One temperature column, its gaps told and the short ones bridged.
+void takeSensor(const Table& table, std::size_t column, HistoryUse use, thermal::ThermalHistory& history,
+                Eigen::Index s) {
+    const auto values = table.columnWithGaps(column, "degc");
+    const Eigen::Index rows = history.rows();
+    std::size_t bridged = 0;
+    const auto good = [&](Eigen::Index row) { return usable(values[static_cast<std::size_t>(row)]); };
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        const auto k = static_cast<std::size_t>(row);
+        if (table.kind(k, column) == CellKind::Text) {
+            throw BadInput(fmt::format("{}'{}' is not a number; expected a temperature.",
+                                       table.where(k, table.names()[column]), table.cellText(k, column)));
+        }
+        if (values[k]) {
+            history.temp_degC(row, s) = *values[k];
+            history.present(row, s) = true;
+        }
+        if (good(row) || use == HistoryUse::Training) {
+            continue;
+        }
+        Eigen::Index before = row;
+        while (before > 0 && row - before <= kBridged && !good(before))
+            --before;
+        Eigen::Index after = row;
+        while (after + 1 < rows && after - before <= kBridged && !good(after))
+            ++after;
+        if (good(before) && after - before <= kBridged + 1 && good(after)) {
+            history.temp_degC(row, s) = *values[static_cast<std::size_t>(before)];
+            history.present(row, s) = true;
+            ++bridged;
+        }
+    }
+    if (use == HistoryUse::Prediction) {
+        tellGaps(table, column, values, bridged);
+    }
+}
+
+/// Minutes, degrees Celsius: what training refuses, prediction refuses.
+void requireUnits(const Table& table, const thermal::ThermalHistory& history) {
+    const double span_min = history.time_min.empty() ? 0.0 : history.time_min.back() - history.time_min.front();
+    if (span_min > kLongestDay_min) {
+        throw BadInput(fmt::format("{}{} min is longer than two days; expected minutes, not seconds.",
+                                   table.where(history.time_min.size() - 1, "t_min"), span_min));
+    }
+    std::vector<double> starts;
+    const Eigen::Index baseline = std::max<Eigen::Index>(1, history.baselineRows());
+    for (Eigen::Index s = 0; s < history.temp_degC.cols() && history.rows() > 0; ++s) {
+        double sum = 0.0;
+        int count = 0;
+        for (Eigen::Index row = 0; row < std::min(baseline, history.rows()); ++row) {
+            if (history.present(row, s)) {
+                sum += history.temp_degC(row, s);
+                ++count;
+            }
+        }
+        if (count > 0) starts.push_back(sum / count);
+    }
+    if (starts.empty()) {
+        return;
+    }
+    const auto middle = starts.begin() + static_cast<std::ptrdiff_t>(starts.size() / 2);
+    std::ranges::nth_element(starts, middle);
+    if (*middle > kWarmestShop_degC) {
+        throw BadInput(fmt::format("{}baseline of {:.1f} looks like {}; expected degC.",
+                                   table.where(0, history.sensors.front()), *middle,
+                                   *middle > 200.0 ? "kelvin" : "degrees Fahrenheit"));
+    }
+}
+
+std::vector<std::size_t> knownColumns(const Table& table) {
+    std::vector<std::size_t> known;
+    for (const char* name : {"t_min", "rpm"}) {
+        if (const auto i = table.find(name)) known.push_back(*i);
+    }
+    for (std::size_t i = 0; i < table.names().size(); ++i) {
+        const std::string& whole = table.nameOf(i).whole;
+        if (whole.ends_with(" true") || whole.ends_with(" meas")) known.push_back(i);
+    }
+    return known;
+}
+
+struct Sensors {
+    std::vector<std::size_t> columns{};
+    std::vector<std::string> names{};
+};
+
+/// Thermocouples the model does without cost nothing, but a person wants to know of them.
+void tellOthers(const Table& table, const std::vector<std::size_t>& taken) {
+    try {
+        for (const std::size_t i : files::temperatureColumns(table, knownColumns(table), taken).columns) {
+            if (std::ranges::find(taken, i) == taken.end()) {
+                tellGaps(table, i, table.columnWithGaps(i, "degc"), 0);
+            }
+        }
+    } catch (const BadInput&) {  // whatever is wrong there is nobody's business here
+    }
+}
+
+Sensors chooseSensors(const Table& table, const HistoryOptions& options) {
+    Sensors out;
+    for (const std::string& name : options.sensors) {
+        if (const auto i = table.find(name)) {
+            out.columns.push_back(*i);
+            out.names.push_back(name);
+        }
+    }
+    if (options.onlySensors) {
+        return out;
+    }
+    const auto found = files::temperatureColumns(table, knownColumns(table), out.columns);
+    for (const std::size_t i : found.columns) {
+        if (std::ranges::find(out.columns, i) == out.columns.end()) {
+            out.columns.push_back(i);
+            out.names.push_back(table.names()[i]);
+        }
+    }
+    for (const auto& one : found.leftOut) {
+        table.note(fmt::format("{}: column '{}' {}; left out.", table.file(), table.names()[one.column], one.why));
+    }
+    return out;
 }
 
 }  // namespace
 
-thermal::ThermalHistory readThermalHistory(const std::string& path, HistoryUse use) {
-    const Table table = Table::read(path, Table::Gaps::Allowed);
-    requireNumbers(table, "t_min");
-    thermal::ThermalHistory history;
-    history.label = std::filesystem::path(path).filename().string();
+HistoryFile readHistoryFile(const std::string& path, const HistoryOptions& options) {
+    return historyOf(Table::read(path, options.read), path, options);
+}
+
+HistoryFile historyOf(Table table, const std::string& path, const HistoryOptions& options) {
+    if (options.use == HistoryUse::Prediction) {
+        table.dropRowsWithGaps({"t_min"});
+    }
+    HistoryFile file;
+    thermal::ThermalHistory& history = file.history;
+    history.label = leaf(path);
     history.time_min = table.column("t_min");
     if (table.has("rpm")) {
-        requireNumbers(table, "rpm");
-        table.requireRange("rpm", -100'000.0, 100'000.0);
-        history.speed_rpm = table.column("rpm");
+        history.speed_rpm = speeds(table, options.use);
     }
-    for (const std::string& name : table.names()) {
-        if (isTemperature(name)) {
-            history.sensors.push_back(name);
-        }
-    }
+    Sensors sensors = chooseSensors(table, options);
+    history.sensors = std::move(sensors.names);
     const auto rows = static_cast<Eigen::Index>(table.rows());
-    const auto sensors = static_cast<Eigen::Index>(history.sensors.size());
-    history.temp_degC = Eigen::MatrixXd::Zero(rows, sensors);
-    history.present = thermal::PresentMask::Constant(rows, sensors, false);
-    for (Eigen::Index s = 0; s < sensors; ++s) {
-        const auto& column = table.column(history.sensors[static_cast<std::size_t>(s)]);
-        for (Eigen::Index row = 0; row < rows; ++row) {
-            const double value = column[static_cast<std::size_t>(row)];
-            if (std::isfinite(value)) {
-                history.temp_degC(row, s) = value;
-                history.present(row, s) = true;
-            }
-        }
+    const auto count = static_cast<Eigen::Index>(history.sensors.size());
+    history.temp_degC = Eigen::MatrixXd::Zero(rows, count);
+    history.present = thermal::PresentMask::Constant(rows, count, false);
+    for (Eigen::Index s = 0; s < count; ++s) {
+        takeSensor(table, sensors.columns[static_cast<std::size_t>(s)], options.use, history, s);
+    }
+    if (options.use == HistoryUse::Prediction && options.onlySensors) {
+        tellOthers(table, sensors.columns);
     }
     history.drift_um = threeColumns(table, kMeasured);
     history.trueDrift_um = threeColumns(table, kTrue);
-    const auto fault = use == HistoryUse::Training ? thermal::whyNotTrainable(history) : thermal::whyNotUsable(history);
+    const bool training = options.use == HistoryUse::Training;
+    const auto fault = training ? thermal::whyNotTrainable(history) : thermal::whyNotUsable(history);
     if (fault) {
         if (table.rows() == 0) {
-            throw BadInput(fmt::format("{}, line 1: {}", path, fault->reason.english()));
+            throw BadInput(fmt::format("{}, line 1: {}", utf8Of(path), fault->reason.english()));
         }
-        throw BadInput(table.where(static_cast<std::size_t>(fault->row), fault->column) + fault->reason.english());
+        std::string cell;
+        const auto row = static_cast<std::size_t>(fault->row);
+        if (const auto column = table.find(fault->column); column && table.kind(row, *column) != CellKind::Number) {
+            const std::string text = table.cellText(row, *column);
+            cell = text.empty() ? "" : fmt::format("'{}': ", text);
+        }
+        throw BadInput(table.where(row, fault->column) + cell + fault->reason.english());
     }
-    return history;
+    requireUnits(table, history);
+    file.notes = table.notes();
+    return file;
 }
 
-std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std::string>& paths) {
+thermal::ThermalHistory readThermalHistory(const std::string& path, HistoryUse use) {
+    return readHistoryFile(path, {use, {}, false, {}}).history;
+}
+
+std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std::string>& paths,
+                                                          const ReadOptions& read, std::vector<std::string>* notes) {
     std::vector<thermal::ThermalHistory> days;
     for (const std::string& path : paths) {
-        days.push_back(readThermalHistory(path, HistoryUse::Training));
+        HistoryOptions options{HistoryUse::Training, {}, false, read};
+        if (!days.empty()) {
+            options.sensors = days.front().sensors;
+            options.onlySensors = true;
+        }
+        HistoryFile file = readHistoryFile(path, options);
+        days.push_back(std::move(file.history));
+        if (notes != nullptr) {
+            notes->insert(notes->end(), file.notes.begin(), file.notes.end());
+        }
         const auto& first = days.front().sensors;
         const auto& own = days.back().sensors;
-        for (std::size_t k = 0; k < std::max(first.size(), own.size()); ++k) {
-            if (k >= first.size() || k >= own.size() || first[k] != own[k]) {
-                throw BadInput(fmt::format(
-                    "{}, line 1, column {}: expected {} as in {}; train with days of one machine.", path,
-                    k < own.size() ? own[k] : "(none)", k < first.size() ? first[k] : "(none)", paths.front()));
+        for (const std::string& name : first) {
+            if (std::ranges::find(own, name) == own.end()) {
+                throw BadInput(
+                    fmt::format("{}, line 1: column {} is missing; expected it as in {}; train with days of "
+                                "one machine.",
+                                utf8Of(path), name, utf8Of(paths.front())));
             }
         }
     }
@@ -107,9 +309,36 @@ std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std:
 thermal::ThermalModel readThermalModel(const std::string& path) {
     auto model = formats::thermalModelFromJson(readFile(path));
     if (!model) {
-        throw BadInput(fmt::format("{}: {}", path, model.error().english()));
+        throw BadInput(fmt::format("{}: {}", utf8Of(path), model.error().english()));
     }
     return std::move(*model);
+}
+
+void requireMicrometres(const thermal::ThermalHistory& history, const std::string& path) {
+    constexpr double kSmallest_um = 0.5;
+    const bool measured = history.drift_um.size() > 0;
+    const Eigen::MatrixXd& drift = measured ? history.drift_um : history.trueDrift_um;
+    double largest_um = 0.0;
+    for (Eigen::Index row = history.baselineRows(); row < drift.rows(); ++row) {
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            if (std::isfinite(drift(row, axis))) largest_um = std::max(largest_um, std::abs(drift(row, axis)));
+        }
+    }
+    double rise_K = 0.0;
+    for (Eigen::Index s = 0; s < history.temp_degC.cols(); ++s) {
+        for (Eigen::Index row = 0; row < history.rows(); ++row) {
+            if (history.present(row, s) && history.present(0, s) &&
+                history.temp_degC(row, s) <= thermal::kHighestTemp_degC) {
+                rise_K = std::max(rise_K, history.temp_degC(row, s) - history.temp_degC(0, s));
+            }
+        }
+    }
+    if (drift.size() > 0 && largest_um < kSmallest_um && rise_K > 1.0) {
+        throw BadInput(
+            fmt::format("{}, column {}: largest drift is {:.4f} while the machine warms by {:.1f} K; expected "
+                        "um, not mm.",
+                        utf8Of(path), measured ? kMeasured[0] : kTrue[0], largest_um, rise_K));
+    }
 }
 
 }  // namespace kerf::headless

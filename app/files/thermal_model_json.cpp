@@ -384,7 +384,8 @@ std::string thermalModelToJson(const ThermalModel& model) {
         file["networks"] = std::move(networks);
         file["half_um"] = toJson(model.gmdh->half_um);
     }
-    return file.dump(1) + "\n";
+    // A name of unknown encoding in a day of an older program never ends in an exception.
+    return file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<ThermalModel> thermalModelFromJson(std::string_view text) {

@@ -6,6 +6,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "engine/process/boring/lot_tracker.h"
 
 namespace kerf::headless {
@@ -21,23 +22,25 @@ struct ReplayOptions {
     std::string file{};
     double targetDiameter_mm{0.0};
     double phi_deg{boring::kTablePhi_deg};
+    bool acceptImplausible{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 /// Rows of the file as the tracker takes them; the id of an entry is its row.
-std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& options,
+std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& options, Table& table,
                                                         const boring::FeedLawParams& feed) {
-    const Table table = Table::read(options.file);
+    const bool diameters = options.targetDiameter_mm > 0.0;
+    const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
+    table.dropRowsWithGaps({valueName, "part", "overhang_mm", "feed_mm_per_rev"});
     const auto& part = table.column("part");
     const auto& overhang_mm = table.column("overhang_mm");
     const auto& feed_mmPerRev = table.column("feed_mm_per_rev");
-    const bool diameters = options.targetDiameter_mm > 0.0;
-    const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
     const auto& value = table.column(valueName);
     table.requireRange("part", 1.0, kMaxPart);
     table.requireRange("overhang_mm", kSmallest, kMaxOverhang_mm);
     table.requireRange("feed_mm_per_rev", kSmallest, kMaxFeed_mmPerRev);
     if (table.rows() == 0) {
-        throw BadInput(fmt::format("{}: no measurements; expected at least one row under the header.", options.file));
+        throw BadInput(fmt::format("{}: no measurements; expected at least one row under the header.", table.file()));
     }
     std::vector<boring::LotTracker::Entry> entries;
     std::vector<std::uint8_t> rowsOfPart;
@@ -71,13 +74,56 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
     return entries;
 }
 
+/// What a slipped value may have been meant as; empty without a guess.
+std::string guess(double value_mm, double target_mm) {
+    constexpr double kInch_mm = 25.4;
+    constexpr double kNear = 0.02;
+    for (const auto& [factor, name] : {std::pair(kInch_mm, " inch?"),
+                                       {10.0, " a digit too few?"},
+                                       {0.1, " a digit too many?"},
+                                       {1000.0, " metres?"},
+                                       {0.001, " micrometres?"}}) {
+        if (std::abs(value_mm * factor / target_mm - 1.0) < kNear) {
+            return name;
+        }
+    }
+    return {};
+}
+
+/// The console's own question, |ln(d/d_predicted)| against its limit, with what was known before the part.
+void judgeRows(const ReplayOptions& options, const Table& table, const boring::LotTracker& tracker,
+               const std::vector<boring::LotTracker::Entry>& entries) {
+    const bool diameters = options.targetDiameter_mm > 0.0;
+    const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
+    for (std::size_t row = 0; row < entries.size(); ++row) {
+        const auto verdict =
+            boring::judgeEntry(tracker.stateBefore(entries[row].part), tracker.params(), entries[row].measurement);
+        if (verdict.verdict == boring::GateVerdict::Accept) {
+            continue;
+        }
+        const double value = table.column(valueName)[row];
+        const std::string what =
+            diameters
+                ? fmt::format("{}{} does not fit a target of {};{} {}", table.where(row, valueName), value,
+                              options.targetDiameter_mm, guess(value, options.targetDiameter_mm),
+                              verdict.reason.english())
+                : fmt::format("{}{} cannot be meant: {}", table.where(row, valueName), value, verdict.reason.english());
+        if (!options.acceptImplausible) {
+            throw BadInput(what + " --accept-implausible takes it all the same.");
+        }
+        table.note(what + " Taken, as was asked for.");
+    }
+}
+
 void replay(const ReplayOptions& options) {
     const boring::EstimatorParams params = options.common.params();
     const boring::FeedLawParams feed = boring::feedLawParams(params.kind, options.common.targetDeflection_mm,
                                                              boring::FeedLawParams{}.firstFeed_mmPerRev);
-    const auto entries = readMeasurements(options, feed);
+    Table table = Table::read(options.file, *options.read);
+    const auto entries = readMeasurements(options, table, feed);
     boring::LotTracker tracker(params);
     tracker.restore({}, entries);
+    judgeRows(options, table, tracker, entries);
     if (!boring::estimateOf(tracker.state()).ready) {
         throw BadInput(
             fmt::format("{}, column overhang_mm: all measurements have the same overhang; expected two different ones "
@@ -114,6 +160,7 @@ void replay(const ReplayOptions& options) {
                 next.feed_mmPerRev(measurement.overhang_mm));
     }
     csv.flush();
+    tellNotes(table);
 }
 
 }  // namespace
@@ -161,6 +208,9 @@ void addBoringReplay(CLI::App& boring) {
     command->add_option("--phi-deg", options->phi_deg, "φ of eq. 11")
         ->check(CLI::Range(0.0, 89.0))
         ->capture_default_str();
+    command->add_flag("--accept-implausible", options->acceptImplausible,
+                      "Take rows the console would ask about: |ln(d/d_predicted)| above 1.2");
+    options->read = addReadOptions(*command);
     command->callback([options] { replay(*options); });
 }
 

@@ -13,7 +13,9 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "engine/process/milling/cut_simulation.h"
+#include "engine/process/milling/recorded_angle.h"
 #include "engine/process/milling/revolution_averager.h"
 
 namespace kerf::headless {
@@ -137,13 +139,14 @@ struct SimulateOptions {
     std::uint64_t seed{1};
     bool csv{false};
     bool summary{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 void simulate(const SimulateOptions& options) {
     CutCase cut = caseOf(options.law);
     cut.blank = options.blankFile.empty()
                     ? checked("--blank", milling::BlankProfile::ofSegments(options.blank_mm, options.segment_mm))
-                    : readBlank(options.blankFile);
+                    : readBlank(options.blankFile, *options.read);
     cut.wholePulses = options.quantize;
     cut.forceNoise_N = options.noise_N;
     cut.lag = options.lag_revs == 1;
@@ -184,25 +187,70 @@ void addSimulate(CLI::App& parent) {
     command->add_option("--seed", options->seed, "seed of the noise")->check(inRange(0.0, 1.8e19));
     CLI::Option* csv = command->add_flag("--csv", options->csv, "a row per revolution");
     command->add_flag("--summary", options->summary, "waviness, time, peak force (default)")->excludes(csv);
+    options->read = addReadOptions(*command);
     command->callback([options] { simulate(*options); });
 }
 
+/// Way of the axis over time, from the recorded feed.
+class Travel {
+ public:
+    Travel(const std::vector<double>& time_s, const std::vector<double>& feed_mmPerS) : m_time_s(time_s) {
+        m_travel_mm.resize(time_s.size());
+        for (std::size_t i = 1; i < time_s.size(); ++i) {
+            m_travel_mm[i] = m_travel_mm[i - 1] + feed_mmPerS[i] * (time_s[i] - time_s[i - 1]);
+        }
+    }
+    [[nodiscard]] double at_mm(double time_s) const {
+        const auto above = std::ranges::lower_bound(m_time_s, time_s);
+        if (above == m_time_s.begin()) return m_travel_mm.front();
+        if (above == m_time_s.end()) return m_travel_mm.back();
+        const auto i = static_cast<std::size_t>(above - m_time_s.begin());
+        const double share = (time_s - m_time_s[i - 1]) / (m_time_s[i] - m_time_s[i - 1]);
+        return m_travel_mm[i - 1] + share * (m_travel_mm[i] - m_travel_mm[i - 1]);
+    }
+
+ private:
+    const std::vector<double>& m_time_s;
+    std::vector<double> m_travel_mm{};
+};
+
+milling::CheckedAngle checkedAngle(const Table& table, const std::vector<double>& time_s) {
+    auto angle = milling::checkAngle(time_s, table.column("angle_rev"));
+    if (!angle) {
+        throw BadInput(fmt::format("{}, column angle_rev: {}", table.file(), angle.error().english()));
+    }
+    if (angle->countedDown) {
+        table.note(fmt::format("{}: the angle counts down; turned over.", table.file()));
+    }
+    if (angle->wrap_rev > 0.0) {
+        table.note(fmt::format("{}: the angle begins again every {} rev; unwrapped.", table.file(), angle->wrap_rev));
+    }
+    return std::move(*angle);
+}
+
 /// The recorded signal through averager, estimator and law; what the law would have done, without acting.
-void replay(const std::string& path, const LawOptions& law) {
-    const Table table = Table::read(path);
+void replay(const std::string& path, const LawOptions& law, const files::ReadOptions& read) {
+    Table table = Table::read(path, read);
+    table.dropRowsWithGaps({"t_s", "angle_rev", "feed_mm_s"});
     const auto& time_s = table.column("t_s");
-    const auto& angle_rev = table.column("angle_rev");
-    const auto& force_N = table.column("force_y_n");
+    const auto force_N = table.columnWithGaps("force_y_n");
     const auto& feed_mmPerS = table.column("feed_mm_s");
     table.requireRange("t_s", 0.0, 1e6);
-    table.requireRange("force_y_n", -1e6, 1e6);
     table.requireRange("feed_mm_s", 0.0, 1000.0);
-    for (std::size_t i = 1; i < time_s.size(); ++i) {
-        if (time_s[i] <= time_s[i - 1]) {
+    for (std::size_t i = 0; i < time_s.size(); ++i) {
+        if (i > 0 && time_s[i] <= time_s[i - 1]) {
             throw BadInput(fmt::format("{}{} does not follow {}; expected rising times.", table.where(i, "t_s"),
                                        time_s[i], time_s[i - 1]));
         }
+        if (force_N[i] && std::abs(*force_N[i]) > 1e6) {
+            throw BadInput(fmt::format("{}{} is out of range; expected -1000000 to 1000000.",
+                                       table.where(i, "force_y_n"), *force_N[i]));
+        }
     }
+    if (const auto missing = std::ranges::count_if(force_N, [](const auto& f) { return !f; }); missing > 0) {
+        table.note(fmt::format("{}: column force_y_n: {} samples without a value.", table.file(), missing));
+    }
+    const milling::CheckedAngle angle = checkedAngle(table, time_s);
     const CutCase cut = caseOf(law);
     milling::FeedController controller(cut.controller, cut.law);
     controller.beginCut();
@@ -210,27 +258,37 @@ void replay(const std::string& path, const LawOptions& law) {
     CsvOutput csv(
         "rev,t_s,revolution_s,force_mean_n,force_peak_n,feed_mm_s,advised_feed_mm_s,stiffness_ln,stiffness_half95,in_"
         "air");
-    double travel_mm = 0.0;
-    double markTravel_mm = 0.0;
+    const Travel travel(time_s, feed_mmPerS);
+    std::size_t revolutions = 0;
     for (std::size_t i = 0; i < time_s.size(); ++i) {
-        travel_mm += i > 0 ? feed_mmPerS[i] * (time_s[i] - time_s[i - 1]) : 0.0;
-        const auto revolution = averager.add(
-            {static_cast<std::int64_t>(std::llround(time_s[i] * 1e9)), angle_rev[i], force_N[i], Quality::Good});
+        const auto revolution =
+            averager.add({static_cast<std::int64_t>(std::llround(time_s[i] * 1e9)), angle.angle_rev[i],
+                          force_N[i].value_or(0.0), force_N[i] ? Quality::Good : Quality::Missing});
         if (!revolution || revolution->end_ns <= revolution->begin_ns) {
             continue;
         }
-        const double feed_mmPerRev = travel_mm - markTravel_mm;
-        markTravel_mm = travel_mm;
+        ++revolutions;
+        const double end_s = static_cast<double>(revolution->end_ns) * 1e-9;
+        const double feed_mmPerRev =
+            travel.at_mm(end_s) - travel.at_mm(static_cast<double>(revolution->begin_ns) * 1e-9);
         const bool trusted = revolution->quality == Quality::Good;
         const auto force = trusted ? std::optional(std::max(0.0, revolution->mean_N)) : std::nullopt;
-        const auto decision = controller.update({force, feed_mmPerRev, travel_mm, revolution->duration_s()});
+        const auto decision = controller.update({force, feed_mmPerRev, travel.at_mm(end_s), revolution->duration_s()});
         const auto& stiffness = controller.stiffness();
-        csv.row(revolution->revolution, static_cast<double>(revolution->end_ns) * 1e-9, revolution->duration_s(),
-                revolution->mean_N, revolution->peak_N, feed_mmPerRev / revolution->duration_s(), decision.feed_mmPerS,
-                stiffness.valid ? fmt::format("{:.17g}", stiffness.lnCb) : std::string(),
-                stiffness.valid ? fmt::format("{:.17g}", stiffness.half95) : std::string(), decision.inAir);
+        csv.row(revolution->revolution, end_s, revolution->duration_s(), revolution->mean_N, revolution->peak_N,
+                feed_mmPerRev / revolution->duration_s(), decision.feed_mmPerS,
+                stiffness.valid ? fmt::format("{}", stiffness.lnCb) : std::string(),
+                stiffness.valid ? fmt::format("{}", stiffness.half95) : std::string(), decision.inAir);
+    }
+    if (revolutions == 0) {
+        throw BadInput(
+            fmt::format("{}, column angle_rev: the spindle turns from {:.3f} to {:.3f} rev; expected a record with a "
+                        "whole revolution between two marks (whole numbers).",
+                        table.file(), angle.angle_rev.empty() ? 0.0 : angle.angle_rev.front(),
+                        angle.angle_rev.empty() ? 0.0 : angle.angle_rev.back()));
     }
     csv.flush();
+    tellNotes(table);
 }
 
 void addReplay(CLI::App& parent) {
@@ -239,7 +297,8 @@ void addReplay(CLI::App& parent) {
     CLI::App* command = parent.add_subcommand("replay", "Estimator and law in advise mode over a recorded signal");
     command->add_option("force_csv", *path, "CSV with t_s,angle_rev,force_y_n,feed_mm_s")->required();
     law->addTo(*command);
-    command->callback([path, law] { replay(*path, *law); });
+    const auto read = addReadOptions(*command);
+    command->callback([path, law, read] { replay(*path, *law, *read); });
 }
 
 /// The table of docs/milling.md: every law on B0 with whole pulses and .5 kgf of noise, mean and worst over ten seeds.

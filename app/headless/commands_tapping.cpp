@@ -11,9 +11,11 @@
 #include "app/files/table.h"
 #include "app/files/tapping_drive_file.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "app/headless/tapping_table.h"
 #include "engine/process/tapping/tap_drive.h"
 #include "engine/process/tapping/tap_record.h"
+#include "engine/process/tapping/tap_span.h"
 #include "engine/process/tapping/thread_table.h"
 #include "engine/process/tapping/trial_machine.h"
 
@@ -158,6 +160,7 @@ struct EvaluateOptions {
     double pitch_mm{1.25};
     double engage_rev{DriveParams{}.engage_rev};
     std::string thread;
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 /// The thread asked for, else the coarse one of this pitch, else the one with the least tolerance.
@@ -183,10 +186,26 @@ const ThreadPreset* threadFor(const EvaluateOptions& options) {
 
 void evaluate(const EvaluateOptions& options) {
     const ThreadPreset* thread = threadFor(options);
-    const Table table = Table::read(options.file);
-    const auto checked =
-        checkRecord(table.column("t_s"), table.column("spindle_rev"), table.column("z_mm"), options.pitch_mm);
-    if (!checked) throw BadInput(fmt::format("{}: {}", options.file, checked.error().english()));
+    Table table = Table::read(options.file, *options.read);
+    table.dropRowsWithGaps({"t_s", "spindle_rev", "z_mm"});  // a sample without a value is a missing tick
+    const std::span<const double> time_s(table.column("t_s"));
+    const std::span<const double> spindle_rev(table.column("spindle_rev"));
+    const std::span<const double> z_mm(table.column("z_mm"));
+    const TapSpan tap = findTap(spindle_rev, z_mm);
+    const std::size_t length = tap.end - tap.begin;
+    const auto checked = checkRecord(time_s.subspan(tap.begin, length), spindle_rev.subspan(tap.begin, length),
+                                     z_mm.subspan(tap.begin, length), options.pitch_mm);
+    if (!checked) throw BadInput(fmt::format("{}: {}", table.file(), checked.error().english()));
+    if (tap.begin > 0) {
+        table.note(fmt::format(
+            "{}the tap begins here, where Z begins to follow the spindle{}; {} samples before it left "
+            "out.",
+            table.where(tap.begin, "spindle_rev"), tap.counterReset ? " and its counter was set anew" : "", tap.begin));
+    }
+    if (tap.end < table.rows()) {
+        table.note(fmt::format("{}the tap is back out here; {} samples behind it left out.",
+                               table.where(tap.end - 1, "spindle_rev"), table.rows() - tap.end));
+    }
     const ContourFigures figures =
         contourFigures(checked->spindle_rev, checked->z_mm, checked->valid, options.pitch_mm, options.engage_rev);
     Json out;
@@ -211,6 +230,7 @@ void evaluate(const EvaluateOptions& options) {
                              : "outside tolerance";
     }
     printJson(out);
+    tellNotes(table);
 }
 
 }  // namespace
@@ -261,6 +281,7 @@ void addTappingCommands(CLI::App& kerf) {
     evaluateCommand->add_option("--engage-rev", evaluateOptions->engage_rev, "revolutions before the tap touches")
         ->check(CLI::Range(0.0, 100.0));
     evaluateCommand->add_option("--thread", evaluateOptions->thread, "M3 to M20, fine as in M8x1; by pitch without it");
+    evaluateOptions->read = addReadOptions(*evaluateCommand);
     evaluateCommand->callback([evaluateOptions] { evaluate(*evaluateOptions); });
 
     auto* tableCommand = tapping->add_subcommand("table", "The table of docs/tapping.md: tuners by scenario");

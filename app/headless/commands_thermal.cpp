@@ -3,7 +3,6 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "app/files/thermal_files.h"
 #include "app/files/thermal_model_json.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "app/headless/thermal_commands.h"
 #include "engine/process/thermal/replay.h"
 #include "engine/process/thermal/training.h"
@@ -56,6 +56,7 @@ struct TrainArguments {
     std::string output{};
     int maxSensors{TrainingOptions{}.maxSensors};
     bool report{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 ThermalModel checked(Result<ThermalModel> model) {
@@ -74,7 +75,14 @@ void train(const TrainArguments& arguments) {
     if (!arguments.checkRows.empty()) {
         options.check_min = minutesFrom(arguments.checkRows);
     }
-    const std::vector<ThermalHistory> days = readThermalHistories(arguments.histories);
+    for (const std::string& history : arguments.histories) {
+        if (files::sameFile(arguments.output, history)) {
+            throw BadInput(fmt::format("{}: is a history to train on; expected another name for the model (-o).",
+                                       files::utf8Of(arguments.output)));
+        }
+    }
+    std::vector<std::string> notes;
+    const std::vector<ThermalHistory> days = readThermalHistories(arguments.histories, *arguments.read, &notes);
     ThermalModel model;
     std::vector<Candidate> compared;
     if (arguments.kind == "auto") {
@@ -89,11 +97,8 @@ void train(const TrainArguments& arguments) {
     } else {
         model = checked(trainNetwork(arguments.kind == "gmdh" ? ModelKind::Gmdh : ModelKind::GmdhPaper, days, options));
     }
-    std::ofstream file(arguments.output, std::ios::binary);
-    file << formats::thermalModelToJson(model);
-    if (!file.flush()) {
-        throw BadInput(fmt::format("{}: cannot be written.", arguments.output));
-    }
+    files::writeFile(arguments.output, formats::thermalModelToJson(model));
+    tell(notes);
     for (const Candidate& candidate : compared) {
         printJudgement(modelKindKey(candidate.kind), candidate.sensors, candidate.judgement);
     }
@@ -160,23 +165,39 @@ void tellSensors(const ThermalModel& model, const Replay& replay) {
     }
 }
 
-Replay replayOf(const std::string& modelPath, const ThermalHistory& history, const std::string& historyPath) {
+struct ReplayedDay {
+    HistoryFile day{};
+    Replay replay{};
+};
+
+ReplayedDay replayedDay(const std::string& modelPath, const std::string& historyPath, const files::ReadOptions& read) {
     const ThermalModel model = readThermalModel(modelPath);
-    requireSensors(model, history, historyPath);
-    Replay out = replay(model, history);
-    tellSensors(model, out);
+    HistoryOptions options{HistoryUse::Prediction, {}, true, read};
+    for (const ModelSensor& sensor : model.sensors) {
+        options.sensors.push_back(sensor.name);
+    }
+    ReplayedDay out{readHistoryFile(historyPath, options), {}};
+    requireSensors(model, out.day.history, files::utf8Of(historyPath));
+    out.replay = replay(model, out.day.history);
+    tellSensors(model, out.replay);
     return out;
 }
 
-void predict(const std::string& modelPath, const std::string& historyPath) {
-    const ThermalHistory history = readThermalHistory(historyPath, HistoryUse::Prediction);
-    const Replay replayed = replayOf(modelPath, history, historyPath);
+struct PredictArguments {
+    std::string model{};
+    std::string history{};
+    std::shared_ptr<files::ReadOptions> read{};
+};
+
+void predict(const PredictArguments& arguments) {
+    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read);
     CsvOutput out("t_min,x_um,y_um,z_um,x_half_um,y_half_um,z_half_um");
-    for (const ReplayedMinute& minute : replayed.minutes) {
+    for (const ReplayedMinute& minute : day.replay.minutes) {
         const ThermalPrediction& p = minute.prediction;
         out.row(minute.time_min, p.drift_um[0], p.drift_um[1], p.drift_um[2], p.half_um[0], p.half_um[1], p.half_um[2]);
     }
     out.flush();
+    tell(day.day.notes);
 }
 
 struct CompensateArguments {
@@ -184,10 +205,12 @@ struct CompensateArguments {
     std::string history{};
     CompensationOptions options{};
     bool summary{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 void compensateHistory(const CompensateArguments& arguments) {
-    const ThermalHistory history = readThermalHistory(arguments.history, HistoryUse::Prediction);
+    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read);
+    const ThermalHistory& history = day.day.history;
     if (history.trueDrift_um.size() == 0 && history.drift_um.size() == 0) {
         throw BadInput(
             fmt::format("{}, line 1: columns yx_true or yx_meas (and y, z) are missing; needed for the residual.",
@@ -197,8 +220,9 @@ void compensateHistory(const CompensateArguments& arguments) {
         arguments.options.limits.maxStep_um < arguments.options.limits.quantum_um) {
         throw BadInput("--max-shift-um and --max-step-um must be at least --quantum-um.");
     }
-    const Replay replayed = replayOf(arguments.model, history, arguments.history);
-    const std::vector<CompensatedMinute> minutes = compensate(replayed, history, arguments.options);
+    requireMicrometres(history, arguments.history);
+    const std::vector<CompensatedMinute> minutes = compensate(day.replay, history, arguments.options);
+    tell(day.day.notes);
     if (arguments.summary) {
         Eigen::MatrixXd residuals(static_cast<Eigen::Index>(minutes.size()), 3);
         for (std::size_t k = 0; k < minutes.size(); ++k) {
@@ -238,16 +262,18 @@ void addTrain(CLI::App& thermal) {
         ->capture_default_str();
     command->add_option("-o,--output", arguments->output, "Model file to write")->required();
     command->add_flag("--report", arguments->report, "Print sensors, errors and formula as JSON");
+    arguments->read = addReadOptions(*command);
     command->callback([arguments] { train(*arguments); });
 }
 
 void addPredict(CLI::App& thermal) {
     auto* command =
         thermal.add_subcommand("predict", "Drift minute by minute with the half width of its 95 % interval, as CSV.");
-    auto paths = std::make_shared<std::array<std::string, 2>>();
-    command->add_option("--model", (*paths)[0], "Model file")->required();
-    command->add_option("--history", (*paths)[1], "CSV of one day")->required();
-    command->callback([paths] { predict((*paths)[0], (*paths)[1]); });
+    auto arguments = std::make_shared<PredictArguments>();
+    command->add_option("--model", arguments->model, "Model file")->required();
+    command->add_option("--history", arguments->history, "CSV of one day")->required();
+    arguments->read = addReadOptions(*command);
+    command->callback([arguments] { predict(*arguments); });
 }
 
 void addCompensate(CLI::App& thermal) {
@@ -269,6 +295,7 @@ void addCompensate(CLI::App& thermal) {
         ->check(CLI::Range(1.0, 4095.0))
         ->capture_default_str();
     command->add_flag("--summary", arguments->summary, "Only the residuals' max, 95 % and rms, as JSON");
+    arguments->read = addReadOptions(*command);
     command->callback([arguments] { compensateHistory(*arguments); });
 }
 

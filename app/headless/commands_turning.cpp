@@ -10,6 +10,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "app/headless/turning_table.h"
 #include "engine/process/turning/blind.h"
 #include "engine/process/turning/identifier.h"
@@ -54,6 +55,7 @@ void addOverlap(CLI::App& turning) {
 
 struct IdentifyOptions {
     std::string file;
+    std::shared_ptr<files::ReadOptions> read{};
     ProcessIdentifier::Params params{};
 };
 
@@ -69,11 +71,13 @@ void addIdentify(CLI::App& turning) {
         ->transform(CLI::CheckedTransformer(methods));
     command->add_option("--p0", options->params.initialVariance, "Diagonal of the first covariance")
         ->capture_default_str();
+    options->read = addReadOptions(*command);
     command->callback([options] {
         if (const auto why = ProcessIdentifier::whyInvalid(options->params)) {
             throw BadInput(why->english());
         }
-        const Table table = Table::read(options->file);
+        Table table = Table::read(options->file, *options->read);
+        table.dropRowsWithGaps({"k", "u_um", "f_n"});
         const auto& samples = table.column("k");
         const auto& chip_um = table.column("u_um");
         const auto& force_N = table.column("f_n");
@@ -82,9 +86,17 @@ void addIdentify(CLI::App& turning) {
         for (std::size_t i = 0; i < table.rows(); ++i) {
             identifier.update(force_N[i], chip_um[i]);
             const auto& theta = identifier.theta();
+            if (std::abs(samples[i]) > 1e15) {
+                throw BadInput(
+                    fmt::format("{}{} is out of range; expected a sample number.", table.where(i, "k"), samples[i]));
+            }
             csv.row(static_cast<long long>(samples[i]), theta[0], theta[1], theta[2], identifier.trace());
         }
+        if (table.rows() == 0) {
+            throw BadInput(fmt::format("{}: no samples; expected rows under the header.", table.file()));
+        }
         csv.flush();
+        tellNotes(table);
     });
 }
 
@@ -99,11 +111,12 @@ struct SimulateOptions {
     std::string disturbanceFile;
     bool csv{false};
     bool summary{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 std::vector<double> disturbanceOf(const SimulateOptions& options) {
     if (!options.disturbanceFile.empty()) {
-        const Table table = Table::read(options.disturbanceFile);
+        const Table table = Table::read(options.disturbanceFile, *options.read);
         (void)table.column("k");
         table.requireRange("d_um", -1e4, 1e4);
         return table.column("d_um");
@@ -197,6 +210,7 @@ void addSimulate(CLI::App& turning) {
     format->add_flag("--csv", options->csv, "Every sample");
     format->add_flag("--summary", options->summary, "JSON summary; *_steady and the mean force are of the second half");
     format->require_option(1);
+    options->read = addReadOptions(*command);
     command->callback([options] { runSimulate(*options); });
 }
 

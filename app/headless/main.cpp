@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     kerf::headless::addRehearseCommand(kerf);
     try {
         kerf.parse(argc, argv);
+        kerf::files::finishOut();  // what was printed by other means is on the disk, or this is no success
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
             return kerf.exit(error);  // --help and --version

@@ -3804,6 +3804,30 @@
             <source>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</source>
             <translation>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</translation>
         </message>
+        <message>
+            <source>The table is in doubt: save it with ; between its columns, or with decimal points.</source>
+            <translation>The table is in doubt: save it with ; between its columns, or with decimal points.</translation>
+        </message>
+        <message>
+            <source>angle_rev turns %1 rev between samples; revolutions expected, at most %2 between samples. A column in degrees is named angle_deg.</source>
+            <translation>angle_rev turns %1 rev between samples; revolutions expected, at most %2 between samples. A column in degrees is named angle_deg.</translation>
+        </message>
+        <message>
+            <source>angle_rev means %1 rpm; at most %2 rpm are expected. A column in degrees is named angle_deg.</source>
+            <translation>angle_rev means %1 rpm; at most %2 rpm are expected. A column in degrees is named angle_deg.</translation>
+        </message>
+        <message>
+            <source>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
+            <translation>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</translation>
+        </message>
+        <message>
+            <source>the spindle&apos;s angle does not move in the whole record.</source>
+            <translation>the spindle&apos;s angle does not move in the whole record.</translation>
+        </message>
+        <message>
+            <source>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</source>
+            <translation>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -3803,6 +3803,30 @@
             <source>Under control the feed is held, in every mode from then on; advising, Kerf only reports it. Nothing is started until a person has released the stop.</source>
             <translation>제어 중이면 이송이 멈추고 그 뒤 어떤 모드에서도 멈춰 있습니다. 추천 중이면 알리기만 합니다. 사람이 정지를 해제할 때까지 아무것도 시작하지 않습니다.</translation>
         </message>
+        <message>
+            <source>The table is in doubt: save it with ; between its columns, or with decimal points.</source>
+            <translation>표를 어떻게 읽어야 할지 분명하지 않습니다. 열 사이를 ;로 하거나 소수점을 점으로 하여 저장하십시오.</translation>
+        </message>
+        <message>
+            <source>angle_rev turns %1 rev between samples; revolutions expected, at most %2 between samples. A column in degrees is named angle_deg.</source>
+            <translation>angle_rev가 샘플 사이에 %1회전합니다. 회전 수 단위로 샘플 사이 %2회전 이하여야 합니다. 각도(도) 열의 이름은 angle_deg입니다.</translation>
+        </message>
+        <message>
+            <source>angle_rev means %1 rpm; at most %2 rpm are expected. A column in degrees is named angle_deg.</source>
+            <translation>angle_rev에 따르면 %1 rpm입니다. %2 rpm 이하여야 합니다. 각도(도) 열의 이름은 angle_deg입니다.</translation>
+        </message>
+        <message>
+            <source>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
+            <translation>스핀들 각도가 샘플 %2에서 %1회전 건너뜁니다. 각도는 늘거나 줄거나 정수 회전마다 다시 시작해야 합니다.</translation>
+        </message>
+        <message>
+            <source>the spindle&apos;s angle does not move in the whole record.</source>
+            <translation>기록 전체에서 스핀들 각도가 움직이지 않습니다.</translation>
+        </message>
+        <message>
+            <source>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</source>
+            <translation>스핀들이 한쪽으로 %1회전, 반대쪽으로 %2회전합니다. 한 방향으로 가공한 기록이어야 합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

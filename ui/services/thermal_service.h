@@ -69,7 +69,7 @@ struct ThermalTrainingView {
     std::vector<ThermalJudgementView> compared{};
     ThermalModelCard candidate{};  ///< of Ready
     Sentence problem{};            ///< of Failed
-    std::string detail{};          ///< file, line and column as read; not translated
+    std::string detail{};  ///< of Failed: file, line and column as read; of Ready: what was left out; not translated
 };
 
 struct ThermalShiftRow {

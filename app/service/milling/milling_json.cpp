@@ -2,11 +2,11 @@
 #include "app/service/milling/milling_json.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/files/table.h"
 #include "engine/process/milling/milling_setup.h"
 
 namespace kerf {
@@ -35,76 +35,49 @@ tl::unexpected<Sentence> unreadable() {
     return fail(KERF_TEXT("What was stored for milling cannot be read."));
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kSpace = " \t\r";
-    const std::size_t first = text.find_first_not_of(kSpace);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> pieces;
-    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
-        pieces.push_back(trimmed(text.substr(0, end)));
-        text.remove_prefix(end + 1);
-    }
-    pieces.push_back(trimmed(text));
-    return pieces;
-}
-
 struct CsvRow {
-    int line{0};
+    std::uint32_t line{0};
     double position_mm{0.0};
     double height_mm{0.0};
 };
 
-Result<double> number(std::string_view text, int line, const char* column) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        return fail(KERF_TEXT("Line %1, column %2: “%3” is not a number."), SentenceArg(line, 0),
-                    SentenceArg(std::string_view(column)), SentenceArg(text));
-    }
-    return value;
-}
-
 Result<std::vector<CsvRow>> rowsOf(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark)) {
-        text.remove_prefix(kByteOrderMark.size());
+    if (files::decodeText(text).utf8.find_first_not_of(" \t\r\n") == std::string::npos) {
+        return std::vector<CsvRow>();
     }
-    std::vector<CsvRow> rows;
-    bool headed = false;
-    int line = 0;
-    for (const std::string_view row : split(text, '\n')) {
-        ++line;
-        if (row.empty() || row.front() == '#') {
-            continue;
+    try {
+        const files::Table table = files::Table::parse(text, {});
+        const auto position = table.find(kPosition);
+        const auto height = table.find(kHeight);
+        if (!position || !height) {
+            return fail(KERF_TEXT("Line %1: the first line must name the columns x_mm,height_mm."),
+                        SentenceArg(table.headerLine(), 0));
         }
-        const std::vector<std::string_view> cells = split(row, ',');
-        if (!headed) {
-            if (cells.size() != 2 || cells[0] != kPosition || cells[1] != kHeight) {
-                return fail(KERF_TEXT("Line %1: the first line must name the columns x_mm,height_mm."),
-                            SentenceArg(line, 0));
+        for (const auto& [name, column] : {std::pair(kPosition, *position), {kHeight, *height}}) {
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                if (table.kind(row, column) != files::CellKind::Number) {
+                    return fail(KERF_TEXT("Line %1, column %2: “%3” is not a number."),
+                                SentenceArg(table.lineOf(row), 0), SentenceArg(std::string_view(name)),
+                                SentenceArg(table.cellText(row, column)));
+                }
             }
-            headed = true;
-            continue;
         }
-        if (cells.size() != 2) {
-            return fail(KERF_TEXT("Line %1: %2 columns, expected are 2: x_mm,height_mm."), SentenceArg(line, 0),
-                        SentenceArg(static_cast<double>(cells.size()), 0));
+        std::vector<CsvRow> rows;
+        const auto& position_mm = table.column(kPosition);
+        const auto& height_mm = table.column(kHeight);
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            rows.push_back({table.lineOf(row), position_mm[row], height_mm[row]});
         }
-        const Result<double> position_mm = number(cells[0], line, kPosition);
-        if (!position_mm) {
-            return tl::unexpected(position_mm.error());
-        }
-        const Result<double> height_mm = number(cells[1], line, kHeight);
-        if (!height_mm) {
-            return tl::unexpected(height_mm.error());
-        }
-        rows.push_back({line, *position_mm, *height_mm});
+        return rows;
+    } catch (const files::WrongWidth& wrong) {
+        return fail(KERF_TEXT("Line %1: %2 columns, expected are 2: x_mm,height_mm."), SentenceArg(wrong.line(), 0),
+                    SentenceArg(static_cast<double>(wrong.fields()), 0));
+    } catch (const files::HeaderMissing& missing) {
+        return fail(KERF_TEXT("Line %1: the first line must name the columns x_mm,height_mm."),
+                    SentenceArg(missing.line(), 0));
+    } catch (const files::BadInput&) {
+        return fail(KERF_TEXT("The table is in doubt: save it with ; between its columns, or with decimal points."));
     }
-    return rows;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/files/text_encoding.h"
 #include "app/files/thermal_files.h"
 #include "app/files/thermal_model_json.h"
 #include "app/service/thermal/thermal_places.h"
@@ -234,7 +235,7 @@ void StoredThermalService::findDays() {
     }
     std::ranges::sort(files);
     for (const std::string& file : files) {
-        m_view.days.push_back({kFile + file, file, 0});
+        m_view.days.push_back({kFile + file, kerf::files::utf8Of(file), 0});
     }
     for (const auto& [id, day] : m_sessions) {
         m_view.days.push_back({id, day.label, static_cast<std::uint32_t>(day.workRows())});
@@ -267,9 +268,10 @@ Result<void> StoredThermalService::train(const std::string& kind, const std::vec
     m_candidate.reset();
     m_view.training = {};
     m_view.training.state = TrainingState::Running;
-    m_trainer.start(kind, [files, ready, builtIn, seed = m_links.machineSeed] {
+    m_trainingNotes = std::make_shared<std::vector<std::string>>();
+    m_trainer.start(kind, [files, ready, builtIn, notes = m_trainingNotes, seed = m_links.machineSeed] {
         std::vector<thermal::ThermalHistory> days;
-        if (!files.empty()) days = headless::readThermalHistories(files);
+        if (!files.empty()) days = headless::readThermalHistories(files, {}, notes.get());
         days.insert(days.end(), ready.begin(), ready.end());
         for (const std::size_t k : builtIn)
             days.push_back(thermal::trainingDay(seed, k));
@@ -476,6 +478,10 @@ void StoredThermalService::takeTraining() {
         }
         m_candidate = KeptModel{outcome->trained->best, cardOf(outcome->trained->best)};
         training.candidate = m_candidate->card;
+        for (const std::string& note : *m_trainingNotes) {
+            training.detail += (training.detail.empty() ? "" : "\n");
+            training.detail += note;
+        }
         if (m_firstModel) (void)goLive(kAuthor);
     }
     m_firstModel = false;

@@ -72,6 +72,8 @@ class StoredThermalService final : public ThermalService {
 
     Links m_links;
     ThermalServiceView m_view{};
+    std::shared_ptr<std::vector<std::string>>
+        m_trainingNotes{};  ///< what was left out of the days; written by the worker
     ThermalTrainer m_trainer{};
     std::deque<ThermalMinute> m_minutes{};
     std::vector<ThermalMinute> m_session{};

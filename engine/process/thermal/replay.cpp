@@ -22,6 +22,7 @@ Replay replay(const ThermalModel& model, const ThermalHistory& history) {
     std::vector<Reading> readings(columns.size());
     Replay out;
     PerAxis held_um{};
+    PerAxis heldHalf_um{};
     for (Eigen::Index row = 0; row < history.rows(); ++row) {
         const auto k = static_cast<std::size_t>(row);
         for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -37,8 +38,15 @@ Replay replay(const ThermalModel& model, const ThermalHistory& history) {
         ReplayedMinute minute{history.time_min[k], estimator.update(history.time_min[k], speed_rpm, readings)};
         if (minute.prediction.usable) {
             held_um = minute.prediction.drift_um;
+            heldHalf_um = minute.prediction.half_um;
         } else {
             minute.prediction.drift_um = held_um;
+            for (std::size_t axis = 0; axis < kAxes; ++axis) {  // from here it may be anywhere a day has ever been
+                const Range& seen = model.drift_um[axis];
+                minute.prediction.half_um[axis] =
+                    heldHalf_um[axis] +
+                    std::max({std::abs(held_um[axis] - seen.low), std::abs(seen.high - held_um[axis]), seen.span()});
+            }
         }
         out.minutes.push_back(minute);
     }

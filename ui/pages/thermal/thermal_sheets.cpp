@@ -189,7 +189,8 @@ void ThermalSheets::openTrain() {
                 break;
             case TrainingState::Ready:
                 state->setText(
-                    tr("Errors on days left out of the training. The live model goes on until you go live."));
+                    tr("Errors on days left out of the training. The live model goes on until you go live.") +
+                    (training.detail.empty() ? QString() : u'\n' + QString::fromStdString(training.detail)));
                 break;
             case TrainingState::Failed:
                 state->setText(sentenceText(training.problem, units) + u' ' + QString::fromStdString(training.detail));

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <optional>
+
+#include "app/files/table.h"
+#include "app/files/text_encoding.h"
+
+using namespace kerf::files;
+
+namespace {
+
+Table table(std::string_view text, const ReadOptions& options = {}) {
+    return Table::parse(text, "t.csv", options);
+}
+
+QString refusal(std::string_view text, const char* column, const ReadOptions& options = {}) {
+    try {
+        const Table read = table(text, options);
+        (void)read.column(column);
+    } catch (const BadInput& why) {
+        return QString::fromUtf8(why.what());
+    }
+    return {};
+}
+
+std::string utf16(std::string_view ascii, bool bigEndian, bool mark) {
+    std::string out = mark ? (bigEndian ? "\xFE\xFF" : "\xFF\xFE") : "";
+    for (const char c : ascii) {
+        out += bigEndian ? std::string{'\0', c} : std::string{c, '\0'};
+    }
+    return out;
+}
+
+bool noted(const Table& read, const char* piece) {
+    for (const std::string& note : read.notes()) {
+        if (note.find(piece) != std::string::npos) return true;
+    }
+    return false;
+}
+
+constexpr std::string_view kBores =
+    "part,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,0.5,49.951\n1,310,0.25,49.832\n";
+
+}  // namespace
+
+/// The one reader of every table: what is recognised, what is refused. See docs/data.md.
+class TestTables : public QObject {
+    Q_OBJECT
+
+ private slots:
+    void oneTableInManySpellings_data() {
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* name, std::string_view text) {
+            QTest::newRow(name) << QByteArray(text.data(), static_cast<qsizetype>(text.size()));
+        };
+        row("plain", kBores);
+        row("byte order mark", std::string("\xEF\xBB\xBF") + std::string(kBores));
+        row("utf-16", utf16(kBores, false, true));
+        row("utf-16 without its mark", utf16(kBores, false, false));
+        row("utf-16 big endian", utf16(kBores, true, true));
+        row("german", "part;overhang_mm;feed_mm_per_rev;diameter_mm\r\n1;40;0,5;49,951\r\n1;310;0,25;49,832\r\n");
+        row("tabs and decimal comma",
+            "part\toverhang_mm\tfeed_mm_per_rev\tdiameter_mm\n1\t40\t0,5\t49,951\n1\t310\t0,25\t49,832\n");
+        row("pipes", "part|overhang_mm|feed_mm_per_rev|diameter_mm\n1|40|0.5|49.951\n1|310|0.25|49.832\n");
+        row("blanks", "part  overhang_mm feed_mm_per_rev diameter_mm\n1  40 0.5 49.951\n1 310 0.25 49.832\n");
+        row("quoted names",
+            "\"part\",\"overhang_mm\",\"feed_mm_per_rev\",\"diameter_mm\"\n1,40,0.5,49.951\n1,310,0.25,49.832\n");
+        row("quoted decimal commas",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,\"0,5\",\"49,951\"\n1,310,\"0,25\",\"49,832\"\n");
+        row("carriage returns", "part,overhang_mm,feed_mm_per_rev,diameter_mm\r1,40,0.5,49.951\r1,310,0.25,49.832\r");
+        row("plus and exponents",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm\n1,+40,5E-1,+49.951\n1,3.1E2,.25,49.832\n");
+        row("blank rows and columns",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm,,\n,,,,,\n1,40,0.5,49.951,,\n,,,,,\n1,310,0.25,49.832,,\n,,,,"
+            ",\n");
+        row("another order, case, unit",
+            "Diameter [mm],who,Feed (mm/rev),PART,Overhang (mm)\n49.951,Kim,0.5,1,40\n49.832,\"Lee, J\",0.25,1,310\n");
+        row("a units row", "part;overhang;feed;diameter\n;mm;mm/rev;mm\n1;40;0,5;49,951\n1;310;0,25;49,832\n");
+        row("a header block",
+            "Gauge station "
+            "4\nOperator;Kim\nSerial;1234\n\npart;overhang_mm;feed_mm_per_rev;diameter_mm\n1;40;0,5;49,951\n1;310;0,25;"
+            "49,832\n");
+        row("several blocks",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,0.5,49.951\n\nBlock "
+            "2\npart,overhang_mm,feed_mm_per_rev,diameter_mm\n1,310,0.25,49.832\n");
+        row("excel says its separator",
+            "sep=;\npart;overhang_mm;feed_mm_per_rev;diameter_mm\n1;40;0,5;49,951\n1;310;0,25;49,832\n");
+        row("a comment and a note at the end",
+            "# station 4\npart,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,0.5,49.951\n1,310,0.25,49.832\nend of "
+            "shift\n");
+        row("inches",
+            "part,overhang [in],feed [in/rev],diameter "
+            "[inch]\n1,1.574803149606299,0.01968503937007874,1.966574803149606\n1,12.204724409448819,0."
+            "00984251968503937,1.961889763779528\n");
+        row("another word for it", "number,position_mm,feed,diameter\n1,40,0.5,49.951\n1,310,0.25,49.832\n");
+        row("korean",
+            "\xED\x92\x88\xEB\xB2\x88,part,overhang_mm,\xEC\x9D\xB4\xEC\x86\xA1 [mm/rev],\xEB\x82\xB4\xEA\xB2\xBD "
+            "[mm]\nA,1,40,0.5,49.951\nB,1,310,0.25,49.832\n");
+        row("cp949",
+            "\xC7\xB0\xB9\xF8,part,overhang_mm,\xC0\xCC\xBC\xDB [mm/rev],\xB3\xBB\xB0\xE6 "
+            "[mm]\nA,1,40,0.5,49.951\nB,1,310,0.25,49.832\n");
+        row("no-break blanks",
+            "part;overhang_mm;feed_mm_per_rev;diameter_mm\n1;\xC2\xA0"
+            "40;0,5\xC2\xA0;49,951\n1;310;0,25;49,832\n");
+    }
+    void oneTableInManySpellings() {
+        QFETCH(QByteArray, text);
+        const Table read = table({text.constData(), static_cast<std::size_t>(text.size())});
+        QCOMPARE(read.rows(), std::size_t{2});
+        QCOMPARE(read.column("part"), (std::vector<double>{1, 1}));
+        const auto close = [](const std::vector<double>& a, const std::vector<double>& b) {
+            return std::abs(a[0] - b[0]) < 1e-9 && std::abs(a[1] - b[1]) < 1e-9;
+        };
+        QVERIFY(close(read.column("overhang_mm"), {40, 310}));
+        QVERIFY(close(read.column("feed_mm_per_rev"), {0.5, 0.25}));
+        QVERIFY(close(read.column("diameter_mm"), {49.951, 49.832}));
+    }
+    void encodingsAreFoundOut() {
+        QCOMPARE(decodeText("Temp \xB0"
+                            "C;Gr\xF6\xDF"
+                            "e")
+                     .encoding,
+                 Encoding::Windows1252);
+        QCOMPARE(decodeText("Temp \xB0"
+                            "C")
+                     .utf8,
+                 std::string("Temp \xC2\xB0"
+                             "C"));
+        QCOMPARE(decodeText("\xBF\xC2\xB5\xB5,T1").encoding, Encoding::Cp949);
+        QCOMPARE(decodeText("\xBF\xC2\xB5\xB5").utf8, std::string("\xEC\x98\xA8\xEB\x8F\x84"));
+        QCOMPARE(decodeText("\xEC\x98\xA8").encoding, Encoding::Utf8);
+        QVERIFY(isValidUtf8(utf8Of("\xFF\xC0\x80\xED\xA0\x80 x")));
+        QVERIFY(noted(table("t,\xBF\xC2\xB5\xB5\n1,2\n"), "CP949"));
+    }
+    void whatIsInDoubtIsRefusedAndCanBeSaid() {
+        const QString comma = refusal("part\td\n1\t49,951\n2\t50,004\n", "d");
+        QVERIFY2(comma.contains("line 2") && comma.contains("--decimal"), qPrintable(comma));
+        QCOMPARE(table("part\td\n1\t49,951\n", {0, ',', {}, {}, 0.0}).column("d")[0], 49.951);
+        QCOMPARE(table("part\td\n1\t49,951\n", {0, '.', {}, {}, 0.0}).column("d")[0], 49951.0);
+        QVERIFY(refusal("part;d\n1;0,5\n2;1.5\n", "d").contains("--decimal"));
+        QVERIFY(refusal("part;d\n1;0,5\n2;49.951\n", "d").contains("--decimal"));
+        QVERIFY(refusal("part,f,d\n1,0,5,49,951\n", "d").contains("comma"));
+        const QString none = refusal("1.5 2 3\n2.5 3 4\n", "d");
+        QVERIFY2(none.contains("--columns"), qPrintable(none));
+        const ReadOptions named{0, 0, {}, {"d", "-", "z"}, 0.001};
+        const Table sampler = table("1.5 2 3 \n2.5 3 4 \n", named);
+        QCOMPARE(sampler.column("d"), (std::vector<double>{1.5, 2.5}));
+        QCOMPARE(sampler.column("t_s"), (std::vector<double>{0.0, 0.001}));
+        QVERIFY(refusal("d,D [mm],d (mm)\n1,2,3\n", "d_mm").contains("twice"));
+    }
+    void anythingThatMeansNoValueIsNone_data() {
+        QTest::addColumn<QByteArray>("mark");
+        for (const char* mark : {"",      " ",    "nan",   "NaN",     "NAN",      "NA",
+                                 "N/A",   "#N/A", "#NV",   "null",    "NULL",     "none",
+                                 "-----", "--",   "***",   "?",       "#DIV/0!",  "OL",
+                                 "-OL",   "OVER", "Open",  "9.9E+37", "-9.9e37",  "9.90000000E+37",
+                                 "inf",   "-inf", "1e999", "1.#QNAN", "Overload", "\xEC\x97\x86\xEC\x9D\x8C"}) {
+            QTest::newRow(*mark != '\0' ? mark : "empty") << QByteArray(mark);
+        }
+    }
+    void anythingThatMeansNoValueIsNone() {
+        QFETCH(QByteArray, mark);
+        const std::string text = "a,b,c\n1,2,3\n4," + mark.toStdString() + ",6\n7,8,9\n";
+        const Table read = table(text);
+        const auto b = read.columnWithGaps("b");
+        QVERIFY(b[0] == 2.0 && !b[1] && b[2] == 8.0);
+        QCOMPARE(read.column("c")[1], 6.0);  // a column nobody asks for spoils nothing
+        const QString why = refusal(text, "b");
+        QVERIFY2(why.contains("line 3") && why.contains("column b"), qPrintable(why));
+        Table dropped = table(text);
+        dropped.dropRowsWithGaps({"b"});
+        QCOMPARE(dropped.column("a"), (std::vector<double>{1, 7}));
+        QVERIFY(noted(dropped, "line 3"));
+    }
+    void labviewMeasurement() {
+        const Table read = table(
+            "LabVIEW "
+            "Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nX_"
+            "Columns\tOne\nOperator\tKim\nDate\t2026/01/01\n"
+            "***End_of_Header***\t\n\nChannels\t2\t\nSamples\t2\t2\t\nY_Unit_Label\tkN\trev\nX_"
+            "Dimension\tTime\tTime\nX0\t0,0\t0,0\nDelta_X\t0,001\t0,001\n"
+            "***End_of_Header***\t\t\nX_Value\tforce_y\tangle\tComment\n0,000\t1,5\t0,1\n0,001\t1,6\t0,"
+            "2\n\nChannels\t2\t\nSamples\t1\t1\t\nX0\t0,002\t0,002\n"
+            "***End_of_Header***\t\t\nX_Value\tforce_y\tangle\tComment\n0,002\t1,7\t0,3\tstopped\n");
+        QCOMPARE(read.column("t_s"), (std::vector<double>{0.0, 0.001, 0.002}));
+        QCOMPARE(read.column("force_y_n"), (std::vector<double>{1500.0, 1600.0, 1700.0}));
+        QCOMPARE(read.column("angle_rev")[2], 0.3);
+        const Table timeless = table(
+            "LabVIEW "
+            "Measurement\t\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\t\n\nChannels\t1\nSamples\t2\nX_"
+            "Dimension\tTime\nX0\t0.0\nDelta_X\t0.0002\n"
+            "***End_of_Header***\t\nX_Value\tforce_y_n\tComment\n\t1.5\n\t1.6\n");
+        QCOMPARE(timeless.column("t_s"), (std::vector<double>{0.0, 0.0002}));
+    }
+    void halscope() {
+        const Table read = table("spindle.0.revs;z_mm;\n0.00100000;1.2000;\n0.00200000;1.3000;\n");
+        QCOMPARE(read.column("z_mm"), (std::vector<double>{1.2, 1.3}));
+    }
+    void aColumnInAnotherUnitIsConvertedAndTold() {
+        const Table read = table(
+            "time [s],angle [deg],T1 [\xC2\xB0"
+            "F]\n60,90,212\n120,180,32\n");
+        QCOMPARE(read.column("t_min"), (std::vector<double>{1.0, 2.0}));
+        QCOMPARE(read.column("angle_rev")[0], 0.25);
+        QVERIFY(noted(read, "converted"));
+        QVERIFY(refusal("t_s,feed [mm/s]\n1,2\n", "feed_mm_per_rev").contains("mm per s"));
+    }
+    void badRowsSayWhere() {
+        QVERIFY(refusal("a,b\n1,2\n3\n", "a").contains("line 3: 1 fields; expected 2"));
+        QVERIFY(refusal("a,b\n1,2\n3,x\n", "b").contains("line 3, column b: 'x'"));
+        QVERIFY(refusal("", "a").contains("empty"));
+        QVERIFY(refusal("a,b\n1,2\n", "c").contains("found a,b"));
+        QVERIFY(refusal(std::string_view("a,b\n1,\0\n", 8), "b").contains("zero bytes"));
+        QVERIFY(refusal("a,a\n1,2\n", "a").contains("twice"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTables)
+#include "tst_tables.moc"
