@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection.h"
 
+#include <unistd.h>
+
+#include <QFile>
+#include <QFileInfo>
 #include <QSqlError>
+#include <QUrl>
 #include <atomic>
 
 #include "db/statement.h"
@@ -9,6 +14,27 @@
 namespace kerf::db {
 namespace {
 std::atomic<std::uint64_t> connectionCount{0};
+
+/// A write-ahead log needs a folder to make its index in.
+bool onUnwritableMedium(const std::string& path) {
+    const auto slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    return ::access(path.c_str(), R_OK) == 0 && ::access(folder.c_str(), W_OK) != 0;
+}
+
+std::unique_ptr<QTemporaryDir> copyWithLog(const QString& path) {
+    auto folder = std::make_unique<QTemporaryDir>();
+    const QString copy = folder->filePath(QStringLiteral("kerf.db"));
+    const bool done = folder->isValid() && QFile::copy(path, copy) &&
+                      QFile::copy(path + QStringLiteral("-wal"), copy + QStringLiteral("-wal"));
+    if (!done) {
+        return nullptr;
+    }
+    for (const QString& name : {copy, copy + QStringLiteral("-wal")}) {
+        QFile::setPermissions(name, QFile::ReadOwner | QFile::WriteOwner);
+    }
+    return folder;
+}
 }  // namespace
 
 Connection::Connection(const std::string& path, Access access)
@@ -18,10 +44,22 @@ Connection::Connection(const std::string& path, Access access)
         m_database = QSqlDatabase();
         QSqlDatabase::removeDatabase(m_name);
     };
-    m_database.setDatabaseName(QString::fromStdString(path));
-    m_database.setConnectOptions(access == Access::Read
-                                     ? QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_BUSY_TIMEOUT=2000")
-                                     : QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000"));
+    QString name = QString::fromStdString(path);
+    QString options = access == Access::Read ? QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_BUSY_TIMEOUT=2000")
+                                             : QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000");
+    if (access == Access::Read && onUnwritableMedium(path)) {
+        if (QFileInfo(name + QStringLiteral("-wal")).size() > 0) {
+            m_copy = copyWithLog(name);
+            name = m_copy ? m_copy->filePath(QStringLiteral("kerf.db")) : name;
+        } else {
+            QUrl url = QUrl::fromLocalFile(QFileInfo(name).absoluteFilePath());
+            url.setQuery(QStringLiteral("immutable=1"));
+            name = QString::fromLatin1(url.toEncoded());
+            options += QStringLiteral(";QSQLITE_OPEN_URI");
+        }
+    }
+    m_database.setDatabaseName(name);
+    m_database.setConnectOptions(options);
     if (!m_database.open()) {
         const QSqlError error = m_database.lastError();
         const int code = error.nativeErrorCode().toInt() & 0xFF;

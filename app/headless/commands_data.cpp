@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "db/location.h"
 #include "db/migrator.h"
 #include "db/readers/database_reader.h"
+#include "engine/process/boring/lot_tracker.h"
 
 namespace kerf::headless {
 namespace {
@@ -21,6 +23,10 @@ struct DataOptions {
     std::string process{};
     std::string text{};
     std::string copy{};
+    std::string separator{","};
+    std::string decimal{"."};
+    bool excel{false};
+    bool localTime{false};
 };
 
 /// Qt's SQL drivers want an application object; it lives as long as the command.
@@ -74,7 +80,32 @@ PartQuery queryOf(const DataOptions& options) {
     return query;
 }
 
+/// The feed a part was cut with, as the law takes it.
+std::optional<double> feedAt(const PartDetail& detail, double overhang_mm) {
+    boring::CutPart cut;
+    cut.number = detail.part.number;
+    cut.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
+    cut.feed = detail.feed;
+    if (cut.feed.count == 0 && cut.schedule.revision == 0) {
+        return std::nullopt;
+    }
+    const double feed_mmPerRev = boring::cutFeed_mmPerRev(cut, overhang_mm);
+    return feed_mmPerRev > 0.0 && std::isfinite(feed_mmPerRev) ? std::optional(feed_mmPerRev) : std::nullopt;
+}
+
+CsvFormat formatOf(const DataOptions& options) {
+    CsvFormat format;
+    format.separator = options.separator == "tab" ? '\t' : options.separator.front();
+    format.decimal = options.decimal.front();
+    format.localTime = options.localTime || options.excel;
+    if (format.separator == format.decimal) {
+        throw CLI::ValidationError("--decimal", "a comma cannot separate fields and decimals; add --separator ';'");
+    }
+    return format;
+}
+
 void exportTable(const DataOptions& options) {
+    const CsvFormat format = formatOf(options);
     const QtForSql qt;
     const std::string path = checkedFile(options);
     const auto reader = openReader(path);
@@ -85,16 +116,22 @@ void exportTable(const DataOptions& options) {
         return true;
     };
     const PartQuery query = queryOf(options);
-    const Result<std::uint64_t> rows = options.table == "parts"          ? exportParts(*reader, query, sink)
-                                       : options.table == "measurements" ? exportMeasurements(*reader, query, sink)
-                                       : options.table == "figures"      ? exportFigures(*reader, query, sink)
-                                       : options.table == "feed"         ? exportFeed(*reader, query, sink)
-                                                                         : exportAudit(*reader, sink);
+    const Result<std::uint64_t> rows = options.table == "parts"   ? exportParts(*reader, query, sink, format)
+                                       : options.table == "bores" ? exportBores(*reader, query, feedAt, sink, format)
+                                       : options.table == "measurements"
+                                           ? exportMeasurements(*reader, query, sink, format)
+                                       : options.table == "figures" ? exportFigures(*reader, query, sink, format)
+                                       : options.table == "feed"    ? exportFeed(*reader, query, sink, format)
+                                                                    : exportAudit(*reader, sink, format);
     if (!rows) {
         throw BadInput(fmt::format("{}: {}", path, rows.error().english()));
     }
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
+    const bool forExcel = options.excel || format.separator != ',' || format.decimal != '.' || format.localTime;
+    const bool ascii = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    if (forExcel && !ascii) {
+        text.insert(0, "\xEF\xBB\xBF");
+    }
+    files::writeOut(text);
 }
 
 void verify(const DataOptions& options) {
@@ -167,13 +204,23 @@ void addDataCommands(CLI::App& kerf) {
         return command;
     };
     CLI::App* exporting = add("export", "A table as CSV on stdout, oldest first", exportTable);
-    exporting->add_option("table", options->table, "parts, measurements, figures, feed or audit")
+    exporting
+        ->add_option("table", options->table,
+                     "parts, bores, measurements, figures, feed or audit; kerf boring replay reads bores")
         ->required()
-        ->check(CLI::IsMember({"parts", "measurements", "figures", "feed", "audit"}));
+        ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "audit"}));
     exporting->add_option("--process", options->process, "Only parts of this process")
         ->check(CLI::IsMember({"boring", "milling", "turning", "thermal", "tapping"}));
     exporting->add_option("--search", options->text,
                           "Only parts whose serial number begins with, or whose lot or part type contains this text");
+    exporting->add_option("--separator", options->separator, "Between fields: , ; | or tab")
+        ->check(CLI::IsMember({",", ";", "|", "tab"}))
+        ->capture_default_str();
+    exporting->add_option("--decimal", options->decimal, "Decimal mark: . or , (with another separator)")
+        ->check(CLI::IsMember({".", ","}))
+        ->capture_default_str();
+    exporting->add_flag("--local-time", options->localTime, "Local time of each row behind its UTC");
+    exporting->add_flag("--excel", options->excel, "Local time, and a byte order mark where names need it");
     add("verify",
         "Recomputes the audit chain, compares measurements, kept records, recipes and settings with it, and the file "
         "with "

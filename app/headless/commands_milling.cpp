@@ -195,9 +195,10 @@ void addSimulate(CLI::App& parent) {
 class Travel {
  public:
     Travel(const std::vector<double>& time_s, const std::vector<double>& feed_mmPerS) : m_time_s(time_s) {
-        m_travel_mm.resize(time_s.size());
-        for (std::size_t i = 1; i < time_s.size(); ++i) {
-            m_travel_mm[i] = m_travel_mm[i - 1] + feed_mmPerS[i] * (time_s[i] - time_s[i - 1]);
+        double travel_mm = 0.0;
+        for (std::size_t i = 0; i < time_s.size(); ++i) {
+            travel_mm += i > 0 ? feed_mmPerS[i] * (time_s[i] - time_s[i - 1]) : 0.0;
+            m_travel_mm.push_back(travel_mm);
         }
     }
     [[nodiscard]] double at_mm(double time_s) const {

@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ctime>
+#include <initializer_list>
 #include <iterator>
+#include <type_traits>
 
 namespace kerf {
 namespace {
@@ -13,8 +17,11 @@ constexpr std::uint32_t kPageSize = 500;
 constexpr double kNanosecondsPerSecond = 1e9;
 
 /// A text as one CSV field.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+std::string quoted(std::string text, char separator) {
+    if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
+        text.insert(text.begin(), '\'');
+    }
+    if (text.find_first_of("\"\r\n") == std::string::npos && text.find(separator) == std::string::npos) {
         return text;
     }
     std::string field = "\"";
@@ -25,10 +32,6 @@ std::string quoted(const std::string& text) {
         }
     }
     return field + '"';
-}
-
-std::string number(const std::optional<double>& value) {
-    return value ? fmt::format("{:.17g}", *value) : std::string();
 }
 
 const char* kindName(MeasurementKind kind) {
@@ -50,12 +53,35 @@ const char* sourceName(MeasurementSource source) {
 /// Counts lines and hands over page by page.
 class Lines {
  public:
-    Lines(std::string_view header, const CsvSink& sink) : m_sink(sink), m_text(header) { m_text += '\n'; }
-    template <class... Args>
-    void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(m_text), format, std::forward<Args>(args)...);
+    /// `local`: names of the local times, behind the others when they are wanted.
+    Lines(std::string_view header, std::string_view local, const CsvSink& sink, const CsvFormat& format)
+        : m_sink(sink), m_format(format) {
+        if (format.byteOrderMark) {
+            m_text = "\xEF\xBB\xBF";
+        }
+        const std::size_t begin = m_text.size();
+        m_text += header;
+        if (format.localTime) {
+            m_text += local;
+        }
+        std::replace(m_text.begin() + static_cast<std::ptrdiff_t>(begin), m_text.end(), ',', format.separator);
         m_text += '\n';
+    }
+    template <class... Cells>
+    void add(const Cells&... cells) {
+        bool first = true;
+        ((cell(cells, first), first = false), ...);
         ++m_rows;
+    }
+    /// Ends the row. `utc_ms`: its times, as in the header.
+    void end(std::initializer_list<std::optional<std::int64_t>> utc_ms = {}) {
+        if (m_format.localTime) {
+            for (const auto& time : utc_ms) {
+                m_text += m_format.separator;
+                m_text += time ? localTime(*time) : std::string();
+            }
+        }
+        m_text += '\n';
     }
     [[nodiscard]] bool flush() {
         const bool taken = m_text.empty() || m_sink(m_text);
@@ -63,10 +89,35 @@ class Lines {
         return taken;
     }
     [[nodiscard]] std::uint64_t rows() const { return m_rows; }
+    [[nodiscard]] std::string numberText(double value) const {
+        std::string text = fmt::format("{}", value);
+        std::ranges::replace(text, '.', m_format.decimal);
+        return text;
+    }
 
  private:
+    template <class Cell>
+    void cell(const Cell& value, bool first) {
+        if (!first) {
+            m_text += m_format.separator;
+        }
+        if constexpr (std::is_same_v<Cell, std::optional<double>>) {
+            if (value) number(*value);
+        } else if constexpr (std::is_floating_point_v<Cell>) {
+            number(static_cast<double>(value));
+        } else if constexpr (std::is_same_v<Cell, bool>) {
+            m_text += value ? '1' : '0';
+        } else if constexpr (std::is_integral_v<Cell>) {
+            fmt::format_to(std::back_inserter(m_text), "{}", value);
+        } else {
+            m_text += quoted(std::string(value), m_format.separator);
+        }
+    }
+    void number(double value) { m_text += numberText(value); }
+
     const CsvSink& m_sink;
-    std::string m_text;
+    const CsvFormat& m_format;
+    std::string m_text{};
     std::uint64_t m_rows{0};
 };
 
@@ -112,61 +163,100 @@ std::string isoTime(std::int64_t utc_ms) {
                        time.minutes().count(), time.seconds().count(), time.subseconds().count());
 }
 
-Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
+std::string localTime(std::int64_t utc_ms) {
+    const std::time_t seconds = static_cast<std::time_t>(utc_ms / 1000 - (utc_ms % 1000 < 0 ? 1 : 0));
+    std::tm local{};
+    if (localtime_r(&seconds, &local) == nullptr) {
+        return {};
+    }
+    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday,
+                       local.tm_hour, local.tm_min, local.tm_sec);
+}
+
+Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink,
+                                  const CsvFormat& format) {
     Lines lines(
         "part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,position_mm,diameter_mm,"
         "source,author,accepted_utc,corrected",
-        sink);
-    return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
+        ",ended_local,accepted_local", sink, format);
+    return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const double cutting_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerSecond;
-        const std::string head =
-            fmt::format("{},{},{},{},{},{},{},{},{:.17g}", part.id, processKey(part.process), quoted(part.partTypeName),
-                        quoted(part.lotName), part.number, quoted(part.serial), part.complete ? 1 : 0,
-                        isoTime(part.endedUtc_ms), cutting_s);
+        const auto add = [&](const auto&... rest) {
+            lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
+                      part.complete, isoTime(part.endedUtc_ms), cutting_s, rest...);
+        };
         const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
         for (const MeasurementRow& row : effective) {
-            lines.add("{},{},{:.17g},{},{},{},{},{}", head, row.station, row.position_mm, number(row.diameter_mm),
-                      sourceName(row.source), quoted(row.author), isoTime(row.acceptedUtc_ms),
-                      row.kind == MeasurementKind::Correction ? 1 : 0);
+            add(row.station, row.position_mm, row.diameter_mm, sourceName(row.source), row.author,
+                isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction);
+            lines.end({part.endedUtc_ms, row.acceptedUtc_ms});
         }
         if (effective.empty()) {
-            lines.add("{},,,,,,,", head);
+            add("", "", "", "", "", "", "");
+            lines.end({part.endedUtc_ms, std::nullopt});
         }
         return {};
     });
 }
 
-Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
+Result<std::uint64_t> exportBores(PartReader& reader, const PartQuery& query, const FeedAt& feedAt, const CsvSink& sink,
+                                  const CsvFormat& format) {
+    Lines lines("part,overhang_mm,feed_mm_per_rev,diameter_mm,lot", "", sink, format);
+    return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
+        const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
+        if (effective.empty()) {
+            return {};
+        }
+        const Result<std::optional<PartDetail>> detail = reader.part(part.id);
+        if (!detail) {
+            return tl::unexpected<Sentence>(detail.error());
+        }
+        for (const MeasurementRow& row : effective) {
+            const auto feed_mmPerRev = *detail ? feedAt(**detail, row.position_mm) : std::nullopt;
+            if (feed_mmPerRev && row.diameter_mm) {
+                lines.add(part.number, row.position_mm, *feed_mmPerRev, *row.diameter_mm, part.lotName);
+                lines.end();
+            }
+        }
+        return {};
+    });
+}
+
+Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& query, const CsvSink& sink,
+                                         const CsvFormat& format) {
     Lines lines(
         "part_id,part_type,lot,number,measurement_id,kind,replaces_id,station,position_mm,diameter_mm,source,confirmed,"
         "author,reason,accepted_utc",
-        sink);
+        ",accepted_local", sink, format);
     return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
         for (const MeasurementRow& row : part.measurements) {
-            lines.add("{},{},{},{},{},{},{},{},{:.17g},{},{},{},{},{},{}", part.id, quoted(part.partTypeName),
-                      quoted(part.lotName), part.number, row.id, kindName(row.kind),
+            lines.add(part.id, part.partTypeName, part.lotName, part.number, row.id, kindName(row.kind),
                       row.replaces ? std::to_string(*row.replaces) : std::string(), row.station, row.position_mm,
-                      number(row.diameter_mm), sourceName(row.source), row.confirmed ? 1 : 0, quoted(row.author),
-                      quoted(row.reason), isoTime(row.acceptedUtc_ms));
+                      row.diameter_mm, sourceName(row.source), row.confirmed, row.author, row.reason,
+                      isoTime(row.acceptedUtc_ms));
+            lines.end({row.acceptedUtc_ms});
         }
         return {};
     });
 }
 
-Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
-    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value", sink);
+Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
+                                    const CsvFormat& format) {
+    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value", ",ended_local", sink, format);
     return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
         for (const PartFigure& figure : part.figures) {
-            lines.add("{},{},{},{},{},{},{},{},{:.17g}", part.id, processKey(part.process), quoted(part.partTypeName),
-                      quoted(part.lotName), part.number, quoted(part.serial), isoTime(part.endedUtc_ms), figure.key,
-                      figure.value);
+            lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
+                      isoTime(part.endedUtc_ms), figure.key, figure.value);
+            lines.end({part.endedUtc_ms});
         }
         return {};
     });
 }
 
-Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, const CsvSink& sink) {
-    Lines lines("part_id,lot,number,schedule_revision,overhang_mm,scheduled_feed_mm_per_rev,cut_feed_mm_per_rev", sink);
+Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, const CsvSink& sink,
+                                 const CsvFormat& format) {
+    Lines lines("part_id,lot,number,schedule_revision,overhang_mm,scheduled_feed_mm_per_rev,cut_feed_mm_per_rev", "",
+                sink, format);
     return eachPart(reader, query, lines, [&lines, &reader](const PartRow& part) -> Result<void> {
         const Result<std::optional<PartDetail>> detail = reader.part(part.id);
         if (!detail) {
@@ -179,18 +269,20 @@ Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, con
         const FeedTrace& feed = (*detail)->feed;
         for (std::size_t i = 0; i < feed.count; ++i) {
             const auto overhang_mm = static_cast<double>(feed.overhang_mm[i]);
-            const std::optional<double> scheduled =
-                schedule ? std::optional(schedule->schedule.feed_mmPerRev(overhang_mm)) : std::nullopt;
-            lines.add("{},{},{},{},{:.17g},{},{:.17g}", part.id, quoted(part.lotName), part.number,
-                      schedule ? std::to_string(schedule->schedule.revision) : std::string(), overhang_mm,
-                      number(scheduled), static_cast<double>(feed.feed_mmPerRev[i]));
+            const std::string scheduled =
+                schedule ? lines.numberText(schedule->schedule.feed_mmPerRev(overhang_mm)) : std::string();
+            lines.add(part.id, part.lotName, part.number,
+                      schedule ? std::to_string(schedule->schedule.revision) : std::string(), overhang_mm, scheduled,
+                      static_cast<double>(feed.feed_mmPerRev[i]));
+            lines.end();
         }
         return {};
     });
 }
 
-Result<std::uint64_t> exportAudit(AuditReader& reader, const CsvSink& sink) {
-    Lines lines("id,utc,author,action,object,object_id,old_value,new_value,reason,previous_hash,hash", sink);
+Result<std::uint64_t> exportAudit(AuditReader& reader, const CsvSink& sink, const CsvFormat& format) {
+    Lines lines("id,utc,author,action,object,object_id,old_value,new_value,reason,previous_hash,hash", ",local", sink,
+                format);
     std::int64_t last = 0;
     while (true) {
         const Result<std::vector<AuditRow>> page = reader.auditAfter(last, kPageSize);
@@ -198,9 +290,9 @@ Result<std::uint64_t> exportAudit(AuditReader& reader, const CsvSink& sink) {
             return tl::unexpected<Sentence>(page.error());
         }
         for (const AuditRow& row : *page) {
-            lines.add("{},{},{},{},{},{},{},{},{},{},{}", row.id, isoTime(row.utc_ms), quoted(row.author),
-                      quoted(row.action), quoted(row.object), row.objectId, quoted(row.oldValue), quoted(row.newValue),
-                      quoted(row.reason), row.previousHash, row.hash);
+            lines.add(row.id, isoTime(row.utc_ms), row.author, row.action, row.object, row.objectId, row.oldValue,
+                      row.newValue, row.reason, row.previousHash, row.hash);
+            lines.end({row.utc_ms});
         }
         if (!lines.flush()) {
             return stopped();

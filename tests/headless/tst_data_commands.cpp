@@ -80,6 +80,67 @@ class TestDataCommands : public QObject {
         QVERIFY(rows[1][5].toDouble() > 0.0);
         QCOMPARE(rows[1][6].toDouble(), 0.25);
     }
+    void exportsComeAsASpreadsheetWantsThem() {
+        const DataFolder data;
+        const KerfRun german = data.run({"export", "parts", "--separator", ";", "--decimal", ",", "--local-time"});
+        QCOMPARE(german.exitCode, 0);
+        const QStringList header = german.out.split(u'\n')[0].split(u';');
+        QVERIFY(header.contains(QStringLiteral("ended_local")) && header.contains(QStringLiteral("accepted_local")));
+        QVERIFY2(german.out.contains(QStringLiteral(";50,0125;")), qPrintable(german.out));
+        QCOMPARE(data.run({"export", "parts", "--decimal", ","}).exitCode, 2);
+    }
+    void boresCanBeReplayedInAnyDialect() {
+        const DataFolder data;
+        const KerfRun plain = data.run({"export", "bores"});
+        QCOMPARE(plain.exitCode, 0);
+        QCOMPARE(csvRows(plain.out)[0].mid(0, 4).join(u','),
+                 QStringLiteral("part,overhang_mm,feed_mm_per_rev,diameter_mm"));
+        QCOMPARE(csvRows(plain.out).size(), 5);
+        const QStringList replay{
+            "boring", "replay", "bores.csv", "--target-diameter-mm", "50.2", "--accept-implausible"};
+        kerf::test::scratchFile("bores.csv", plain.out);
+        const KerfRun first = runKerf(replay);
+        QVERIFY2(first.exitCode == 0, qPrintable(first.err));
+        kerf::test::scratchFile("bores.csv",
+                                data.run({"export", "bores", "--separator", ";", "--decimal", ",", "--excel"}).out);
+        QCOMPARE(runKerf(replay).out, first.out);
+        // what has no feed says so
+        kerf::test::scratchFile("bores.csv", data.run({"export", "parts"}).out);
+        QVERIFY(runKerf(replay).err.contains(QStringLiteral("feed_mm_per_rev")));
+    }
+    void aMediumThatCannotBeWrittenIsRead_data() {
+        QTest::addColumn<bool>("log");
+        QTest::newRow("alone") << false;
+        QTest::newRow("with a write-ahead log beside it") << true;
+    }
+    void aMediumThatCannotBeWrittenIsRead() {
+        QFETCH(bool, log);
+        const DataFolder data;
+        QTemporaryDir stick;
+        QVERIFY(QFile::copy(data.file(), stick.filePath(QStringLiteral("kerf.db"))));
+        if (log) {  // a connection that stays open keeps its log
+            const kerf::db::Connection writer(stick.filePath(QStringLiteral("kerf.db")).toStdString(),
+                                              kerf::db::Access::Write);
+            QVERIFY(kerf::test::tryExecute(writer.database(), "UPDATE parts SET serial = serial"));
+            QVERIFY(QFile::copy(stick.filePath(QStringLiteral("kerf.db-wal")), stick.filePath(QStringLiteral("kept"))));
+        }
+        if (log) {
+            QVERIFY(
+                QFile::rename(stick.filePath(QStringLiteral("kept")), stick.filePath(QStringLiteral("kerf.db-wal"))));
+        }
+        const QString mounted = QStringLiteral("mount --bind \"$1\" \"$1\" && mount -o remount,ro,bind \"$1\"");
+        if (QProcess::execute("unshare", {"-m", "sh", "-c", mounted, "sh", stick.path()}) != 0) {
+            QSKIP("no right to mount read-only here");
+        }
+        for (const char* command : {"check", "verify", "export"}) {
+            QProcess shell;
+            shell.start("unshare",
+                        {"-m", "sh", "-c", mounted + QStringLiteral(" && \"$KERF_BIN/kerf\" data $2 --data \"$1\" $3"),
+                         "sh", stick.path(), command, command[0] == 'e' ? "parts" : ""});
+            QVERIFY(shell.waitForFinished(60000));
+            QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+        }
+    }
     void exportCanBeNarrowed() {
         const DataFolder data;
         QCOMPARE(csvRows(data.run({"export", "parts", "--process", "milling"}).out).size(), 1);

@@ -24,19 +24,23 @@ Result<std::uint64_t> write(const PartExport::OpenReader& open, const PartQuery&
     const CsvSink sink = [&file, &stop](std::string_view text) {
         return !stop && file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
     };
+    // For a spreadsheet: names stay readable, and the time is the one of the clock on the wall.
+    CsvFormat format;
+    format.byteOrderMark = true;
+    format.localTime = true;
     Result<std::uint64_t> rows = 0;
     switch (what) {
         case PartExport::What::Parts:
-            rows = exportParts(*reader, query, sink);
+            rows = exportParts(*reader, query, sink, format);
             break;
         case PartExport::What::Measurements:
-            rows = exportMeasurements(*reader, query, sink);
+            rows = exportMeasurements(*reader, query, sink, format);
             break;
         case PartExport::What::Figures:
-            rows = exportFigures(*reader, query, sink);
+            rows = exportFigures(*reader, query, sink, format);
             break;
         case PartExport::What::Feed:
-            rows = exportFeed(*reader, query, sink);
+            rows = exportFeed(*reader, query, sink, format);
             break;
     }
     if (rows && !file.commit()) {
