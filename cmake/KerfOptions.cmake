@@ -1,6 +1,7 @@
 # Build switches. One interface target carries warnings and sanitizers to every folder's target.
 option(KERF_WERROR "Treat warnings as errors" ON)
 option(KERF_BENCH "Build tests/bench (Google Benchmark)" ON)
+option(KERF_FUZZ "Build tests/fuzz (clang's libFuzzer)" OFF)
 set(KERF_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 'thread'")
 
 find_program(KERF_CCACHE ccache)
