@@ -31,7 +31,9 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
                                                         const boring::FeedLawParams& feed) {
     const bool diameters = options.targetDiameter_mm > 0.0;
     const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
-    table.dropRowsWithGaps({valueName, "part", "overhang_mm", "feed_mm_per_rev"});
+    if (diameters) {
+        table.dropRowsWithGaps({valueName});  // a bore the gauge gave no value for; what is computed must be there
+    }
     const auto& part = table.column("part");
     const auto& overhang_mm = table.column("overhang_mm");
     const auto& feed_mmPerRev = table.column("feed_mm_per_rev");

@@ -232,6 +232,7 @@ milling::CheckedAngle checkedAngle(const Table& table, const std::vector<double>
 /// The recorded signal through averager, estimator and law; what the law would have done, without acting.
 void replay(const std::string& path, const LawOptions& law, const files::ReadOptions& read) {
     Table table = Table::read(path, read);
+    (void)table.columnWithGaps("force_y_n");
     table.dropRowsWithGaps({"t_s", "angle_rev", "feed_mm_s"});
     const auto& time_s = table.column("t_s");
     const auto force_N = table.columnWithGaps("force_y_n");
@@ -282,11 +283,12 @@ void replay(const std::string& path, const LawOptions& law, const files::ReadOpt
                 stiffness.valid ? fmt::format("{}", stiffness.half95) : std::string(), decision.inAir);
     }
     if (revolutions == 0) {
+        const bool any = !angle.angle_rev.empty();
         throw BadInput(
-            fmt::format("{}, column angle_rev: the spindle turns from {:.3f} to {:.3f} rev; expected a record with a "
-                        "whole revolution between two marks (whole numbers).",
-                        table.file(), angle.angle_rev.empty() ? 0.0 : angle.angle_rev.front(),
-                        angle.angle_rev.empty() ? 0.0 : angle.angle_rev.back()));
+            fmt::format("{}the spindle turns from {:.3f} to {:.3f} rev; expected a record with a whole "
+                        "revolution between two marks (whole numbers).",
+                        any ? table.where(0, "angle_rev") : table.file() + ": ", any ? angle.angle_rev.front() : 0.0,
+                        any ? angle.angle_rev.back() : 0.0));
     }
     csv.flush();
     tellNotes(table);

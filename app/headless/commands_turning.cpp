@@ -76,8 +76,7 @@ void addIdentify(CLI::App& turning) {
         if (const auto why = ProcessIdentifier::whyInvalid(options->params)) {
             throw BadInput(why->english());
         }
-        Table table = Table::read(options->file, *options->read);
-        table.dropRowsWithGaps({"k", "u_um", "f_n"});
+        const Table table = Table::read(options->file, *options->read);  // a hole would misalign what follows it
         const auto& samples = table.column("k");
         const auto& chip_um = table.column("u_um");
         const auto& force_N = table.column("f_n");
