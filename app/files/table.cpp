@@ -192,6 +192,10 @@ std::optional<std::size_t> Table::find(std::string_view name) const {
             pick([&](std::size_t k) { return m_parsed[k].base == wanted.base && m_parsed[k].unit == wanted.unit; }))
         return i;
     if (const auto i = pick([&](std::size_t k) { return m_parsed[k].base == wanted.base && unitFits(k); })) return i;
+    // "T1" of a model is "T1 (°C)" of a logger.
+    if (const auto i = pick([&](std::size_t k) { return wanted.unit.empty() && m_parsed[k].base == wanted.base; })) {
+        return i;
+    }
     if (const auto i = pick([&](std::size_t k) {
             return sameThing(m_parsed[k].base, wanted.base) &&
                    (unitFits(k) || (wanted.unit.empty() && m_parsed[k].unit.empty()));

@@ -179,6 +179,7 @@ class TestConsoleMilling : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(milling().stopped, 10'000);
         m_bench->console().simulator()->machine().inject({});
         QTRY_VERIFY_WITH_TIMEOUT(enabled("millingRelease"), 5'000);
+        signOn();  // a stop is released by a person
         QVERIFY(m_bench->press("millingRelease"));
         QTRY_VERIFY_WITH_TIMEOUT(!milling().stopped, 5'000);
         speed(kFast);

@@ -164,6 +164,9 @@ class TestConsoleTapping : public QObject {
         QTRY_VERIFY(m_bench.find("recoveryTurn") != nullptr);
         QVERIFY(!enabled("recoveryTurn"));  // the emergency stop is still pressed
         m_bench.console().simulator()->machine().inject({});
+        QTRY_VERIFY(!m_bench.status().emergencyStop);
+        QVERIFY(!enabled("recoveryTurn"));  // nobody has looked
+        QVERIFY(m_bench.console().window()->client().sendAction(ReleaseHold{}));
         QTRY_VERIFY(enabled("recoveryTurn"));
         QVERIFY(m_bench.press("recoveryTurn"));
         QTRY_COMPARE_WITH_TIMEOUT(tapping().phase, TapPhase::Idle, 20'000);

@@ -335,7 +335,7 @@ class TestInputCases : public QObject {
         }
         const KerfRun plain = runKerf(
             {"thermal", "train", "--history", "H0.csv", "--model", "regression", "-o", "plain.json", "--report"});
-        QCOMPARE(json::parse(run.out.toStdString())["sensors"], json::parse(plain.out.toStdString())["sensors"]);
+        QVERIFY(json::parse(run.out.toStdString())["sensors"] == json::parse(plain.out.toStdString())["sensors"]);
     }
     void unitsThatTrainingRefusesPredictionRefuses_data() {
         QTest::addColumn<double>("factor");

@@ -44,6 +44,16 @@ class PortConformance : public QObject {
         }
         return false;
     }
+    /// The console is silent: the machine goes on by itself.
+    bool silentUntil(const std::function<bool()>& condition) {
+        for (int i = 0; i < patience(); ++i) {
+            machine().read(nextCycle(), m_inputs);
+            if (condition()) {
+                return true;
+            }
+        }
+        return false;
+    }
     bool startShortProgram() {
         MachineOutputs outputs = neutral();
         outputs.request.number = ++m_request;
@@ -138,6 +148,54 @@ class PortConformance : public QObject {
         hold.feedHold = true;
         QVERIFY(cycleUntil([this] { return m_inputs.feedHold && m_inputs.actualFeed_mmPerS.value < 1e-3; }, hold));
         QVERIFY(cycleUntil([this] { return m_inputs.program == ProgramState::Finished; }, neutral()));
+    }
+    void aLostConsoleLeavesAtMostThePlannedFeed() {
+        if (!machine().capabilities().feedScale.fitted) {
+            QSKIP("this machine has no live feed scale");
+        }
+        StartProgram program = shortProgram();
+        program.plannedFeedScale = 0.5;
+        MachineOutputs outputs = neutral();
+        outputs.request = {++m_request, program};
+        const auto feedShare = [this] {
+            return m_inputs.actualFeed_mmPerS.value / std::max(m_inputs.programmedFeed_mmPerS.value, 1e-9);
+        };
+        QVERIFY(cycleUntil([&] { return m_inputs.program == ProgramState::Running && feedShare() > 0.9; }, outputs));
+        QVERIFY(m_inputs.plannedFeedScale.good());
+        QCOMPARE(m_inputs.plannedFeedScale.value, 0.5);
+        QVERIFY(silentUntil(
+            [&] { return m_inputs.program != ProgramState::Running || std::abs(feedShare() - 0.5) < 0.02; }));
+        QCOMPARE(m_inputs.program, ProgramState::Running);  // it goes on
+        double highest = 0.0;
+        QVERIFY(silentUntil([&] {
+            const bool runs = m_inputs.program == ProgramState::Running;
+            highest = std::max(highest, runs ? feedShare() : 0.0);
+            return !runs;
+        }));
+        QVERIFY2(highest < 0.53, qPrintable(QString::number(highest)));  // and never faster again
+    }
+    void aStopStaysWhateverTheConsoleDoes() {
+        QVERIFY(startShortProgram());
+        MachineOutputs outputs = neutral();
+        StopSlot& stop = outputs.stops[0];
+        stop = m_inputs.stops[0];
+        stop.number = std::max(stop.number, stop.released) + 1;
+        stop.kind = StopKind::FeedHold;
+        const auto stands = [this] { return m_inputs.actualFeed_mmPerS.value < 1e-3; };
+        QVERIFY(cycleUntil(stands, outputs));
+        for (int i = 0; i < 300; ++i) {
+            machine().read(nextCycle(), m_inputs);  // silent …
+        }
+        QVERIFY(stands());
+        for (int i = 0; i < 100; ++i) {
+            cycle(neutral());  // … and back, as one that has forgotten everything
+        }
+        QVERIFY(stands());
+        QVERIFY(m_inputs.stops[0].active());
+        QCOMPARE(m_inputs.stops[0].number, stop.number);
+        stop.released = stop.number;  // a person has looked
+        QVERIFY(cycleUntil([this] { return m_inputs.program == ProgramState::Finished; }, outputs));
+        QVERIFY(!m_inputs.stops[0].active());
     }
     void workOffsetReadsBack() {
         if (!machine().capabilities().workOffset.fitted) {
