@@ -140,7 +140,10 @@ void Gateway::current(const HttpRequest& request, HttpClient& client) {
         ids = path.size() > kMaxPath ? std::nullopt
                                      : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
         if (!ids) {
-            refuse(request, client, 400, {"InvalidXPath", tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
+            refuse(
+                request, client, 400,
+                {"InvalidXPath",
+                 tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
             return;
         }
     }
@@ -186,7 +189,10 @@ void Gateway::sample(const HttpRequest& request, HttpClient& client) {
         ids = path.size() > kMaxPath ? std::nullopt
                                      : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
         if (!ids) {
-            refuse(request, client, 400, {"InvalidXPath", tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
+            refuse(
+                request, client, 400,
+                {"InvalidXPath",
+                 tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
             return;
         }
     }

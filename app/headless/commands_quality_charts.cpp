@@ -255,9 +255,9 @@ void printReport(const ChartsOptions& options, const Series& series) {
                 const auto rule = static_cast<quality::Rule>(i);
                 row["signals"].push_back(quality::ruleKey(rule));
                 fired.push_back({{"point", index + 1},
-                                   {"part", point.part},
-                                   {"rule", quality::ruleKey(rule)},
-                                   {"text", quality::ruleText(rule)}});
+                                 {"part", point.part},
+                                 {"rule", quality::ruleKey(rule)},
+                                 {"text", quality::ruleText(rule)}});
             }
         }
         points.push_back(std::move(row));

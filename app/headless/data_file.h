@@ -18,8 +18,8 @@ struct QtForSql {
     QCoreApplication application{argc, argv};
 };
 
-/// The data file of a folder (empty: the user's), after a look that this program can read it. Never brings it up to date:
-/// only the console does. @throws BadInput
+/// The data file of a folder (empty: the user's), after a look that this program can read it. Never brings it up to
+/// date: only the console does. @throws BadInput
 [[nodiscard]] std::string checkedDataFile(const std::string& folder);
 /// @throws BadInput
 [[nodiscard]] std::unique_ptr<db::DatabaseReader> openReader(const std::string& path);

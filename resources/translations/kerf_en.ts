@@ -1153,10 +1153,6 @@
             <translation>All loops are held by the operator; the last offset stays.</translation>
         </message>
         <message>
-            <source>All loops are held. The control goes on at or below its programmed feed with its last offset.</source>
-            <translation>All loops are held. The control goes on at or below its programmed feed with its last offset.</translation>
-        </message>
-        <message>
             <source>All loops are held: release the hold first.</source>
             <translation>All loops are held: release the hold first.</translation>
         </message>
@@ -1183,10 +1179,6 @@
         <message>
             <source>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</source>
             <translation>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</translation>
-        </message>
-        <message>
-            <source>Check the control and the cable. Kerf connects again by itself; then release the hold.</source>
-            <translation>Check the control and the cable. Kerf connects again by itself; then release the hold.</translation>
         </message>
         <message>
             <source>Check the spindle encoder. Measure this part at both depths.</source>
@@ -1237,10 +1229,6 @@
             <translation>Loops react later than designed. Feed and offsets stay inside their limits.</translation>
         </message>
         <message>
-            <source>Make the machine safe, reset the emergency stop at the control, then release the hold.</source>
-            <translation>Make the machine safe, reset the emergency stop at the control, then release the hold.</translation>
-        </message>
-        <message>
             <source>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</source>
             <translation>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</translation>
         </message>
@@ -1259,10 +1247,6 @@
         <message>
             <source>No connection to the machine</source>
             <translation>No connection to the machine</translation>
-        </message>
-        <message>
-            <source>No connection to the machine: the last offset stays, the control runs at its own feed.</source>
-            <translation>No connection to the machine: the last offset stays, the control runs at its own feed.</translation>
         </message>
         <message>
             <source>No feed schedule is loaded: choose a part type and a lot first.</source>
@@ -1299,10 +1283,6 @@
         <message>
             <source>Part %1 is already in the lot.</source>
             <translation>Part %1 is already in the lot.</translation>
-        </message>
-        <message>
-            <source>Programmed feed unknown: the feed stays where it is.</source>
-            <translation>Programmed feed unknown: the feed stays where it is.</translation>
         </message>
         <message>
             <source>Reading or writing the data file failed: check the disk.</source>
@@ -1349,16 +1329,8 @@
             <translation>Spindle overhang unknown</translation>
         </message>
         <message>
-            <source>Spindle overhang unknown: the feed stays where it is.</source>
-            <translation>Spindle overhang unknown: the feed stays where it is.</translation>
-        </message>
-        <message>
             <source>Spindle speed unknown</source>
             <translation>Spindle speed unknown</translation>
-        </message>
-        <message>
-            <source>Spindle speed unknown or zero: the feed stays where it is.</source>
-            <translation>Spindle speed unknown or zero: the feed stays where it is.</translation>
         </message>
         <message>
             <source>Sum of errors changed by %1 mm: gain from %2 to %3 1/s.</source>
@@ -1403,10 +1375,6 @@
         <message>
             <source>The command was not sent: the engine has not taken the earlier ones yet. Try again.</source>
             <translation>The command was not sent: the engine has not taken the earlier ones yet. Try again.</translation>
-        </message>
-        <message>
-            <source>The control has stopped the machine. All loops are held.</source>
-            <translation>The control has stopped the machine. All loops are held.</translation>
         </message>
         <message>
             <source>The control is still busy with earlier commands.</source>
@@ -1515,10 +1483,6 @@
         <message>
             <source>The feed schedule has a value outside its range; the last one stays.</source>
             <translation>The feed schedule has a value outside its range; the last one stays.</translation>
-        </message>
-        <message>
-            <source>The feed stays where it is; it does not follow the schedule, so the bore may taper.</source>
-            <translation>The feed stays where it is; it does not follow the schedule, so the bore may taper.</translation>
         </message>
         <message>
             <source>The file %1 exists already; a backup never overwrites.</source>
@@ -1977,10 +1941,6 @@
             <translation>Check depth of cut and touch-off before the next part.</translation>
         </message>
         <message>
-            <source>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</source>
-            <translation>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</translation>
-        </message>
-        <message>
             <source>Choose the spindle speed that the page suggests.</source>
             <translation>Choose the spindle speed that the page suggests.</translation>
         </message>
@@ -2011,10 +1971,6 @@
         <message>
             <source>Listening to the disturbance: no trim yet.</source>
             <translation>Listening to the disturbance: no trim yet.</translation>
-        </message>
-        <message>
-            <source>Look at the tool's edge. Change it if it is chipped, then release the loop.</source>
-            <translation>Look at the tool's edge. Change it if it is chipped, then release the loop.</translation>
         </message>
         <message>
             <source>No turning setup is loaded: enter the cut first.</source>
@@ -2101,14 +2057,6 @@
             <translation>The trim has gone to zero for the rest of this part; the depth is the programmed one.</translation>
         </message>
         <message>
-            <source>The trim has gone to zero; the cut goes on without force feedback.</source>
-            <translation>The trim has gone to zero; the cut goes on without force feedback.</translation>
-        </message>
-        <message>
-            <source>The trim has gone to zero; the surface after the jump is doubtful.</source>
-            <translation>The trim has gone to zero; the surface after the jump is doubtful.</translation>
-        </message>
-        <message>
             <source>The trim leans to one side</source>
             <translation>The trim leans to one side</translation>
         </message>
@@ -2151,10 +2099,6 @@
         <message>
             <source>A gain is not a number above zero; the last ones stay.</source>
             <translation>A gain is not a number above zero; the last ones stay.</translation>
-        </message>
-        <message>
-            <source>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</source>
-            <translation>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</translation>
         </message>
         <message>
             <source>A part is being cut: law and reference can be changed now, the rest after it.</source>
@@ -2249,10 +2193,6 @@
             <translation>Feed really made is unknown: no faster than planned.</translation>
         </message>
         <message>
-            <source>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</source>
-            <translation>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</translation>
-        </message>
-        <message>
             <source>Flutes</source>
             <translation>Flutes</translation>
         </message>
@@ -2283,14 +2223,6 @@
         <message>
             <source>Integral gain</source>
             <translation>Integral gain</translation>
-        </message>
-        <message>
-            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</source>
-            <translation>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</translation>
-        </message>
-        <message>
-            <source>Make the machine ready, then turn the tap out in sync from the tapping page.</source>
-            <translation>Make the machine ready, then turn the tap out in sync from the tapping page.</translation>
         </message>
         <message>
             <source>Material exponent</source>
@@ -2367,10 +2299,6 @@
         <message>
             <source>Repeat the tap.</source>
             <translation>Repeat the tap.</translation>
-        </message>
-        <message>
-            <source>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</source>
-            <translation>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</translation>
         </message>
         <message>
             <source>Spindle angle or Z position were missing for more than 20 ms during a tap.</source>
@@ -2599,10 +2527,6 @@
         <message>
             <source>Tool wear above its threshold</source>
             <translation>Tool wear above its threshold</translation>
-        </message>
-        <message>
-            <source>Under control the feed is held; advising, Kerf only reports it.</source>
-            <translation>Under control the feed is held; advising, Kerf only reports it.</translation>
         </message>
         <message>
             <source>Wear threshold</source>
@@ -3541,8 +3465,6 @@
             <translation>small lasting error (CUSUM)</translation>
         </message>
         <message>
-            <source>small lasting error (EWMA)</source>
-            <translation>small lasting error (EWMA)</translation>
             <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
             <translation>The shop has been out of reach for %1 min; %2 entries wait here.</translation>
         </message>
@@ -3831,16 +3753,152 @@
             <translation>angle_rev means %1 rpm; at most %2 rpm are expected. A column in degrees is named angle_deg.</translation>
         </message>
         <message>
-            <source>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
-            <translation>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</translation>
+            <source>the spindle's angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
+            <translation>the spindle's angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</translation>
         </message>
         <message>
-            <source>the spindle&apos;s angle does not move in the whole record.</source>
-            <translation>the spindle&apos;s angle does not move in the whole record.</translation>
+            <source>the spindle's angle does not move in the whole record.</source>
+            <translation>the spindle's angle does not move in the whole record.</translation>
         </message>
         <message>
             <source>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</source>
             <translation>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</translation>
+        </message>
+        <message>
+            <source>%1 is no figure of this process.</source>
+            <translation>%1 is no figure of this process.</translation>
+        </message>
+        <message>
+            <source>%1 parts on the charts: too few to say whether the process is in control.</source>
+            <translation>%1 parts on the charts: too few to say whether the process is in control.</translation>
+        </message>
+        <message>
+            <source>A change is announced for part %1: it begins from what such changes have brought.</source>
+            <translation>A change is announced for part %1: it begins from what such changes have brought.</translation>
+        </message>
+        <message>
+            <source>A gauge needs an identity.</source>
+            <translation>A gauge needs an identity.</translation>
+        </message>
+        <message>
+            <source>A part is being bored; announce the change when it is finished.</source>
+            <translation>A part is being bored; announce the change when it is finished.</translation>
+        </message>
+        <message>
+            <source>All repeated readings are alike: the gauge is stuck, or too coarse for a study.</source>
+            <translation>All repeated readings are alike: the gauge is stuck, or too coarse for a study.</translation>
+        </message>
+        <message>
+            <source>Begin from earlier lots (1 yes, 0 no)</source>
+            <translation>Begin from earlier lots (1 yes, 0 no)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</source>
+            <translation>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</translation>
+        </message>
+        <message>
+            <source>Expected from the %1 measured parts of this lot.</source>
+            <translation>Expected from the %1 measured parts of this lot.</translation>
+        </message>
+        <message>
+            <source>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</source>
+            <translation>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</translation>
+        </message>
+        <message>
+            <source>First part teaches (1 yes, 0 no)</source>
+            <translation>First part teaches (1 yes, 0 no)</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts, and the controller does not work harder.</source>
+            <translation>In control: the law predicts the parts, and the controller does not work harder.</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts. The controller has moved the feed by %1 % since part %2: the tool wears.</source>
+            <translation>In control: the law predicts the parts. The controller has moved the feed by %1 % since part %2: the tool wears.</translation>
+        </message>
+        <message>
+            <source>Not in control: %1 at part %2; look at tool, gauge and blank of that part.</source>
+            <translation>Not in control: %1 at part %2; look at tool, gauge and blank of that part.</translation>
+        </message>
+        <message>
+            <source>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</source>
+            <translation>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</translation>
+        </message>
+        <message>
+            <source>Nothing is measured in this lot yet: it begins from the lots before it.</source>
+            <translation>Nothing is measured in this lot yet: it begins from the lots before it.</translation>
+        </message>
+        <message>
+            <source>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</source>
+            <translation>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</translation>
+        </message>
+        <message>
+            <source>Prior: feed exponent α</source>
+            <translation>Prior: feed exponent α</translation>
+        </message>
+        <message>
+            <source>Prior: ln C</source>
+            <translation>Prior: ln C</translation>
+        </message>
+        <message>
+            <source>Prior: overhang exponent β</source>
+            <translation>Prior: overhang exponent β</translation>
+        </message>
+        <message>
+            <source>Prior: spread of the level</source>
+            <translation>Prior: spread of the level</translation>
+        </message>
+        <message>
+            <source>Prior: spread of α</source>
+            <translation>Prior: spread of α</translation>
+        </message>
+        <message>
+            <source>Prior: spread of β</source>
+            <translation>Prior: spread of β</translation>
+        </message>
+        <message>
+            <source>The first part of a lot counts as cut with a new tool already.</source>
+            <translation>The first part of a lot counts as cut with a new tool already.</translation>
+        </message>
+        <message>
+            <source>The limits of the figures cannot be read; they need numbers under their keys.</source>
+            <translation>The limits of the figures cannot be read; they need numbers under their keys.</translation>
+        </message>
+        <message>
+            <source>The lower limit of %1 must be below the upper one.</source>
+            <translation>The lower limit of %1 must be below the upper one.</translation>
+        </message>
+        <message>
+            <source>The range of a gauge must begin below its end, between 0 and 10000 mm.</source>
+            <translation>The range of a gauge must begin below its end, between 0 and 10000 mm.</translation>
+        </message>
+        <message>
+            <source>The resolution of a gauge lies above 0 and at most 1 mm.</source>
+            <translation>The resolution of a gauge lies above 0 and at most 1 mm.</translation>
+        </message>
+        <message>
+            <source>The setting ring must lie in the range of the gauge.</source>
+            <translation>The setting ring must lie in the range of the gauge.</translation>
+        </message>
+        <message>
+            <source>The trim follows what can be foreseen of the disturbance.</source>
+            <translation>The trim follows what can be foreseen of the disturbance.</translation>
+        </message>
+        <message>
+            <source>There is no such gauge.</source>
+            <translation>There is no such gauge.</translation>
+        </message>
+        <message>
+            <source>This lot does not begin from earlier ones; a change is found by its bores.</source>
+            <translation>This lot does not begin from earlier ones; a change is found by its bores.</translation>
+        </message>
+        <message>
+            <source>small lasting error (EWMA)</source>
+            <translation>small lasting error (EWMA)</translation>
+        </message>
+        <message>
+            <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
+            <translation>wide guess for any boring spindle about table 1 of Lee (1983)</translation>
         </message>
     </context>
     <context>

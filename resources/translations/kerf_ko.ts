@@ -1152,10 +1152,6 @@
             <translation>작업자가 모든 루프를 홀드했습니다. 마지막 보정값은 유지됩니다.</translation>
         </message>
         <message>
-            <source>All loops are held. The control goes on at or below its programmed feed with its last offset.</source>
-            <translation>모든 루프가 홀드되었습니다. 컨트롤러는 마지막 보정값으로 프로그램 이송 이하에서 계속합니다.</translation>
-        </message>
-        <message>
             <source>All loops are held: release the hold first.</source>
             <translation>모든 루프가 홀드 상태입니다. 먼저 홀드를 해제하십시오.</translation>
         </message>
@@ -1182,10 +1178,6 @@
         <message>
             <source>Bringing the data file %1 up to date failed at step %2; it is as it was after step %3, and the copy made before is kept.</source>
             <translation>데이터 파일 %1을(를) 최신으로 바꾸다가 %2단계에서 실패했습니다. 파일은 %3단계 뒤의 상태 그대로이며 앞서 만든 사본도 남아 있습니다.</translation>
-        </message>
-        <message>
-            <source>Check the control and the cable. Kerf connects again by itself; then release the hold.</source>
-            <translation>컨트롤러와 케이블을 점검하십시오. 연결은 저절로 되살아납니다. 그다음 홀드를 해제하십시오.</translation>
         </message>
         <message>
             <source>Check the spindle encoder. Measure this part at both depths.</source>
@@ -1236,10 +1228,6 @@
             <translation>루프가 설계보다 늦게 반응합니다. 이송과 보정은 한계 안에 머뭅니다.</translation>
         </message>
         <message>
-            <source>Make the machine safe, reset the emergency stop at the control, then release the hold.</source>
-            <translation>기계를 안전하게 하고 컨트롤러에서 비상정지를 푼 다음 홀드를 해제하십시오.</translation>
-        </message>
-        <message>
             <source>Matched gain %1 1/s, feed-forward %2 and a learned trim: %3 mm expected.</source>
             <translation>맞춘 게인 %1 1/s, 피드포워드 %2, 학습한 보정: 예상 오차 %3 mm.</translation>
         </message>
@@ -1258,10 +1246,6 @@
         <message>
             <source>No connection to the machine</source>
             <translation>기계와 연결되지 않음</translation>
-        </message>
-        <message>
-            <source>No connection to the machine: the last offset stays, the control runs at its own feed.</source>
-            <translation>기계와 연결되지 않았습니다. 마지막 보정값은 유지되고 컨트롤러는 자기 이송으로 움직입니다.</translation>
         </message>
         <message>
             <source>No feed schedule is loaded: choose a part type and a lot first.</source>
@@ -1298,10 +1282,6 @@
         <message>
             <source>Part %1 is already in the lot.</source>
             <translation>%1번 공작물은 이미 로트에 있습니다.</translation>
-        </message>
-        <message>
-            <source>Programmed feed unknown: the feed stays where it is.</source>
-            <translation>프로그램 이송을 알 수 없어 이송을 그대로 둡니다.</translation>
         </message>
         <message>
             <source>Reading or writing the data file failed: check the disk.</source>
@@ -1348,16 +1328,8 @@
             <translation>주축 돌출 길이를 알 수 없음</translation>
         </message>
         <message>
-            <source>Spindle overhang unknown: the feed stays where it is.</source>
-            <translation>주축 돌출 길이를 알 수 없어 이송을 그대로 둡니다.</translation>
-        </message>
-        <message>
             <source>Spindle speed unknown</source>
             <translation>주축 회전수를 알 수 없음</translation>
-        </message>
-        <message>
-            <source>Spindle speed unknown or zero: the feed stays where it is.</source>
-            <translation>주축 회전수를 알 수 없거나 0이어서 이송을 그대로 둡니다.</translation>
         </message>
         <message>
             <source>Sum of errors changed by %1 mm: gain from %2 to %3 1/s.</source>
@@ -1402,10 +1374,6 @@
         <message>
             <source>The command was not sent: the engine has not taken the earlier ones yet. Try again.</source>
             <translation>명령을 보내지 못했습니다. 엔진이 앞선 명령을 아직 받지 않았습니다. 다시 해 보십시오.</translation>
-        </message>
-        <message>
-            <source>The control has stopped the machine. All loops are held.</source>
-            <translation>컨트롤러가 기계를 세웠습니다. 모든 루프가 홀드되었습니다.</translation>
         </message>
         <message>
             <source>The control is still busy with earlier commands.</source>
@@ -1514,10 +1482,6 @@
         <message>
             <source>The feed schedule has a value outside its range; the last one stays.</source>
             <translation>이송 계획에 범위를 벗어난 값이 있어 앞선 계획을 유지합니다.</translation>
-        </message>
-        <message>
-            <source>The feed stays where it is; it does not follow the schedule, so the bore may taper.</source>
-            <translation>이송이 계획을 따르지 않고 그대로여서 보어에 테이퍼가 생길 수 있습니다.</translation>
         </message>
         <message>
             <source>The file %1 exists already; a backup never overwrites.</source>
@@ -1976,10 +1940,6 @@
             <translation>다음 공작물 전에 절삭 깊이와 터치오프를 점검하십시오.</translation>
         </message>
         <message>
-            <source>Check sensor, amplifier and cable. Measure this surface. Then release the loop.</source>
-            <translation>센서, 앰프, 케이블을 점검하십시오. 이 면을 측정한 다음 루프를 해제하십시오.</translation>
-        </message>
-        <message>
             <source>Choose the spindle speed that the page suggests.</source>
             <translation>화면이 제안하는 주축 회전수를 고르십시오.</translation>
         </message>
@@ -2010,10 +1970,6 @@
         <message>
             <source>Listening to the disturbance: no trim yet.</source>
             <translation>외란을 듣는 중이며 아직 보정하지 않습니다.</translation>
-        </message>
-        <message>
-            <source>Look at the tool's edge. Change it if it is chipped, then release the loop.</source>
-            <translation>공구 날을 살피십시오. 이가 빠졌으면 바꾸고 루프를 해제하십시오.</translation>
         </message>
         <message>
             <source>No turning setup is loaded: enter the cut first.</source>
@@ -2100,14 +2056,6 @@
             <translation>이 공작물의 나머지는 보정을 0으로 하며 깊이는 프로그램 값입니다.</translation>
         </message>
         <message>
-            <source>The trim has gone to zero; the cut goes on without force feedback.</source>
-            <translation>보정을 0으로 했습니다. 절삭은 힘 피드백 없이 계속합니다.</translation>
-        </message>
-        <message>
-            <source>The trim has gone to zero; the surface after the jump is doubtful.</source>
-            <translation>보정을 0으로 했습니다. 변화 뒤의 표면은 믿기 어렵습니다.</translation>
-        </message>
-        <message>
             <source>The trim leans to one side</source>
             <translation>보정이 한쪽으로 치우침</translation>
         </message>
@@ -2150,10 +2098,6 @@
         <message>
             <source>A gain is not a number above zero; the last ones stay.</source>
             <translation>게인이 0보다 큰 숫자가 아닙니다. 이전 값을 유지합니다.</translation>
-        </message>
-        <message>
-            <source>A move of Z or spindle alone breaks the tap. Spindle angle and depth are stored.</source>
-            <translation>Z나 주축만 움직이면 탭이 부러집니다. 주축 각도와 깊이는 저장되어 있습니다.</translation>
         </message>
         <message>
             <source>A part is being cut: law and reference can be changed now, the rest after it.</source>
@@ -2248,10 +2192,6 @@
             <translation>실제 이송을 알 수 없어 계획보다 빠르게 가지 않습니다.</translation>
         </message>
         <message>
-            <source>Find out why the spindle stopped. When it turns again, release the feed on the Milling page.</source>
-            <translation>주축이 멈춘 원인을 찾으십시오. 다시 회전하면 밀링 화면에서 이송을 해제하십시오.</translation>
-        </message>
-        <message>
             <source>Flutes</source>
             <translation>날 수</translation>
         </message>
@@ -2282,14 +2222,6 @@
         <message>
             <source>Integral gain</source>
             <translation>적분 게인</translation>
-        </message>
-        <message>
-            <source>Look at tool and blank. If both are sound, raise the limit or lower the reference, then release the feed on the Milling page.</source>
-            <translation>공구와 소재를 확인하십시오. 이상이 없으면 한계를 올리거나 기준을 낮춘 뒤 밀링 화면에서 이송을 해제하십시오.</translation>
-        </message>
-        <message>
-            <source>Make the machine ready, then turn the tap out in sync from the tapping page.</source>
-            <translation>기계를 준비한 뒤 태핑 화면에서 탭을 동기로 돌려 빼십시오.</translation>
         </message>
         <message>
             <source>Material exponent</source>
@@ -2366,10 +2298,6 @@
         <message>
             <source>Repeat the tap.</source>
             <translation>탭을 다시 가공하십시오.</translation>
-        </message>
-        <message>
-            <source>Retract and look at the tool. Change it if it is broken, then release the feed on the Milling page.</source>
-            <translation>후퇴하여 공구를 확인하십시오. 파손되었으면 교체한 뒤 밀링 화면에서 이송을 해제하십시오.</translation>
         </message>
         <message>
             <source>Spindle angle or Z position were missing for more than 20 ms during a tap.</source>
@@ -2598,10 +2526,6 @@
         <message>
             <source>Tool wear above its threshold</source>
             <translation>공구 마모가 기준을 넘음</translation>
-        </message>
-        <message>
-            <source>Under control the feed is held; advising, Kerf only reports it.</source>
-            <translation>제어 중에는 이송을 멈추고, 조언 중에는 알리기만 합니다.</translation>
         </message>
         <message>
             <source>Wear threshold</source>
@@ -3540,8 +3464,6 @@
             <translation>작고 지속되는 오차 (CUSUM)</translation>
         </message>
         <message>
-            <source>small lasting error (EWMA)</source>
-            <translation>작고 지속되는 오차 (EWMA)</translation>
             <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
             <translation>%1분 동안 공장 서버에 연결되지 않았습니다. 여기에 %2건이 대기 중입니다.</translation>
         </message>
@@ -3830,16 +3752,152 @@
             <translation>angle_rev에 따르면 %1 rpm입니다. %2 rpm 이하여야 합니다. 각도(도) 열의 이름은 angle_deg입니다.</translation>
         </message>
         <message>
-            <source>the spindle&apos;s angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
+            <source>the spindle's angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
             <translation>스핀들 각도가 샘플 %2에서 %1회전 건너뜁니다. 각도는 늘거나 줄거나 정수 회전마다 다시 시작해야 합니다.</translation>
         </message>
         <message>
-            <source>the spindle&apos;s angle does not move in the whole record.</source>
+            <source>the spindle's angle does not move in the whole record.</source>
             <translation>기록 전체에서 스핀들 각도가 움직이지 않습니다.</translation>
         </message>
         <message>
             <source>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</source>
             <translation>스핀들이 한쪽으로 %1회전, 반대쪽으로 %2회전합니다. 한 방향으로 가공한 기록이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is no figure of this process.</source>
+            <translation>이 공정에 없는 수치입니다: %1</translation>
+        </message>
+        <message>
+            <source>%1 parts on the charts: too few to say whether the process is in control.</source>
+            <translation>관리도의 공작물 %1개로는 관리 상태를 판단하기에 부족합니다.</translation>
+        </message>
+        <message>
+            <source>A change is announced for part %1: it begins from what such changes have brought.</source>
+            <translation>공작물 %1에 변경이 예고되었습니다. 그런 변경이 지금까지 가져온 결과에서 시작합니다.</translation>
+        </message>
+        <message>
+            <source>A gauge needs an identity.</source>
+            <translation>게이지 관리 번호가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>A part is being bored; announce the change when it is finished.</source>
+            <translation>공작물을 보링하는 중입니다. 끝난 뒤에 변경을 예고하십시오.</translation>
+        </message>
+        <message>
+            <source>All repeated readings are alike: the gauge is stuck, or too coarse for a study.</source>
+            <translation>반복 측정값이 모두 같습니다. 게이지가 걸렸거나 평가하기에 분해능이 부족합니다.</translation>
+        </message>
+        <message>
+            <source>Begin from earlier lots (1 yes, 0 no)</source>
+            <translation>이전 로트에서 시작 (1 예, 0 아니오)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ).</source>
+            <translation>이전 로트 %1개로 예상한 값입니다. 새 공구의 휨은 ± %2 % (1σ) 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Expected from the %1 measured parts of this lot.</source>
+            <translation>이 로트에서 측정한 공작물 %1개로 예상한 값입니다.</translation>
+        </message>
+        <message>
+            <source>Expected from this lot and %1 earlier ones; after such a change the bending differs by ± %2 % (1σ).</source>
+            <translation>이 로트와 이전 로트 %1개로 예상한 값입니다. 이런 변경 뒤에는 휨이 ± %2 % (1σ) 다릅니다.</translation>
+        </message>
+        <message>
+            <source>First part teaches (1 yes, 0 no)</source>
+            <translation>첫 공작물로 학습 (1 예, 0 아니오)</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts, and the controller does not work harder.</source>
+            <translation>관리 상태: 예측이 공작물과 맞고 제어기의 조작량도 늘지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts. The controller has moved the feed by %1 % since part %2: the tool wears.</source>
+            <translation>관리 상태: 예측이 공작물과 맞습니다. 제어기가 공작물 %2부터 이송을 %1 % 옮겼습니다. 공구가 마모되고 있습니다.</translation>
+        </message>
+        <message>
+            <source>Not in control: %1 at part %2; look at tool, gauge and blank of that part.</source>
+            <translation>관리 이탈: 공작물 %2에서 %1. 그 공작물의 공구, 게이지, 소재를 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing is known yet: the feed falls from %1 to %2 mm/rev near the bottom, so that this part shows what the feed does. Measure it in the middle too.</source>
+            <translation>아직 알려진 것이 없습니다. 이송의 영향을 알 수 있도록 바닥 근처에서 이송을 %1에서 %2 mm/rev로 낮춥니다. 가운데도 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Nothing is measured in this lot yet: it begins from the lots before it.</source>
+            <translation>이 로트에는 아직 측정값이 없습니다. 이전 로트에서 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 contradicts what was expected from the past: the past is let go, the law learned anew.</source>
+            <translation>공작물 %1이 과거에서 예상한 것과 다릅니다. 과거를 버리고 법칙을 새로 학습합니다.</translation>
+        </message>
+        <message>
+            <source>Prior: feed exponent α</source>
+            <translation>사전값: 이송 지수 α</translation>
+        </message>
+        <message>
+            <source>Prior: ln C</source>
+            <translation>사전값: ln C</translation>
+        </message>
+        <message>
+            <source>Prior: overhang exponent β</source>
+            <translation>사전값: 돌출 길이 지수 β</translation>
+        </message>
+        <message>
+            <source>Prior: spread of the level</source>
+            <translation>사전값: 수준의 산포</translation>
+        </message>
+        <message>
+            <source>Prior: spread of α</source>
+            <translation>사전값: α의 산포</translation>
+        </message>
+        <message>
+            <source>Prior: spread of β</source>
+            <translation>사전값: β의 산포</translation>
+        </message>
+        <message>
+            <source>The first part of a lot counts as cut with a new tool already.</source>
+            <translation>로트의 첫 공작물은 이미 새 공구로 가공하는 것으로 봅니다.</translation>
+        </message>
+        <message>
+            <source>The limits of the figures cannot be read; they need numbers under their keys.</source>
+            <translation>수치의 한계를 읽을 수 없습니다. 각 이름에 숫자가 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The lower limit of %1 must be below the upper one.</source>
+            <translation>%1의 하한은 상한보다 작아야 합니다.</translation>
+        </message>
+        <message>
+            <source>The range of a gauge must begin below its end, between 0 and 10000 mm.</source>
+            <translation>게이지 측정 범위는 0~10000 mm 안에서 시작이 끝보다 작아야 합니다.</translation>
+        </message>
+        <message>
+            <source>The resolution of a gauge lies above 0 and at most 1 mm.</source>
+            <translation>게이지 분해능은 0보다 크고 1 mm 이하여야 합니다.</translation>
+        </message>
+        <message>
+            <source>The setting ring must lie in the range of the gauge.</source>
+            <translation>세팅 링은 게이지 측정 범위 안에 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The trim follows what can be foreseen of the disturbance.</source>
+            <translation>보정이 외란의 예측 가능한 부분을 따릅니다.</translation>
+        </message>
+        <message>
+            <source>There is no such gauge.</source>
+            <translation>그런 게이지가 없습니다.</translation>
+        </message>
+        <message>
+            <source>This lot does not begin from earlier ones; a change is found by its bores.</source>
+            <translation>이 로트는 이전 로트에서 시작하지 않습니다. 변경은 내경으로 찾아냅니다.</translation>
+        </message>
+        <message>
+            <source>small lasting error (EWMA)</source>
+            <translation>작고 지속되는 오차 (EWMA)</translation>
+        </message>
+        <message>
+            <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
+            <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 스핀들의 넓은 추정</translation>
         </message>
     </context>
     <context>
