@@ -30,10 +30,6 @@ struct DataOptions {
     bool localTime{false};
 };
 
-std::string checkedFile(const DataOptions& options) {
-    return checkedDataFile(options.folder);
-}
-
 PartQuery queryOf(const DataOptions& options) {
     PartQuery query;
     query.text = options.text;
