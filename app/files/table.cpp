@@ -15,14 +15,17 @@ constexpr std::size_t kLongestQuoted = 60;
 
 /// For a sentence: short, and cut between letters.
 std::string shown(std::string_view text) {
-    if (text.size() <= kLongestQuoted) {
-        return std::string(text);
-    }
-    std::size_t end = kLongestQuoted;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    std::size_t end = std::min(text.size(), kLongestQuoted);
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
         --end;
     }
-    return fmt::format("{}…", text.substr(0, end));
+    std::string out(text.substr(0, end));
+    std::ranges::replace_if(
+        out, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+    if (end < text.size()) {
+        out += "…";
+    }
+    return out;
 }
 
 std::string shownNames(const std::vector<std::string>& names) {

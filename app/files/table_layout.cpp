@@ -159,6 +159,9 @@ std::optional<char> separatorLine(std::string_view line) {
 void setNames(TableLayout& layout, const Fields& header) {
     for (const std::string_view field : header.all()) {
         layout.names.emplace_back(field);
+        for (char& c : layout.names.back()) {  // a quoted name may go over lines, a sentence with it does not
+            c = static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+        }
     }
     layout.names.resize(header.width());
     layout.units.resize(layout.names.size());

@@ -212,6 +212,8 @@ class TestTables : public QObject {
         QVERIFY(refusal("a,b\n1,2\n", "c").contains("found a,b"));
         QVERIFY(refusal(std::string_view("a,b\n1,\0\n", 8), "b").contains("zero bytes"));
         QVERIFY(refusal("a,a\n1,2\n", "a").contains("twice"));
+        const QString lines = refusal("a,\"two\nlines\"\n1,\"x\ny\"\n", "two lines");  // one sentence, one line
+        QVERIFY2(lines.contains("'x y'") && !lines.contains(u'\n'), qPrintable(lines));
     }
 };
 

@@ -251,6 +251,9 @@ Result<std::vector<BoringMemoryLotView>> StoredBoringLots::memory() {
 }
 
 void StoredBoringLots::leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, tl::unexpected(may.error()));
+    }
     if (const auto why = whyNoWords(author, reason)) {
         return answer(done, tl::unexpected(*why));
     }
