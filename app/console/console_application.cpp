@@ -13,6 +13,8 @@
 #include "app/console/logging.h"
 #include "app/console/part_report.h"
 #include "app/console/preferences.h"
+#include "app/files/replay_file.h"
+#include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
 #include "db/migrator.h"
 #include "engine/process/boring/boring_loop.h"
@@ -27,9 +29,9 @@ constexpr const char* kLotName = "1";
 constexpr const char* kAuthor = "Kerf";
 constexpr int kPoll_ms = 200;
 
-/// The diamond turning lathe is the only machine without a boring spindle.
+/// The diamond turning lathe and a recorded day have no boring spindle.
 bool bores(const Options& options) {
-    return options.machine != "diamond-lathe";
+    return options.machine != "diamond-lathe" && options.machine != "replay";
 }
 
 /// Parts of that process ever made, up to and with `last` (all when empty).
@@ -68,6 +70,7 @@ ConsoleApplication::~ConsoleApplication() {
     m_modes.reset();
     m_stops.reset();
     m_rooms.clear();
+    m_sensorService.reset();
     m_writer.reset();
 }
 
@@ -133,8 +136,13 @@ void ConsoleApplication::makeEngine() {
 }
 
 void ConsoleApplication::openRooms() {
-    const Room::Context context{*m_engine, *m_writer, *m_reader, m_options, m_databasePath, [this] { return author(); },
-                                rights()};
+    Room::Context context{*m_engine, *m_writer, *m_reader, m_options, m_databasePath, [this] { return author(); },
+                          rights()};
+    if (m_sensors) {
+        context.temperatures = m_sensors->thermalSensors();
+    } else if (!m_recordedSensors.empty()) {
+        context.temperatures = unplacedSensors(m_recordedSensors);
+    }
     for (const auto& room : m_rooms) {
         room->open(context);
     }
@@ -143,6 +151,13 @@ void ConsoleApplication::openRooms() {
     m_shop = std::make_unique<ShopLink>(folder, m_databasePath, *m_writer);
     if (!m_shop->fault().empty()) {
         spdlog::error("shop: {}", m_shop->fault());
+    }
+    if (m_sensors) {
+        const QDir folder = QFileInfo(QString::fromStdString(m_databasePath)).absoluteDir();
+        folder.mkpath(QStringLiteral("sensors"));
+        m_sensors->record(folder.filePath(QStringLiteral("sensors")).toStdString());
+        m_sensorService = std::make_unique<StoredSensorService>(
+            *m_sensors, *m_writer, *m_reader, folder.filePath(QStringLiteral("sensors")).toStdString());
     }
     m_modes = std::make_unique<LoopModes>(
         *m_engine, *m_reader, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
@@ -184,7 +199,10 @@ Result<void> ConsoleApplication::openMachine() {
         }
         m_realMachine = std::move(*machine);
         m_machine = m_realMachine.get();
-        return m_machine->connect();
+        return joinSensors();
+    }
+    if (m_options.machine == "replay") {
+        return openRecordedDay();
     }
     Simulator::Params params;
     params.seed = m_options.seed;
@@ -199,6 +217,32 @@ Result<void> ConsoleApplication::openMachine() {
     }
     m_simulator = std::make_unique<Simulator>(params, std::move(plants));
     m_machine = &m_simulator->machine();
+    return joinSensors();
+}
+
+Result<void> ConsoleApplication::openRecordedDay() {
+    try {
+        headless::RecordedDay day = headless::readRecordedDay(m_options.replayFile);
+        m_recordedSensors = std::move(day.sensors);
+        m_realMachine = std::move(day.machine);
+    } catch (const headless::BadInput& fault) {
+        spdlog::error("{}", fault.what());
+        std::fprintf(stderr, "kerf-console: %s\n", fault.what());
+        return fail(KERF_TEXT("The recorded day is refused; the log says where and why."));
+    }
+    m_machine = m_realMachine.get();
+    return m_machine->connect();
+}
+
+Result<void> ConsoleApplication::joinSensors() {
+    if (!m_options.sensors.empty()) {
+        auto sensors = ConsoleSensors::open(m_options.sensors, *m_machine);
+        if (!sensors) {
+            return tl::unexpected(sensors.error());
+        }
+        m_sensors = std::move(*sensors);
+        m_machine = &m_sensors->port();
+    }
     return m_machine->connect();
 }
 
@@ -253,6 +297,11 @@ void ConsoleApplication::openWindow() {
     m_engine->start();
     m_window->client().start();
     m_modes->restore();
+    if (m_options.machine == "replay") {
+        Command speed;
+        speed.action = SetSimulationSpeed{m_options.simulationSpeed};
+        (void)m_engine->send(speed);
+    }
     if (m_simulator && m_lots) {
         const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
         m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots->service());
@@ -274,6 +323,12 @@ void ConsoleApplication::poll() {
     m_modes->poll();
     m_shop->poll(live::monotonic_ms());
     m_live->poll(m_shop->json());
+    if (m_sensors) {
+        m_sensors->poll();
+    }
+    if (m_sensorService) {
+        m_sensorService->poll();
+    }
 }
 
 std::string ConsoleApplication::author() const {
@@ -301,6 +356,16 @@ ui::Services ConsoleApplication::services() {
         services.boringService = &m_lots->service();
         services.boringLots = m_lots.get();
     }
+    if (m_sensors && !m_sensors->file().gauges.empty()) {
+        services.nextGaugeFrame = [this]() -> std::optional<QString> {
+            const auto frame = m_sensors->nextGaugeFrame();
+            if (frame && m_sensorService) {
+                m_sensorService->sawGaugeFrame(m_sensors->lastGauge(), *frame);
+            }
+            return frame ? std::optional(QString::fromStdString(*frame)) : std::nullopt;
+        };
+    }
+    services.sensorService = m_sensorService.get();
     services.parts = m_reader.get();
     services.openParts = [path = m_databasePath]() -> std::unique_ptr<PartReader> {
         auto reader = db::DatabaseReader::open(path);

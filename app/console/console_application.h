@@ -11,6 +11,8 @@
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
 #include "app/console/rooms/room.h"
+#include "app/console/sensor_service.h"
+#include "app/console/sensors.h"
 #include "app/console/shop_link.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
@@ -66,6 +68,8 @@ class ConsoleApplication : public QObject {
  private:
     [[nodiscard]] Result<void> openData();
     [[nodiscard]] Result<void> openMachine();
+    [[nodiscard]] Result<void> openRecordedDay();
+    [[nodiscard]] Result<void> joinSensors();
     void makeEngine();
     void openRooms();
     void openLots();
@@ -90,6 +94,9 @@ class ConsoleApplication : public QObject {
     std::vector<std::unique_ptr<Room>> m_rooms;  ///< those that fit the machine
     std::unique_ptr<Simulator> m_simulator;
     std::unique_ptr<MachinePort> m_realMachine;
+    std::vector<std::string> m_recordedSensors;            ///< of a recorded day
+    std::unique_ptr<StoredSensorService> m_sensorService;  ///< null without a sensor file
+    std::unique_ptr<ConsoleSensors> m_sensors;             ///< null without a sensor file
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<db::WriterThread> m_writer;

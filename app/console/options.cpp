@@ -3,21 +3,46 @@
 
 #include <CLI/CLI.hpp>
 #include <regex>
+#include <vector>
 
 namespace kerf::console {
+
+namespace {
+
+/// "simulator", or "replay" and a file. @throws CLI::ParseError
+void takeMachine(const std::vector<std::string>& words, Options& options) {
+    const bool replay = words[0] == "replay";
+    const bool known = replay || words[0] == "simulator" || words[0] == "diamond-lathe" || words[0] == "linuxcnc";
+    if (!known) {
+        throw CLI::ValidationError("--machine", words[0] + " not in {simulator,diamond-lathe,linuxcnc,replay}");
+    }
+    if (replay != (words.size() == 2)) {
+        throw CLI::ValidationError("--machine",
+                                   replay ? "replay needs the file of a recorded day" : "only replay takes a file");
+    }
+    options.machine = words[0];
+    options.replayFile = replay ? words[1] : std::string{};
+}
+
+}  // namespace
 
 std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     Options options;
     std::string size;
+    std::vector<std::string> machine{options.machine};
     CLI::App app("Kerf: operator console for CNC machine tools, with the built-in simulator or a real control.",
                  "kerf-console");
     app.set_version_flag("--version", KERF_VERSION);
     app.add_option("--data", options.dataDir, "Folder of the database and the log (default: the user's data folder)");
     app.add_option(
-           "--machine", options.machine,
-           "Machine to work with: the built-in machining centre, the built-in diamond turning lathe, or LinuxCNC")
-        ->check(CLI::IsMember({"simulator", "diamond-lathe", "linuxcnc"}))
+           "--machine", machine,
+           "Machine to work with: simulator (the built-in machining centre), diamond-lathe (the built-in diamond "
+           "turning lathe), linuxcnc, or replay FILE (a recorded day comes again)")
+        ->expected(1, 2)
         ->capture_default_str();
+    app.add_option(
+        "--sensors", options.sensors,
+        "Sensor file of the machine (JSON, docs/sensors.md): temperatures and gauges beside what it brings itself");
     app.add_option("--speed", options.simulationSpeed,
                    "Simulator: machine time per wall time, 1 to 1000; 0 = as fast as it can")
         ->check(CLI::Range(0.0, 1000.0))
@@ -49,6 +74,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
                  "Print one line on stdout for every accepted measurement, once it is safely on disk");
     try {
         app.parse(argc, argv);
+        takeMachine(machine, options);
     } catch (const CLI::ParseError& error) {
         app.exit(error);
         exitCode = error.get_exit_code() == 0 ? 0 : 2;

@@ -12,6 +12,8 @@ namespace kerf::console {
 struct Options {
     std::string dataDir{};  ///< empty: the user's data folder
     std::string machine{"simulator"};
+    std::string replayFile{};        ///< of --machine replay: the recorded day
+    std::string sensors{};           ///< sensor file of the machine; empty: only what the machine itself brings
     double simulationSpeed{20.0};    ///< simulator only
     std::uint64_t seed{1};           ///< of the simulator's noise
     std::uint32_t changeAtPart{14};  ///< simulator: from this part on another insert cuts, another process; 0: never

@@ -15,6 +15,8 @@ void addTappingCommands(CLI::App& kerf);
 void addDataCommands(CLI::App& kerf);
 /// Charts, capability, gauge studies, Q-DAS files.
 void addQualityCommands(CLI::App& kerf);
+/// Temperatures and gauges of a real machine: check, watch, scan.
+void addSensorCommands(CLI::App& kerf);
 /// A real machine: status, watch, jitter.
 void addMachineCommands(CLI::App& kerf);
 /// Rehearse a scenario of faults and commands.

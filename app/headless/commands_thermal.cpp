@@ -187,6 +187,8 @@ struct PredictArguments {
     std::string model{};
     std::string history{};
     std::shared_ptr<files::ReadOptions> read{};
+    std::string sensors{};  ///< not empty: instead of a history
+    double seconds{60.0};
 };
 
 void predict(const PredictArguments& arguments) {
@@ -271,9 +273,25 @@ void addPredict(CLI::App& thermal) {
         thermal.add_subcommand("predict", "Drift minute by minute with the half width of its 95 % interval, as CSV.");
     auto arguments = std::make_shared<PredictArguments>();
     command->add_option("--model", arguments->model, "Model file")->required();
-    command->add_option("--history", arguments->history, "CSV of one day")->required();
+    auto* source = command->add_option_group("source", "Where the temperatures come from");
+    auto* history = source->add_option("--history", arguments->history, "CSV of one day");
+    auto* live = source->add_option("--sensors", arguments->sensors, "Sensor file: read the machine, a row a second");
+    source->require_option(1);
+    command
+        ->add_option("--seconds", arguments->seconds,
+                     "With --sensors: how long; the first half, 5 s at most, is the baseline")
+        ->check(CLI::Range(1.0, 864'000.0))
+        ->needs(live)
+        ->excludes(history)
+        ->capture_default_str();
     arguments->read = addReadOptions(*command);
-    command->callback([arguments] { predict(*arguments); });
+    command->callback([arguments] {
+        if (arguments->sensors.empty()) {
+            predict(*arguments);
+        } else {
+            predictLive(arguments->model, arguments->sensors, arguments->seconds);
+        }
+    });
 }
 
 void addCompensate(CLI::App& thermal) {

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     kerf::headless::addThermalCommands(kerf);
     kerf::headless::addDataCommands(kerf);
     kerf::headless::addQualityCommands(kerf);
+    kerf::headless::addSensorCommands(kerf);
     kerf::headless::addMachineCommands(kerf);
     kerf::headless::addRehearseCommand(kerf);
     kerf::headless::addShopCommands(kerf);

@@ -276,6 +276,10 @@
             <source>Last tap, p-p in the work</source>
             <translation>Last tap, p-p in the work</translation>
         </message>
+        <message>
+            <source>Sensors</source>
+            <translation>Sensors</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -3900,6 +3904,82 @@
             <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
             <translation>wide guess for any boring spindle about table 1 of Lee (1983)</translation>
         </message>
+        <message>
+            <source>A recorded day is played: nothing can be commanded.</source>
+            <translation>A recorded day is played: nothing can be commanded.</translation>
+        </message>
+        <message>
+            <source>Jumped; believed again when three readings agree.</source>
+            <translation>Jumped; believed again when three readings agree.</translation>
+        </message>
+        <message>
+            <source>No answer: the module is off, its cable is out, or the address is wrong.</source>
+            <translation>No answer: the module is off, its cable is out, or the address is wrong.</translation>
+        </message>
+        <message>
+            <source>No drift was measured on that day.</source>
+            <translation>No drift was measured on that day.</translation>
+        </message>
+        <message>
+            <source>No signal is linked to the pin.</source>
+            <translation>No signal is linked to the pin.</translation>
+        </message>
+        <message>
+            <source>Not read yet.</source>
+            <translation>Not read yet.</translation>
+        </message>
+        <message>
+            <source>Outside what it can be: wrong type, scale or word order?</source>
+            <translation>Outside what it can be: wrong type, scale or word order?</translation>
+        </message>
+        <message>
+            <source>Reads.</source>
+            <translation>Reads.</translation>
+        </message>
+        <message>
+            <source>That is not on the picture.</source>
+            <translation>That is not on the picture.</translation>
+        </message>
+        <message>
+            <source>The control reports a fault of this channel.</source>
+            <translation>The control reports a fault of this channel.</translation>
+        </message>
+        <message>
+            <source>The module has no such register: another one than the sensor file says.</source>
+            <translation>The module has no such register: another one than the sensor file says.</translation>
+        </message>
+        <message>
+            <source>The module says that there is no measurement: the thermocouple is broken or loose.</source>
+            <translation>The module says that there is no measurement: the thermocouple is broken or loose.</translation>
+        </message>
+        <message>
+            <source>The module's status says that the value is not to be used.</source>
+            <translation>The module's status says that the value is not to be used.</translation>
+        </message>
+        <message>
+            <source>The reading process does not run; it is started again.</source>
+            <translation>The reading process does not run; it is started again.</translation>
+        </message>
+        <message>
+            <source>The reading process kerf-sensors cannot be started: it is not beside the program, or the computer has no room for it.</source>
+            <translation>The reading process kerf-sensors cannot be started: it is not beside the program, or the computer has no room for it.</translation>
+        </message>
+        <message>
+            <source>The recorded day is refused; the log says where and why.</source>
+            <translation>The recorded day is refused; the log says where and why.</translation>
+        </message>
+        <message>
+            <source>The register holds no number: are its words swapped?</source>
+            <translation>The register holds no number: are its words swapped?</translation>
+        </message>
+        <message>
+            <source>The sensor file is refused; `kerf sensors check` says where and why.</source>
+            <translation>The sensor file is refused; `kerf sensors check` says where and why.</translation>
+        </message>
+        <message>
+            <source>nothing takes a connection there; expected a Modbus TCP module that is switched on.</source>
+            <translation>nothing takes a connection there; expected a Modbus TCP module that is switched on.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -6417,6 +6497,121 @@
         <message>
             <source>The tap is gone</source>
             <translation>The tap is gone</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SensorsPage</name>
+        <message>
+            <source>touch a channel first</source>
+            <translation>touch a channel first</translation>
+        </message>
+        <message>
+            <source>no gauge that can be asked is connected</source>
+            <translation>no gauge that can be asked is connected</translation>
+        </message>
+        <message>
+            <source>This console was started without a sensor file (--sensors): only what the machine itself brings is read.</source>
+            <translation>This console was started without a sensor file (--sensors): only what the machine itself brings is read.</translation>
+        </message>
+        <message>
+            <source>Sensors and gauges</source>
+            <translation>Sensors and gauges</translation>
+        </message>
+        <message>
+            <source>Where they sit</source>
+            <translation>Where they sit</translation>
+        </message>
+        <message>
+            <source>Channel</source>
+            <translation>Channel</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Place</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Value</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>Age</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>State</translation>
+        </message>
+        <message>
+            <source>Module, gauge</source>
+            <translation>Module, gauge</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>Address</translation>
+        </message>
+        <message>
+            <source>Reads</source>
+            <translation>Reads</translation>
+        </message>
+        <message>
+            <source>Place on the picture</source>
+            <translation>Place on the picture</translation>
+        </message>
+        <message>
+            <source>Test read of the gauges</source>
+            <translation>Test read of the gauges</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>good</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 of %2</translation>
+        </message>
+        <message>
+            <source>not plugged in</source>
+            <translation>not plugged in</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>connected</translation>
+        </message>
+        <message>
+            <source>Stop looking</source>
+            <translation>Stop looking</translation>
+        </message>
+        <message>
+            <source>Which one rises?</source>
+            <translation>Which one rises?</translation>
+        </message>
+        <message>
+            <source>The reading process does not answer; it is started again.</source>
+            <translation>The reading process does not answer; it is started again.</translation>
+        </message>
+        <message>
+            <source>Touch the picture where %1 sits.</source>
+            <translation>Touch the picture where %1 sits.</translation>
+        </message>
+        <message>
+            <source>It is %1: %2 warmer.</source>
+            <translation>It is %1: %2 warmer.</translation>
+        </message>
+        <message>
+            <source>Warm one thermocouple with a finger; its channel shows itself.</source>
+            <translation>Warm one thermocouple with a finger; its channel shows itself.</translation>
+        </message>
+        <message>
+            <source>A picture of this machine (PNG) in %1 is shown here.</source>
+            <translation>A picture of this machine (PNG) in %1 is shown here.</translation>
+        </message>
+        <message>
+            <source>Touch a channel, then its place on the picture.</source>
+            <translation>Touch a channel, then its place on the picture.</translation>
         </message>
     </context>
     <context>

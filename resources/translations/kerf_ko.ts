@@ -276,6 +276,10 @@
             <source>Last tap, p-p in the work</source>
             <translation>마지막 탭, 가공 구간 p-p</translation>
         </message>
+        <message>
+            <source>Sensors</source>
+            <translation>센서</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -3899,6 +3903,82 @@
             <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
             <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 스핀들의 넓은 추정</translation>
         </message>
+        <message>
+            <source>A recorded day is played: nothing can be commanded.</source>
+            <translation>기록된 하루를 재생 중입니다. 명령할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>Jumped; believed again when three readings agree.</source>
+            <translation>값이 튀었습니다. 세 번 연속 일치하면 다시 믿습니다.</translation>
+        </message>
+        <message>
+            <source>No answer: the module is off, its cable is out, or the address is wrong.</source>
+            <translation>응답 없음: 모듈이 꺼져 있거나 케이블이 빠졌거나 주소가 잘못되었습니다.</translation>
+        </message>
+        <message>
+            <source>No drift was measured on that day.</source>
+            <translation>그날은 변위를 측정하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>No signal is linked to the pin.</source>
+            <translation>핀에 연결된 신호가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Not read yet.</source>
+            <translation>아직 읽지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Outside what it can be: wrong type, scale or word order?</source>
+            <translation>있을 수 없는 값입니다. 형식, 배율 또는 워드 순서가 잘못되었습니까?</translation>
+        </message>
+        <message>
+            <source>Reads.</source>
+            <translation>읽는 중입니다.</translation>
+        </message>
+        <message>
+            <source>That is not on the picture.</source>
+            <translation>그림 밖입니다.</translation>
+        </message>
+        <message>
+            <source>The control reports a fault of this channel.</source>
+            <translation>제어기가 이 채널의 고장을 알립니다.</translation>
+        </message>
+        <message>
+            <source>The module has no such register: another one than the sensor file says.</source>
+            <translation>모듈에 그런 레지스터가 없습니다. 센서 파일과 다른 모듈입니다.</translation>
+        </message>
+        <message>
+            <source>The module says that there is no measurement: the thermocouple is broken or loose.</source>
+            <translation>모듈이 측정값이 없다고 합니다. 열전대가 끊어졌거나 느슨합니다.</translation>
+        </message>
+        <message>
+            <source>The module's status says that the value is not to be used.</source>
+            <translation>모듈의 상태가 이 값을 쓰지 말라고 합니다.</translation>
+        </message>
+        <message>
+            <source>The reading process does not run; it is started again.</source>
+            <translation>읽기 프로세스가 실행되고 있지 않습니다. 다시 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The reading process kerf-sensors cannot be started: it is not beside the program, or the computer has no room for it.</source>
+            <translation>읽기 프로세스 kerf-sensors를 시작할 수 없습니다. 프로그램 옆에 없거나 컴퓨터에 여유가 없습니다.</translation>
+        </message>
+        <message>
+            <source>The recorded day is refused; the log says where and why.</source>
+            <translation>기록된 하루를 읽을 수 없습니다. 위치와 이유는 로그에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The register holds no number: are its words swapped?</source>
+            <translation>레지스터에 숫자가 없습니다. 워드 순서가 바뀌었습니까?</translation>
+        </message>
+        <message>
+            <source>The sensor file is refused; `kerf sensors check` says where and why.</source>
+            <translation>센서 파일을 받아들일 수 없습니다. `kerf sensors check`가 위치와 이유를 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>nothing takes a connection there; expected a Modbus TCP module that is switched on.</source>
+            <translation>그곳에서 연결을 받는 것이 없습니다. 켜져 있는 Modbus TCP 모듈이 필요합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -6413,6 +6493,121 @@
         <message>
             <source>The tap is gone</source>
             <translation>탭이 없어졌음</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SensorsPage</name>
+        <message>
+            <source>touch a channel first</source>
+            <translation>먼저 채널을 누르십시오</translation>
+        </message>
+        <message>
+            <source>no gauge that can be asked is connected</source>
+            <translation>물어볼 수 있는 게이지가 연결되어 있지 않습니다</translation>
+        </message>
+        <message>
+            <source>This console was started without a sensor file (--sensors): only what the machine itself brings is read.</source>
+            <translation>이 콘솔은 센서 파일(--sensors) 없이 시작되었습니다. 기계 자체의 신호만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>Sensors and gauges</source>
+            <translation>센서와 게이지</translation>
+        </message>
+        <message>
+            <source>Where they sit</source>
+            <translation>센서 위치</translation>
+        </message>
+        <message>
+            <source>Channel</source>
+            <translation>채널</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>위치</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>경과</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>상태</translation>
+        </message>
+        <message>
+            <source>Module, gauge</source>
+            <translation>모듈, 게이지</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>주소</translation>
+        </message>
+        <message>
+            <source>Reads</source>
+            <translation>읽음</translation>
+        </message>
+        <message>
+            <source>Place on the picture</source>
+            <translation>그림에 놓기</translation>
+        </message>
+        <message>
+            <source>Test read of the gauges</source>
+            <translation>게이지 시험 읽기</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1초</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>정상</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%2개 중 %1개</translation>
+        </message>
+        <message>
+            <source>not plugged in</source>
+            <translation>꽂혀 있지 않음</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>연결됨</translation>
+        </message>
+        <message>
+            <source>Stop looking</source>
+            <translation>찾기 중지</translation>
+        </message>
+        <message>
+            <source>Which one rises?</source>
+            <translation>어느 것이 올라갑니까?</translation>
+        </message>
+        <message>
+            <source>The reading process does not answer; it is started again.</source>
+            <translation>읽기 프로세스가 응답하지 않습니다. 다시 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Touch the picture where %1 sits.</source>
+            <translation>그림에서 %1의 위치를 누르십시오.</translation>
+        </message>
+        <message>
+            <source>It is %1: %2 warmer.</source>
+            <translation>%1입니다: %2 올라갔습니다.</translation>
+        </message>
+        <message>
+            <source>Warm one thermocouple with a finger; its channel shows itself.</source>
+            <translation>열전대 하나를 손가락으로 데우십시오. 해당 채널이 나타납니다.</translation>
+        </message>
+        <message>
+            <source>A picture of this machine (PNG) in %1 is shown here.</source>
+            <translation>%1 폴더에 이 기계의 사진(PNG)을 넣으면 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Touch a channel, then its place on the picture.</source>
+            <translation>채널을 누른 다음 그림에서 위치를 누르십시오.</translation>
         </message>
     </context>
     <context>

@@ -23,8 +23,9 @@ ALLOWED = {
     "app/files": ["app/files/", "engine/"],
     "app/service": ["app/service/", "app/files/", "engine/", "db/", "ui/services/"],
     "app/machines": ["app/machines/", "engine/"],
+    "app/sensors": ["app/sensors/", "engine/core/", "engine/machine/"],
     "app/rehearsal": ["app/rehearsal/", "app/files/", "engine/"],
-    "app/headless": ["app/headless/", "app/files/", "app/rehearsal/", "app/service/", "app/machines/", "engine/", "db/"],
+    "app/headless": ["app/headless/", "app/files/", "app/rehearsal/", "app/service/", "app/machines/", "app/sensors/", "engine/", "db/"],
     "app": ["app/", "engine/", "db/", "ui/"],
 }
 # a process knows its own folder, never another one's

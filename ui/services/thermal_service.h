@@ -19,9 +19,10 @@ namespace kerf {
 /// A thermocouple and where it sits on the drawing of the machine.
 struct ThermalSensorView {
     std::string name{};
-    const char* place{""};  ///< KERF_TEXT: "front bearing"; empty: unknown
-    double x{0.0};          ///< 0…1 over the drawing, left to right
-    double y{0.0};          ///< 0…1, top to bottom
+    const char* place{""};    ///< KERF_TEXT: "front bearing"; empty: unknown
+    std::string placeText{};  ///< as the machine's own sensor file says it, not translated
+    double x{0.0};            ///< 0…1 over the drawing, left to right
+    double y{0.0};            ///< 0…1, top to bottom
 };
 
 struct ThermalCoursePoint {

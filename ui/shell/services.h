@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "engine/api/engine_api.h"
 #include "ui/services/boring_service.h"
@@ -17,6 +18,7 @@ class BoringLots;
 class LotReader;
 class MillingService;
 class PartReader;
+class SensorService;
 class SettingsReader;
 class TappingService;
 class ThermalService;
@@ -37,6 +39,7 @@ struct Services {
     TurningService* turningService{nullptr};
     ThermalService* thermalService{nullptr};
     TappingService* tappingService{nullptr};
+    SensorService* sensorService{nullptr};  ///< null: no sensor file
     PartReader* parts{nullptr};
     LotReader* lots{nullptr};
     AlarmReader* alarms{nullptr};
@@ -44,6 +47,8 @@ struct Services {
     SettingsReader* settings{nullptr};
     SignOnSettings signOn{};  ///< who is known, as stored
 
+    /// Readings of gauges on serial lines as frames a wedge would type, one by one; empty: no such gauge.
+    std::function<std::optional<QString>()> nextGaugeFrame{};
     /// A part reader of its own for a worker thread (export), called on that thread; empty: no export.
     std::function<std::unique_ptr<PartReader>()> openParts{};
 

@@ -13,6 +13,7 @@
 #include "engine/api/engine_api.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/machine/simulated/simulated_process.h"
+#include "ui/services/thermal_service.h"
 #include "ui/shell/services.h"
 
 namespace kerf::console {
@@ -31,6 +32,7 @@ class Room {
         const std::string& databasePath;      ///< for connections of a worker's own
         std::function<std::string()> author;  ///< who is signed on; "Kerf" when nobody is
         Rights rights;
+        std::vector<ThermalSensorView> temperatures{};  ///< of the sensor file; empty: those of the machine itself
     };
 
     Room() = default;

@@ -48,7 +48,9 @@ std::optional<SimulatedThermal::Memory> memoryFrom(const QString& file) {
 }  // namespace
 
 bool ThermalRoom::fits(const std::string& machineKind) const {
-    return machineKind == "simulator" || machineKind == "diamond-lathe";
+    // On LinuxCNC temperatures come with a sensor file; without one the loop says that there are none.
+    return machineKind == "simulator" || machineKind == "diamond-lathe" || machineKind == "linuxcnc" ||
+           machineKind == "replay";
 }
 
 std::unique_ptr<SimulatedProcess> ThermalRoom::makePlant(const Options& options) {
@@ -78,6 +80,7 @@ void ThermalRoom::open(const Context& context) {
     links.rights = context.rights;
     links.dayFolder = folder.filePath(QStringLiteral("thermal")).toStdString();
     links.machineSeed = m_machineSeed;
+    links.sensors = context.temperatures;
     m_service = std::make_unique<StoredThermalService>(links, context.reader);
 }
 

@@ -63,11 +63,12 @@ ThermalModelCard cardOf(const thermal::ThermalModel& model) {
 
 StoredThermalService::StoredThermalService(const Links& links, RoomRecordReader& reader) : m_links(links) {
     const Capabilities& machine = m_links.engine.capabilities();
-    m_view.sensors = thermalSensors(machine.temperatureCount, machine.simulated);
+    m_view.sensors =
+        m_links.sensors.empty() ? thermalSensors(machine.temperatureCount, machine.simulated) : m_links.sensors;
     m_view.dayFolder = m_links.dayFolder;
     load(reader);
     findDays();
-    if (!m_live && machine.simulated) {
+    if (!m_live && builtInHeat()) {
         m_firstModel = true;
         std::vector<std::string> days;
         for (const ThermalDayView& day : m_view.days) {
@@ -76,6 +77,10 @@ StoredThermalService::StoredThermalService(const Links& links, RoomRecordReader&
         (void)train("regression", days);
     }
     changed();
+}
+
+bool StoredThermalService::builtInHeat() const {
+    return m_links.engine.capabilities().simulated && m_links.sensors.empty();
 }
 
 void StoredThermalService::load(RoomRecordReader& reader) {
@@ -204,7 +209,7 @@ ThermalErrorMap StoredThermalService::errorMap(double z_mm, bool exact) const {
     constexpr std::uint32_t kColumns = 20;
     constexpr std::uint32_t kRows = 12;
     ThermalErrorMap map;
-    map.known = m_links.engine.capabilities().simulated;
+    map.known = builtInHeat();
     if (!map.known) return map;
     map.range_mm = {{{0.0, thermal::kTravelX_mm}, {0.0, thermal::kTravelY_mm}, {0.0, thermal::kTravelZ_mm}}};
     map.columns = kColumns;
@@ -240,7 +245,7 @@ void StoredThermalService::findDays() {
     for (const auto& [id, day] : m_sessions) {
         m_view.days.push_back({id, day.label, static_cast<std::uint32_t>(day.workRows())});
     }
-    if (m_links.engine.capabilities().simulated) {
+    if (builtInHeat()) {
         for (std::size_t k = 0; k < thermal::kTrainingDays; ++k) {
             m_view.days.push_back({kBuiltInDays + std::to_string(k), thermal::trainingDayLabel(k), 360});
         }

@@ -32,6 +32,7 @@ class StoredThermalService final : public ThermalService {
         std::uint64_t machineSeed{1};  ///< of the simulated machine
         std::uint64_t daysSeed{1};
         Rights rights{};
+        std::vector<ThermalSensorView> sensors{};  ///< of the machine's sensor file; empty: those of the machine itself
     };
     /// Loads what was kept and offers the live model. `reader` is used here only; the other links outlive the service.
     StoredThermalService(const Links& links, RoomRecordReader& reader);
@@ -54,6 +55,8 @@ class StoredThermalService final : public ThermalService {
         thermal::ThermalModel model{};
         ThermalModelCard card{};
     };
+    /// The temperatures are those of the simulated machine, whose days and error elements are known.
+    [[nodiscard]] bool builtInHeat() const;
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,

@@ -67,6 +67,10 @@ bool Pins::make(int component) {
     for (std::size_t i = 0; i < requestWord.size(); ++i) {
         pin(requestWord[i], HAL_IN, "kerf.request-" + std::to_string(i));
     }
+    for (std::size_t i = 0; i < temperature.size(); ++i) {
+        pin(temperature[i], HAL_IN, "kerf.temperature-" + std::to_string(i));
+        pin(temperatureFault[i], HAL_IN, "kerf.temperature-fault-" + std::to_string(i));
+    }
     for (std::size_t i = 0; i < word.size(); ++i) {
         pin(word[i], HAL_OUT, "kerf.word-" + std::to_string(i));
     }

@@ -48,6 +48,8 @@ struct Pins {
     BitPin machineOn, emergencyStop, programRunning, programPaused, cutting, finished, softLimit, simulator,
         originKnown;
     std::array<BitPin, 5> requestWord;
+    std::array<FloatPin, 64> temperature;     ///< kerf.temperature-0 …, °C, from mb2hal or a driver
+    std::array<BitPin, 64> temperatureFault;  ///< kerf.temperature-fault-0 …
     // to the control
     FloatPin feedScale;
     BitPin feedHold;

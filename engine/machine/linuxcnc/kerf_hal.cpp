@@ -39,6 +39,7 @@ constexpr double kDefaultTimeout_s = 0.06;  // console and control together must
 constexpr double kDefaultBandwidth_perS = 400.0;
 constexpr int kSamplerKey = 0x48534130;  // of HAL's sampler.0
 constexpr unsigned kAliveBit = 15;
+constexpr std::uint64_t kRoundsPerTemperatures = 100;
 
 volatile std::sig_atomic_t g_stop = 0;
 void onSignal(int /*signal*/) {
@@ -167,6 +168,9 @@ class Bridge {
         if (m_beat % 1000 == 0) {
             findFitted();
         }
+        if (m_beat % kRoundsPerTemperatures == 0) {
+            m_link.temperatures.push(lookAtTemperatures());
+        }
         if (m_sampler) {
             m_servoPeriods += m_sampler->drainInto(m_link);
         }
@@ -199,6 +203,17 @@ class Bridge {
             m_zeroCounts[i] = *m_pins.offsetCounts[i];
         }
         ++m_offsetEpoch;
+    }
+
+    [[nodiscard]] kerf::linuxcnc::HalTemperatures lookAtTemperatures() const {
+        kerf::linuxcnc::HalTemperatures seen;
+        seen.beat = m_beat;
+        for (std::size_t i = 0; i < seen.temp_degC.size(); ++i) {
+            seen.temp_degC[i] = *m_pins.temperature[i];
+            seen.linked |= std::uint64_t{m_pins.temperature[i].linked() ? 1U : 0U} << i;
+            seen.fault |= std::uint64_t{*m_pins.temperatureFault[i] ? 1U : 0U} << i;
+        }
+        return seen;
     }
 
     FromControl look() {

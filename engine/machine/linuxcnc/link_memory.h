@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "engine/core/broadcast.h"
 #include "engine/core/latest_value.h"
 #include "engine/machine/linuxcnc/ini_file.h"
 #include "engine/machine/linuxcnc/machine_claim.h"
@@ -94,52 +95,22 @@ struct ServoPeriod {
     bool finished{false};
 };
 
-/// Values of one writer for any number of readers, newest overwriting oldest; nobody waits for anybody.
-template <class T, std::uint64_t Size>
-class Broadcast {
- public:
-    void push(const T& value) noexcept {
-        const std::uint64_t at = m_written.load(std::memory_order_relaxed);
-        m_values[at % Size] = value;
-        m_written.store(at + 1, std::memory_order_release);
-    }
-    [[nodiscard]] std::uint64_t written() const noexcept { return m_written.load(std::memory_order_acquire); }
-    /// The newest value; false when there is none, or the writer ran round the ring meanwhile.
-    [[nodiscard]] bool latest(T& value) const noexcept {
-        const std::uint64_t end = written();
-        if (end == 0) {
-            return false;
-        }
-        value = m_values[(end - 1) % Size];
-        return written() - end < Size - 1;
-    }
-    /// The value at `next`, which is then raised; false when there is nothing new. Values overwritten unread are
-    /// skipped.
-    [[nodiscard]] bool read(std::uint64_t& next, T& value) const noexcept {
-        const std::uint64_t end = written();
-        if (next > end || end - next > Size / 2) {
-            next = end > Size / 2 ? end - Size / 2 : 0;
-        }
-        if (next == end) {
-            return false;
-        }
-        value = m_values[next % Size];
-        ++next;
-        return true;
-    }
-
- private:
-    std::atomic<std::uint64_t> m_written{0};
-    std::array<T, Size> m_values{};
+/// Temperatures on pins of the bridge, ten times a second.
+struct HalTemperatures {
+    std::uint64_t beat{0};
+    std::uint64_t linked{0};  ///< bit N: kerf.temperature-N has a signal
+    std::uint64_t fault{0};   ///< bit N: kerf.temperature-fault-N is set
+    std::array<double, 64> temp_degC{};
 };
 
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524633;  // "KRF3": layout 3
+    static constexpr std::uint32_t kMagic = 0x4B524634;  // "KRF4": layout 4
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads
     LatestValue<ToControl> toControl{};                  ///< of the owner alone
     Broadcast<ServoPeriod, 8192> servo{};                ///< 8 s at 1 kHz
+    Broadcast<HalTemperatures, 8> temperatures{};
 };
 
 /// Name of the shared memory; one bridge per machine. Every bridge makes a new one, so that a console that still holds

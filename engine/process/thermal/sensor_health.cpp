@@ -57,9 +57,23 @@ void SensorHealth::reset() noexcept {
     }
 }
 
+bool SensorHealth::comesBack(Sensor& sensor, const Reading& reading) noexcept {
+    const bool good = reading.good() && reading.value >= kLowestTemp_degC && reading.value <= kHighestTemp_degC;
+    sensor.returned = good ? sensor.returned + 1 : 0;
+    if (sensor.returned < kReturning) {
+        return false;
+    }
+    // What was before says nothing about what comes now: repeats and noise are counted anew.
+    const Sensor before = sensor;
+    sensor = Sensor{};
+    sensor.noise_K = before.noise_K;
+    sensor.repeatLimit = before.repeatLimit;
+    return true;
+}
+
 void SensorHealth::observe(std::size_t sensor, const Reading& reading, double dt_min) noexcept {
     Sensor& s = m_sensors[sensor];
-    if (isSick(s.state)) {
+    if (isSick(s.state) && !(s.state == SensorState::Open && comesBack(s, reading))) {
         return;
     }
     s.read = false;

@@ -24,6 +24,9 @@
 /// With one bad sensor the largest |z| is the bad one (the largest normalised residual of power-system bad-data
 /// detection). slack keeps a thermal pattern never seen in training from accusing a sensor.
 ///
+/// A verdict stays until reset(), but for open: a cable that was out, or a module that did not answer, comes back with
+/// kReturning good readings in a row.
+///
 /// update() runs in the cycle: no allocation, lock, throw or I/O.
 namespace kerf::thermal {
 
@@ -43,6 +46,8 @@ struct HealthParams {
 
 class SensorHealth {
  public:
+    static constexpr int kReturning = 3;
+
     /// Not in the cycle. Copies what it needs.
     SensorHealth(const ThermalModel& model, const HealthParams& params = {});
 
@@ -73,6 +78,7 @@ class SensorHealth {
         int readings{0};
         int repeats{0};
         int suspicions{0};
+        int returned{0};  ///< good readings in a row while open
         double last_degC{0.0};
         double beforeLast_degC{0.0};
         double curvature_K2{0.0};  ///< leaky mean of (second difference)²/6
@@ -82,6 +88,8 @@ class SensorHealth {
     };
     /// Precision of the sensors not left out; returns how many they are.
     std::size_t invertHealthy() noexcept;
+    /// While open: whether the sensor is healthy again with this reading.
+    [[nodiscard]] static bool comesBack(Sensor& sensor, const Reading& reading) noexcept;
     [[nodiscard]] SensorState nameOf(std::size_t sensor) const noexcept;
 
     HealthParams m_params;

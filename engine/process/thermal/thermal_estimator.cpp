@@ -209,6 +209,10 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
     }
     m_health.compare(std::span<const double>(rise_K.data(), m_count));
 
+    int leftOutCount = 0;
+    for (std::size_t i = 0; i < m_count; ++i) {
+        leftOutCount += m_health.leftOut(i) ? 1 : 0;
+    }
     std::array<std::size_t, kMaxLost> lost{};
     for (std::size_t i = 0; i < m_count; ++i) {
         const bool leftOut = m_health.leftOut(i);
@@ -217,7 +221,9 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
                 lost[static_cast<std::size_t>(out.lostSensors)] = i;
             }
             ++out.lostSensors;
-            rise_K[i] = m_health.expectedRise_K(i);
+            // With too many lost there is nobody to ask: the last rise stands until they are back, so that the means
+            // of the past do not run to zero meanwhile.
+            rise_K[i] = leftOutCount > kMaxLost ? m_terms[i].value[0] : m_health.expectedRise_K(i);
         }
         m_terms[i].update(rise_K[i], dt_min, m_spec);
         m_before_degC[i] = m_now_degC[i];

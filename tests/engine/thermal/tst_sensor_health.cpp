@@ -58,6 +58,7 @@ class TestSensorHealth : public QObject {
     void faultsDoNotDisturbThePrediction();
     void aSensorDeadFromTheStartIsLeftOut();
     void coarseReadingsAreNotStuck();
+    void aLinkThatWasCutComesBack();
 };
 
 void TestSensorHealth::healthySensorsStayHealthyOnEveryDay() {
@@ -191,6 +192,34 @@ void TestSensorHealth::coarseReadingsAreNotStuck() {
     QVERIFY(model.has_value());
     for (const SensorState state : replay(*model, unseen).sensors) {
         QCOMPARE(state, SensorState::Healthy);
+    }
+}
+
+void TestSensorHealth::aLinkThatWasCutComesBack() {
+    // Twenty minutes without any thermocouple, in the middle of the day.
+    const ThermalHistory whole = thermalDay("T1_rand");
+    ThermalHistory cut = whole;
+    for (Eigen::Index row = 0; row < cut.rows(); ++row) {
+        const double t_min = cut.time_min[static_cast<std::size_t>(row)];
+        if (t_min >= 150.0 && t_min < 170.0) {
+            cut.present.row(row).setConstant(false);
+        }
+    }
+    const Replay undisturbed = replay(defaultModel(), whole);
+    const Replay replayed = replay(defaultModel(), cut);
+    for (const SensorState state : replayed.sensors) {
+        QVERIFY(state == SensorState::Healthy);
+    }
+    for (std::size_t k = 0; k < replayed.minutes.size(); ++k) {
+        const double t_min = replayed.minutes[k].time_min;
+        const bool away = t_min >= 150.0 && t_min < 170.0 + SensorHealth::kReturning - 1;
+        QCOMPARE(replayed.minutes[k].prediction.usable, !away);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double apart_um = std::abs(replayed.minutes[k].prediction.drift_um[axis] -
+                                             undisturbed.minutes[k].prediction.drift_um[axis]);
+            QVERIFY2(away || t_min < 150.0 || apart_um < 3.0, qPrintable(QString::number(apart_um)));
+            QVERIFY2(t_min < 260.0 || apart_um < 0.5, qPrintable(QString::number(apart_um)));
+        }
     }
 }
 

@@ -154,6 +154,13 @@ void BoringPage::onServiceChanged() {
 }
 
 void BoringPage::onStatus(const Status& status) {
+    if (const auto& nextFrame = context().services.nextGaugeFrame) {
+        while (const std::optional<QString> frame = nextFrame()) {
+            if (const std::optional<GaugeReading> reading = parseGaugeFrame(*frame)) {
+                onGauge(*reading);
+            }
+        }
+    }
     if (!isVisible()) {
         return;
     }

@@ -82,6 +82,9 @@ QString warmUpText(const ThermalStatus& status, const UnitSystem& units) {
 
 QString sensorText(const ThermalSensorView& sensor) {
     const QString name = QString::fromStdString(sensor.name);
+    if (!sensor.placeText.empty()) {
+        return name + QStringLiteral(", ") + QString::fromStdString(sensor.placeText);
+    }
     return *sensor.place == '\0' ? name : name + QStringLiteral(", ") + engineText(sensor.place);
 }
 

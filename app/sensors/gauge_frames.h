@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/sensors/sensor_file.h"
+
+/// What gauges send over a serial line. Pure text in, value out.
+namespace kerf::sensors {
+
+struct GaugeFrame {
+    double value{0.0};
+    bool inch{false};
+    std::string channel{};  ///< empty: the gauge has one only
+};
+
+/// One line without its end. Empty: an error frame, or no reading.
+///
+///   Digimatic   01A+00012.345      channel, A = reading, sign, figures      errors 911, 912: no data, wrong format
+///   Mahr        +12.3456mm         blanks anywhere, point or comma, unit mm or in or none
+///   Sylvac      +12.345            ditto
+///   pattern     the file's regular expression: group 1 the value, group 2 the channel
+[[nodiscard]] std::optional<GaugeFrame> parseGaugeFrame(const Gauge& gauge, const std::string& line);
+
+/// Reason against a pattern; empty: it can be used.
+[[nodiscard]] std::string whyNotAPattern(const std::string& pattern);
+
+}  // namespace kerf::sensors

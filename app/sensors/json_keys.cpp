@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sensors/json_keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/sensors/sensor_file.h"
+
+namespace kerf::sensors {
+namespace {
+
+constexpr int kDeepest = 16;
+constexpr std::size_t kLongestName = 22;  // of a sentence's argument
+
+std::string shown(const Json& value) {
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+}
+
+}  // namespace
+
+Json parseStrictly(const std::string& text) {
+    std::vector<std::set<std::string>> open;
+    std::string twice;
+    bool deep = false;
+    const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+        deep = deep || depth > kDeepest;
+        if (event == Json::parse_event_t::object_start) {
+            open.emplace_back();
+        } else if (event == Json::parse_event_t::object_end) {
+            open.pop_back();
+        } else if (event == Json::parse_event_t::key && !open.empty() && twice.empty()) {
+            if (auto key = parsed.get<std::string>(); !open.back().insert(key).second) {
+                twice = std::move(key);
+            }
+        }
+        return !deep;
+    };
+    Json json;
+    try {
+        json = Json::parse(text, watch);
+    } catch (const Json::parse_error& error) {
+        const std::size_t end = std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0);
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        const std::size_t before = end > 0 ? text.rfind('\n', end - 1) : std::string::npos;
+        const std::size_t column = end - (before == std::string::npos ? 0 : before + 1) + 1;
+        throw SensorFileFault(fmt::format(
+            "line {}, column {}: this is no JSON from here on; expected a complete JSON object.", line, column));
+    }
+    if (deep) {
+        throw SensorFileFault(
+            fmt::format("the file: more than {} brackets inside each other; expected a sensor file.", kDeepest));
+    }
+    if (!twice.empty()) {
+        throw SensorFileFault(fmt::format("{}: the key stands twice in one object; expected it once.", twice));
+    }
+    return json;
+}
+
+JsonKeys::JsonKeys(const Json& object, std::string where) : m_object(object), m_where(std::move(where)) {
+    if (!object.is_object()) {
+        throw SensorFileFault(fmt::format("{}: {} is no object; expected {{…}} with keys.",
+                                          m_where.empty() ? "the file" : m_where, shown(object)));
+    }
+}
+
+std::string JsonKeys::path(const std::string& key) const {
+    return m_where.empty() ? key : m_where + '.' + key;
+}
+
+void JsonKeys::only(std::initializer_list<const char*> known, const char* ofWhat) const {
+    for (const auto& [key, value] : m_object.items()) {
+        if (std::ranges::none_of(known, [&](const char* name) { return key == name; })) {
+            throw SensorFileFault(
+                fmt::format("{}: unknown key {}; expected one of {}.", path(key), ofWhat, fmt::join(known, ", ")));
+        }
+    }
+}
+
+const Json& JsonKeys::value(const std::string& key) const {
+    const auto found = m_object.find(key);
+    if (found == m_object.end()) {
+        throw SensorFileFault(fmt::format("{}: missing; expected a value.", path(key)));
+    }
+    return *found;
+}
+
+std::string JsonKeys::text(const std::string& key) const {
+    const Json& found = value(key);
+    if (!found.is_string() || found.get<std::string>().empty()) {
+        throw SensorFileFault(
+            fmt::format("{}: {} is no text; expected a text that is not empty.", path(key), shown(found)));
+    }
+    return found.get<std::string>();
+}
+
+std::string JsonKeys::text(const std::string& key, const std::string& otherwise) const {
+    if (!has(key)) {
+        return otherwise;
+    }
+    const Json& found = value(key);
+    if (!found.is_string()) {
+        throw SensorFileFault(fmt::format("{}: {} is no text; expected a text.", path(key), shown(found)));
+    }
+    return found.get<std::string>();
+}
+
+std::string JsonKeys::name(const std::string& key) const {
+    std::string found = text(key);
+    const bool plain = std::ranges::none_of(found, [](char c) { return c == ',' || c == '"' || (c >= 0 && c < ' '); });
+    if (found.size() > kLongestName || !plain) {
+        throw SensorFileFault(
+            fmt::format("{}: '{}' is no name; expected 1 to {} bytes without comma, quote or line end.", path(key),
+                        found, kLongestName));
+    }
+    return found;
+}
+
+int JsonKeys::integer(const std::string& key, int low, int high) const {
+    const Json& found = value(key);
+    const bool whole = found.is_number_integer();
+    const bool fits = whole && (found.is_number_unsigned()
+                                    ? found.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::max(high, 0))
+                                    : found.get<std::int64_t>() <= high);
+    if (!fits || found.get<std::int64_t>() < low) {
+        throw SensorFileFault(fmt::format("{}: {} is out of range; expected a whole number from {} to {}.", path(key),
+                                          shown(found), low, high));
+    }
+    return found.get<int>();
+}
+
+double JsonKeys::number(const std::string& key, double low, double high, double otherwise) const {
+    if (!has(key)) {
+        return otherwise;
+    }
+    const Json& found = value(key);
+    const double number = found.is_number() ? found.get<double>() : std::nan("");
+    if (!(number >= low && number <= high)) {
+        throw SensorFileFault(fmt::format("{}: {} is out of range; expected a number from {:g} to {:g}.", path(key),
+                                          shown(found), low, high));
+    }
+    return number;
+}
+
+std::vector<double> JsonKeys::numbers(const std::string& key, double low, double high, bool whole) const {
+    std::vector<double> out;
+    for (std::size_t i = 0; const Json& one : list(key)) {
+        const double number = one.is_number() ? one.get<double>() : std::nan("");
+        if (!(number >= low && number <= high) || (whole && std::floor(number) != number)) {
+            throw SensorFileFault(
+                fmt::format("{}[{}]: {} is out of range; expected a {}number from {:.10g} to {:.10g}.", path(key), i,
+                            shown(one), whole ? "whole " : "", low, high));
+        }
+        out.push_back(number);
+        ++i;
+    }
+    return out;
+}
+
+const Json& JsonKeys::list(const std::string& key) const {
+    const Json& found = value(key);
+    if (!found.is_array()) {
+        throw SensorFileFault(fmt::format("{}: {} is no list; expected [ … ].", path(key), shown(found)));
+    }
+    return found;
+}
+
+void JsonKeys::refuseWord(const std::string& key, const std::string& word,
+                          const std::vector<std::string>& words) const {
+    throw SensorFileFault(
+        fmt::format("{}: '{}' is not known; expected one of {}.", path(key), word, fmt::join(words, ", ")));
+}
+
+}  // namespace kerf::sensors

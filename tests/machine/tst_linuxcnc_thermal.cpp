@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/files/thermal_files.h"
+#include "app/sensors/sensor_session.h"
+#include "engine/cycle/engine.h"
+#include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "engine/machine/sensors/sensor_port.h"
+#include "engine/process/thermal/thermal_loop.h"
+#include "engine/process/thermal/training.h"
+#include "tests/support/golden.h"
+#include "tests/support/linuxcnc_control.h"
+
+using namespace kerf;
+
+namespace {
+
+constexpr double kPeriod_min = 0.1;
+constexpr int kTemperatures = 64;
+
+bool setSignal(const QString& name, double value) {
+    QProcess halcmd;
+    halcmd.start(QStringLiteral("halcmd"), {QStringLiteral("sets"), name, QString::number(value, 'f', 3)});
+    return halcmd.waitForFinished() && halcmd.exitCode() == 0;
+}
+
+}  // namespace
+
+/// Temperatures on HAL pins of LinuxCNC's simulator → reading process → thermal loop → external offsets of the control.
+class TestLinuxCncThermal : public QObject {
+    Q_OBJECT
+
+    bool setRow(Eigen::Index row) {
+        QProcess halcmd;  // all of them in one go
+        halcmd.start(QStringLiteral("halcmd"), {QStringLiteral("-f"), QStringLiteral("-k")});
+        if (!halcmd.waitForStarted()) {
+            return false;
+        }
+        for (int k = 0; k < kTemperatures; ++k) {
+            halcmd.write(
+                QStringLiteral("sets kerf-temp-%1 %2\n").arg(k).arg(m_day.temp_degC(row, k), 0, 'f', 3).toLatin1());
+        }
+        halcmd.closeWriteChannel();
+        return halcmd.waitForFinished() && halcmd.exitCode() == 0;
+    }
+    template <class Action>
+    bool send(const Action& action) {
+        Command command;
+        command.action = action;
+        const auto number = m_engine->send(command);
+        return number && QTest::qWaitFor([&] {
+                   const auto& recent = m_engine->status().recentCommands;
+                   return std::ranges::any_of(recent,
+                                              [&](const CommandResult& r) { return r.number == *number && r.done; });
+               });
+    }
+    [[nodiscard]] const ThermalStatus& thermal() { return m_engine->status().thermal; }
+    [[nodiscard]] double largestShift_um() {
+        double largest = 0.0;
+        for (const Reading& shift : thermal().shifted_um) {
+            largest = std::max(largest, shift.good() ? std::abs(shift.value) : 0.0);
+        }
+        return largest;
+    }
+
+ private slots:
+    void theOriginFollowsTemperaturesOfHalPins() {
+        if (const QString why = test::LinuxCncControl::whyNot(); !why.isEmpty()) {
+            QSKIP(qPrintable(why));
+        }
+        const auto read = [](const char* name, headless::HistoryUse use) {
+            return headless::readThermalHistory(test::fixture(std::string("thermal/") + name + ".csv"), use);
+        };
+        m_day = read("T2_consthigh", headless::HistoryUse::Prediction);
+        const std::vector days{read("H0_train", headless::HistoryUse::Training),
+                               read("H1_train", headless::HistoryUse::Training)};
+        const auto model = thermal::trainRegression(days, {});
+        QVERIFY(model.has_value());
+        test::LinuxCncControl control;
+        QVERIFY2(control.start(), control.log());
+
+        nlohmann::json file{{"modules", {{{"name", "H"}, {"transport", "hal"}}}}};
+        for (int k = 0; k < kTemperatures; ++k) {
+            file["channels"].push_back({{"name", m_day.sensors[static_cast<std::size_t>(k)]},
+                                        {"module", "H"},
+                                        {"pin", QStringLiteral("kerf.temperature-%1").arg(k).toStdString()}});
+        }
+        std::ofstream("sensors.json") << file;
+        sensors::SensorSession session("sensors.json");
+        QVERIFY(session.start().has_value());
+        QVERIFY(setRow(0));
+
+        linuxcnc::LinuxCncMachine machine{linuxcnc::LinuxCncMachine::Params{}};
+        SensorPort::Params params;
+        params.memoryName = session.memoryName();
+        for (std::uint16_t k = 0; k < kTemperatures; ++k) {
+            params.temperatures.push_back(k);
+        }
+        SensorPort port(machine, params);
+        QVERIFY(port.connect().has_value());
+        std::vector<std::unique_ptr<ProcessLoop>> loops;
+        loops.push_back(std::make_unique<ThermalLoop>(*m_exchange));
+        m_engine = std::make_unique<Engine>(port, std::move(loops));
+        m_exchange->offer(std::move(*LiveModel::make(*model, m_day.sensors, 1)));
+        m_engine->start();
+        QTRY_VERIFY(m_engine->status().link == LinkState::Up);
+        QVERIFY(m_engine->capabilities().temperatures.fitted);
+        ThermalSetup setup;
+        setup.revision = 1;
+        setup.period_min = kPeriod_min;
+        setup.maxStep_umPerMin = 60.0;
+        QVERIFY(send(LoadThermalSetup{setup}));
+        QVERIFY(send(SetLoopMode{ProcessId::Thermal, LoopMode::Control}));
+        QTRY_VERIFY_WITH_TIMEOUT(thermal().stage == ThermalStage::Following, 60'000);
+        QCOMPARE(largestShift_um(), 0.0);
+
+        // The machine warms: twenty minutes of that day with every prediction.
+        Eigen::Index row = m_day.baselineRows();
+        const auto warm = [&] {
+            const std::uint32_t before = thermal().updates;
+            row = std::min(row + 20, m_day.rows() - 1);
+            return setRow(row) && QTest::qWaitFor([&] { return thermal().updates > before; }, 20'000);
+        };
+        for (int k = 0; k < 10 && largestShift_um() < 3.0; ++k) {
+            QVERIFY(warm());
+        }
+        QVERIFY2(largestShift_um() >= 3.0, qPrintable(QString::number(largestShift_um())));
+        // The control really has it: what it reads back is what was asked for.
+        QTRY_VERIFY(std::ranges::all_of(std::array<std::size_t, 3>{0, 1, 2}, [&](std::size_t axis) {
+            return std::abs(thermal().shifted_um[axis].value - thermal().target_um[axis]) < 0.6;
+        }));
+
+        // The reading process hangs: stale, nothing moves, and it goes on by itself.
+        const double held_um = largestShift_um();
+        const std::int64_t hung_ns = test::monotonic_ns();
+        QVERIFY(kill(session.process(), SIGSTOP) == 0);
+        QTRY_VERIFY(thermal().stage == ThermalStage::NoTemperatures);
+        const double noticed_ms = static_cast<double>(test::monotonic_ns() - hung_ns) / 1e6;
+        QTest::qWait(1000);
+        QCOMPARE(largestShift_um(), held_um);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                session.keep();  // ends it and starts another
+                return session.restarts() > 0 && thermal().stage == ThermalStage::Following;
+            },
+            20'000));
+        qInfo("reading process hung: noticed after %.0f ms, controlling again after %.0f ms", noticed_ms,
+              static_cast<double>(test::monotonic_ns() - hung_ns) / 1e6);
+        QVERIFY(std::abs(largestShift_um() - held_um) < 2.0);
+        QVERIFY(warm());
+
+        // A driver reports a fault of one channel, and takes it back.
+        QVERIFY(setSignal(QStringLiteral("kerf-temp-fault-0"), 1.0));
+        QTRY_VERIFY_WITH_TIMEOUT(thermal().couple[0] == CoupleState::Unread || thermal().couple[0] == CoupleState::Open,
+                                 20'000);
+        QVERIFY(setSignal(QStringLiteral("kerf-temp-fault-0"), 0.0));
+        QTRY_VERIFY_WITH_TIMEOUT(thermal().couple[0] == CoupleState::Healthy, 60'000);
+        m_engine.reset();
+    }
+
+ private:
+    thermal::ThermalHistory m_day{};
+    std::unique_ptr<ThermalExchange> m_exchange{std::make_unique<ThermalExchange>()};
+    std::unique_ptr<Engine> m_engine;
+};
+
+QTEST_GUILESS_MAIN(TestLinuxCncThermal)
+#include "tst_linuxcnc_thermal.moc"
