@@ -153,11 +153,10 @@ void ConsoleApplication::openRooms() {
         spdlog::error("shop: {}", m_shop->fault());
     }
     if (m_sensors) {
-        const QDir folder = QFileInfo(QString::fromStdString(m_databasePath)).absoluteDir();
-        folder.mkpath(QStringLiteral("sensors"));
-        m_sensors->record(folder.filePath(QStringLiteral("sensors")).toStdString());
-        m_sensorService = std::make_unique<StoredSensorService>(
-            *m_sensors, *m_writer, *m_reader, folder.filePath(QStringLiteral("sensors")).toStdString());
+        const std::string sensorFolder = folder + "/sensors";
+        QDir().mkpath(QString::fromStdString(sensorFolder));
+        m_sensors->record(sensorFolder);
+        m_sensorService = std::make_unique<StoredSensorService>(*m_sensors, *m_writer, *m_reader, sensorFolder);
     }
     m_modes = std::make_unique<LoopModes>(
         *m_engine, *m_reader, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
