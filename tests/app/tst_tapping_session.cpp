@@ -283,6 +283,11 @@ class TestTappingSession : public QObject {
         QVERIFY(!bench.service->load({}).has_value());
         bench.machine->inject({});
         bench.engine->runCycles(5);
+        // a person has looked: an emergency stop holds all loops until then
+        Command looked;
+        looked.action = ReleaseHold{};
+        (void)bench.engine->send(looked);
+        bench.engine->runCycles(5);
         bench.service->recover();
         QVERIFY(bench.runToIdle());
         QVERIFY(std::abs(bench.tapping().z_mm) < 0.1);

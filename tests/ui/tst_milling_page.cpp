@@ -152,11 +152,14 @@ class TestMillingPage : public QObject {
         m_bench->engine.fake.program = ProgramState::Running;
         m_bench->engine.fake.programProcess = ProcessId::Boring;
         m_bench->engine.fake.milling.meanForce_N = 371.0;
-        m_bench->engine.fake.milling.stopped = true;
-        m_bench->engine.fake.stops[1].slot = {7, 6, StopKind::FeedHold, 201};
         m_bench->client.tick();
         QVERIFY(!m_bench->press("millingStart"));
         QVERIFY(m_bench->find<ActionButton>("millingStart")->reason().contains(QStringLiteral("Boring")));
+        m_bench->engine.fake.milling.stopped = true;  // a stop is the nearer reason
+        m_bench->engine.fake.stops[1].slot = {7, 6, StopKind::FeedHold, 201};
+        m_bench->client.tick();
+        QVERIFY(!m_bench->press("millingStart"));
+        QVERIFY(!m_bench->find<ActionButton>("millingStart")->reason().contains(QStringLiteral("Boring")));
         QVERIFY(m_bench->press("millingTeach"));
         QVERIFY(std::holds_alternative<TeachMillingReference>(m_bench->engine.commands.back().action));
         QVERIFY(m_bench->press("millingRelease"));

@@ -155,6 +155,8 @@ void MainWindow::buildFrame() {
     auto* pageArea = new QVBoxLayout(m_sheets);
     pageArea->setContentsMargins(0, 0, 0, 0);
     m_stack = new QStackedWidget(m_sheets);
+    m_stack->setSizePolicy(QSizePolicy::Preferred,
+                           QSizePolicy::Ignored);  // a page never makes the window larger than the screen
     pageArea->addWidget(m_stack);
     grid->addWidget(m_sheets, 1, 1);
     grid->setRowStretch(1, 1);
