@@ -4,15 +4,14 @@
 
 #include "app/files/output.h"
 #include "app/headless/commands_boring.h"
+#include "app/headless/robust_table.h"
 
 namespace kerf::headless {
 namespace {
 
-struct RobustOptions {
-    std::uint32_t machines{200};
-    std::uint64_t seed{1};
+struct BoringRobustOptions {
+    RobustOptions shared{};
     double sigma_mm{0.005};
-    bool csv{false};
 };
 
 /// One machine under one law: what its lot of 30 came to.
@@ -22,7 +21,7 @@ struct Outcome {
     double sigmaFactor{1.0};
 };
 
-Outcome boredBy(boring::EstimatorKind kind, const boring::HardMachine& machine, const RobustOptions& options) {
+Outcome boredBy(boring::EstimatorKind kind, const boring::HardMachine& machine, const BoringRobustOptions& options) {
     constexpr double kFirstFeed_mmPerRev = 0.5;
     constexpr std::size_t kSettled = 2;  // parts 1 and 2 are the same guess for both laws
     boring::CampaignParams params;
@@ -31,7 +30,7 @@ Outcome boredBy(boring::EstimatorKind kind, const boring::HardMachine& machine, 
     params.scrapBand_mm = 3.0 * options.sigma_mm;
     params.hard = machine;
     params.learnSigma = true;
-    const boring::LotResult lot = boring::simulateLot(params, machine.truth, options.seed, 1);
+    const boring::LotResult lot = boring::simulateLot(params, machine.truth, options.shared.seed, 1);
     Outcome outcome;
     double squares = 0.0;
     for (std::size_t part = 0; part < lot.scrap.size(); ++part) {
@@ -46,20 +45,17 @@ Outcome boredBy(boring::EstimatorKind kind, const boring::HardMachine& machine, 
     return outcome;
 }
 
-void robust(const RobustOptions& options) {
+void robust(const BoringRobustOptions& options) {
     CsvOutput csv(
         "machine_seed,scrap_default,scrap_simple,rms_default_um,rms_simple_um,ratio,worse,unstable_default,"
         "unstable_simple,sigma_factor_true,sigma_factor_found");
-    std::vector<double> ratios;
+    RobustTally tally;
     double scrapDefault = 0.0;
     double scrapSimple = 0.0;
-    double worse = 0.0;
-    double unstable = 0.0;
-    double unstableSimple = 0.0;
     double found = 0.0;
     double off = 0.0;
-    for (std::uint32_t i = 1; i <= options.machines; ++i) {
-        const std::uint64_t seed = Random(options.seed).stream(i).nextU64() >> 32U | 1U;
+    for (std::uint32_t i = 1; i <= options.shared.machines; ++i) {
+        const std::uint64_t seed = options.shared.machineSeed(i);
         const auto machine = boring::hardMachine(seed, boring::kTableTargetDeflection_mm);
         const Outcome ours = boredBy(boring::EstimatorKind::Kalman, machine, options);
         const Outcome simple = boredBy(boring::EstimatorKind::Perturbation, machine, options);
@@ -67,39 +63,34 @@ void robust(const RobustOptions& options) {
         const bool isWorse = ratio > 1.0;
         csv.row(seed, ours.scrap, simple.scrap, ours.rms_um, simple.rms_um, ratio, isWorse, ours.unstable,
                 simple.unstable, machine.sigmaFactor, ours.sigmaFactor);
-        ratios.push_back(ratio);
-        scrapDefault += ours.scrap / options.machines;
-        scrapSimple += simple.scrap / options.machines;
-        worse += isWorse ? 1.0 / options.machines : 0.0;
-        unstable += ours.unstable ? 1.0 / options.machines : 0.0;
-        unstableSimple += simple.unstable ? 1.0 / options.machines : 0.0;
+        tally.add({ratio, isWorse, ours.unstable, simple.unstable});
+        scrapDefault += ours.scrap / options.shared.machines;
+        scrapSimple += simple.scrap / options.shared.machines;
         if (std::abs(std::log2(machine.sigmaFactor)) > 0.75) {
             off += 1.0;
             found += std::log2(machine.sigmaFactor) * std::log2(ours.sigmaFactor) > 0.0 ? 1.0 : 0.0;
         }
     }
-    if (options.csv) {
+    if (options.shared.csv) {
         csv.flush();
         return;
     }
-    std::ranges::sort(ratios);
-    printJson({{"machines", options.machines},
-               {"seed", options.seed},
-               {"sigma_mm", options.sigma_mm},
-               {"scrap_mean_default", scrapDefault},
-               {"scrap_mean_simple", scrapSimple},
-               {"ratio_median", ratios[ratios.size() / 2]},
-               {"share_worse", worse},
-               {"worst_ratio", ratios.back()},
-               {"share_unstable", unstable},
-               {"share_unstable_simple", unstableSimple},
-               {"share_wrong_sigma_noticed", off > 0.0 ? found / off : 1.0}});
+    nlohmann::ordered_json json{{"machines", options.shared.machines},
+                                {"seed", options.shared.seed},
+                                {"sigma_mm", options.sigma_mm},
+                                {"scrap_mean_default", scrapDefault},
+                                {"scrap_mean_simple", scrapSimple}};
+    for (const auto& [name, value] : tally.figures()) {
+        json[name] = value;
+    }
+    json["share_wrong_sigma_noticed"] = off > 0.0 ? found / off : 1.0;
+    printJson(json);
 }
 
 }  // namespace
 
 void addBoringRobust(CLI::App& boring) {
-    auto options = std::make_shared<RobustOptions>();
+    auto options = std::make_shared<BoringRobustOptions>();
     CLI::App* command = boring.add_subcommand(
         "robust",
         "Hard machines, each drawn from a seed of its own (docs/boring.md): the default against the paper's law on the "
@@ -110,14 +101,10 @@ void addBoringRobust(CLI::App& boring) {
         "there),\n"
         "  sigma_factor_true,sigma_factor_found. Without it, JSON: share_worse, worst_ratio, share_unstable and "
         "means.");
-    command->add_option("--machines", options->machines, "how many")
-        ->check(CLI::Range(1U, 100000U))
-        ->capture_default_str();
-    command->add_option("--seed", options->seed, "same seed, same digits")->capture_default_str();
+    options->shared.addTo(*command);
     command->add_option("--sigma-mm", options->sigma_mm, "assumed standard deviation of a measured deflection, mm")
         ->check(CLI::Range(1e-6, 10.0))
         ->capture_default_str();
-    command->add_flag("--csv", options->csv, "one row per machine");
     command->callback([options] { robust(*options); });
 }
 
