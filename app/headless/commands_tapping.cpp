@@ -89,6 +89,7 @@ struct TuneOptions : DriveOptions {
     int maxTaps{8};
     TrialScatter scatter{};
     std::vector<std::string> assume;
+    std::string thread;
     std::uint64_t seed{1};
 };
 
@@ -106,8 +107,51 @@ double peakTrim_um(const TapSettings& settings) {
     return 1000.0 * peak_mm;
 }
 
+/// The thread asked for, else the coarse one of this pitch, else the one with the least tolerance.
+const ThreadPreset* threadFor(const std::string& asked, double pitch_mm) {
+    if (!asked.empty()) {
+        const ThreadPreset* named = findThread(asked);
+        if (named == nullptr)
+            throw CLI::ValidationError("--thread", asked + " is unknown; expected M3 to M20, as in M8 or M8x1");
+        if (std::abs(named->pitch_mm - pitch_mm) > 1e-9) {
+            throw CLI::ValidationError("--thread",
+                                       fmt::format("{} has a pitch of {} mm", named->name, named->pitch_mm));
+        }
+        return named;
+    }
+    const ThreadPreset* found = nullptr;
+    for (const ThreadPreset& thread : threadPresets()) {
+        if (std::abs(thread.pitch_mm - pitch_mm) > 1e-9) continue;
+        if (found == nullptr || (!found->coarse && thread.grade6_um < found->grade6_um)) found = &thread;
+    }
+    return found;
+}
+
+/// Whether the tolerance holds; if not why, what would help, and what that costs. Null where no tolerance is known.
+void putVerdict(Json& out, const TunerSetup& setup, const Tuning& tuning, const ThreadPreset* thread) {
+    Json& hole = out["hole_time_s"];
+    if (thread == nullptr) {
+        hole = {{"programmed", holeTime_s(setup.assumed, setup.assumed.ramp_revPerS2)}, {"proposed", nullptr}};
+        for (const char* key : {"thread", "allowed_pp_um", "within_tolerance", "limited_by", "proposed_acc_rev_s2"})
+            out[key] = nullptr;
+        return;
+    }
+    const TuningVerdict verdict = judgeTuning(setup, tuning, thread->allowedPp_um());
+    hole["programmed"] = verdict.programmedHole_s;
+    hole["proposed"] = verdict.proposedHole_s ? Json(*verdict.proposedHole_s) : Json();
+    out["thread"] = thread->name;
+    out["allowed_pp_um"] = thread->allowedPp_um();
+    out["within_tolerance"] = verdict.within;
+    out["limited_by"] = limitKey(verdict.limitedBy);
+    out["proposed_acc_rev_s2"] = verdict.proposedRamp_revPerS2 ? Json(*verdict.proposedRamp_revPerS2) : Json();
+    if (verdict.within) return;
+    out["reason"] = verdict.why.english();
+    out["would_help"] = verdict.help.english();
+}
+
 void tune(const TuneOptions& options) {
     const DriveParams drive = options.drive();
+    const ThreadPreset* thread = threadFor(options.thread, drive.pitch_mm);
     DriveParams assumed;
     applyDriveSettings(assumed, "--assume", options.assume);
     TunerSetup setup;
@@ -152,6 +196,7 @@ void tune(const TuneOptions& options) {
     const SafeGains& safe = tuning.trials.back().step.safe;
     out["safe_kpz"] = {{"lowest", safe.lowest_perS}, {"highest", safe.highest_perS}, {"critical", safe.critical_perS}};
     out["reason"] = tuning.trials.back().step.reason.english();
+    putVerdict(out, setup, tuning, thread);
     printJson(out);
 }
 
@@ -163,29 +208,8 @@ struct EvaluateOptions {
     std::shared_ptr<files::ReadOptions> read{};
 };
 
-/// The thread asked for, else the coarse one of this pitch, else the one with the least tolerance.
-const ThreadPreset* threadFor(const EvaluateOptions& options) {
-    if (!options.thread.empty()) {
-        const ThreadPreset* named = findThread(options.thread);
-        if (named == nullptr)
-            throw CLI::ValidationError("--thread",
-                                       options.thread + " is unknown; expected M3 to M20, as in M8 or M8x1");
-        if (std::abs(named->pitch_mm - options.pitch_mm) > 1e-9) {
-            throw CLI::ValidationError("--thread",
-                                       fmt::format("{} has a pitch of {} mm", named->name, named->pitch_mm));
-        }
-        return named;
-    }
-    const ThreadPreset* found = nullptr;
-    for (const ThreadPreset& thread : threadPresets()) {
-        if (std::abs(thread.pitch_mm - options.pitch_mm) > 1e-9) continue;
-        if (found == nullptr || (!found->coarse && thread.grade6_um < found->grade6_um)) found = &thread;
-    }
-    return found;
-}
-
 void evaluate(const EvaluateOptions& options) {
-    const ThreadPreset* thread = threadFor(options);
+    const ThreadPreset* thread = threadFor(options.thread, options.pitch_mm);
     Table table = Table::read(options.file, *options.read);
     table.dropRowsWithGaps({"t_s", "spindle_rev", "z_mm"});  // a sample without a value is a missing tick
     const std::span<const double> time_s(table.column("t_s"));
@@ -269,6 +293,7 @@ void addTappingCommands(CLI::App& kerf) {
                      "KEY=VALUE: servo constant the tuner assumes; the reference without it")
         ->expected(1)
         ->take_all();
+    tuneCommand->add_option("--thread", tuneOptions->thread, "M3 to M20, fine as in M8x1; by pitch without it");
     tuneCommand->add_option("--seed", tuneOptions->seed, "of noise and spreads");
     tuneCommand->callback([tuneOptions] { tune(*tuneOptions); });
 

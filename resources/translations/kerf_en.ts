@@ -3980,6 +3980,86 @@
             <source>nothing takes a connection there; expected a Modbus TCP module that is switched on.</source>
             <translation>nothing takes a connection there; expected a Modbus TCP module that is switched on.</translation>
         </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: Z reaches only %3 rev/s² and cannot follow the programmed ramp.</source>
+            <translation>%1 µm is left, %2 µm is allowed: Z reaches only %3 rev/s² and cannot follow the programmed ramp.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: a resonance of Z bounds its gain.</source>
+            <translation>%1 µm is left, %2 µm is allowed: a resonance of Z bounds its gain.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: all taps are used.</source>
+            <translation>%1 µm is left, %2 µm is allowed: all taps are used.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: lag in Z bounds its gain.</source>
+            <translation>%1 µm is left, %2 µm is allowed: lag in Z bounds its gain.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the recorded signals are too noisy (%3 µm) to learn from.</source>
+            <translation>%1 µm is left, %2 µm is allowed: the recorded signals are too noisy (%3 µm) to learn from.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the slow tick of the position loop bounds the gain of Z.</source>
+            <translation>%1 µm is left, %2 µm is allowed: the slow tick of the position loop bounds the gain of Z.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the spindle reaches only %3 rev/s² and cannot follow the programmed ramp.</source>
+            <translation>%1 µm is left, %2 µm is allowed: the spindle reaches only %3 rev/s² and cannot follow the programmed ramp.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the trim of Z cannot take more.</source>
+            <translation>%1 µm is left, %2 µm is allowed: the trim of Z cannot take more.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: this tuner changes the gain alone.</source>
+            <translation>%1 µm is left, %2 µm is allowed: this tuner changes the gain alone.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: what is left differs from tap to tap.</source>
+            <translation>%1 µm is left, %2 µm is allowed: what is left differs from tap to tap.</translation>
+        </message>
+        <message>
+            <source>A faster velocity loop of Z, or a lower speed.</source>
+            <translation>A faster velocity loop of Z, or a lower speed.</translation>
+        </message>
+        <message>
+            <source>A filter at the resonance in the drive of Z, or a lower speed.</source>
+            <translation>A filter at the resonance in the drive of Z, or a lower speed.</translation>
+        </message>
+        <message>
+            <source>A lower gear, or a tap that needs less torque.</source>
+            <translation>A lower gear, or a tap that needs less torque.</translation>
+        </message>
+        <message>
+            <source>A lower speed, an even load, or a sharp tap.</source>
+            <translation>A lower speed, an even load, or a sharp tap.</translation>
+        </message>
+        <message>
+            <source>A lower speed, or a control that takes a trim of the Z command.</source>
+            <translation>A lower speed, or a control that takes a trim of the Z command.</translation>
+        </message>
+        <message>
+            <source>A shorter tick of the control's position loop, or a lower speed.</source>
+            <translation>A shorter tick of the control's position loop, or a lower speed.</translation>
+        </message>
+        <message>
+            <source>Finer encoders, or a filter on the recorded positions.</source>
+            <translation>Finer encoders, or a filter on the recorded positions.</translation>
+        </message>
+        <message>
+            <source>Program a ramp of %1 rev/s², then tune again: %2 s per hole instead of %3 s.</source>
+            <translation>Program a ramp of %1 rev/s², then tune again: %2 s per hole instead of %3 s.</translation>
+        </message>
+        <message>
+            <source>The default tuner, which learns feed-forward and trim too.</source>
+            <translation>The default tuner, which learns feed-forward and trim too.</translation>
+        </message>
+        <message>
+            <source>Tune again from here: it goes on with what it has learned.</source>
+            <translation>Tune again from here: it goes on with what it has learned.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -3979,6 +3979,86 @@
             <source>nothing takes a connection there; expected a Modbus TCP module that is switched on.</source>
             <translation>그곳에서 연결을 받는 것이 없습니다. 켜져 있는 Modbus TCP 모듈이 필요합니다.</translation>
         </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: Z reaches only %3 rev/s² and cannot follow the programmed ramp.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. Z가 %3 rev/s²밖에 내지 못해 프로그램된 가속을 따르지 못합니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: a resonance of Z bounds its gain.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. Z의 공진이 게인을 제한합니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: all taps are used.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 탭을 모두 사용했습니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: lag in Z bounds its gain.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. Z의 지연이 게인을 제한합니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the recorded signals are too noisy (%3 µm) to learn from.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 기록된 신호의 잡음(%3 µm)이 커서 학습할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the slow tick of the position loop bounds the gain of Z.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 위치 루프의 느린 주기가 Z의 게인을 제한합니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the spindle reaches only %3 rev/s² and cannot follow the programmed ramp.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 주축이 %3 rev/s²밖에 내지 못해 프로그램된 가속을 따르지 못합니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: the trim of Z cannot take more.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. Z의 보정을 더 줄 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: this tuner changes the gain alone.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 이 튜너는 게인만 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>%1 µm is left, %2 µm is allowed: what is left differs from tap to tap.</source>
+            <translation>%1 µm가 남았고 허용값은 %2 µm입니다. 남은 오차는 탭마다 다릅니다.</translation>
+        </message>
+        <message>
+            <source>A faster velocity loop of Z, or a lower speed.</source>
+            <translation>Z 속도 루프를 더 빠르게 하거나 회전수를 낮추십시오.</translation>
+        </message>
+        <message>
+            <source>A filter at the resonance in the drive of Z, or a lower speed.</source>
+            <translation>Z 드라이브에 공진 주파수 필터를 넣거나 회전수를 낮추십시오.</translation>
+        </message>
+        <message>
+            <source>A lower gear, or a tap that needs less torque.</source>
+            <translation>더 낮은 기어를 쓰거나 토크가 덜 드는 탭을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>A lower speed, an even load, or a sharp tap.</source>
+            <translation>회전수를 낮추거나, 부하를 고르게 하거나, 날카로운 탭을 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>A lower speed, or a control that takes a trim of the Z command.</source>
+            <translation>회전수를 낮추거나 Z 지령 보정을 받는 제어기를 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>A shorter tick of the control's position loop, or a lower speed.</source>
+            <translation>제어기의 위치 루프 주기를 줄이거나 회전수를 낮추십시오.</translation>
+        </message>
+        <message>
+            <source>Finer encoders, or a filter on the recorded positions.</source>
+            <translation>더 정밀한 엔코더를 쓰거나 기록된 위치에 필터를 넣으십시오.</translation>
+        </message>
+        <message>
+            <source>Program a ramp of %1 rev/s², then tune again: %2 s per hole instead of %3 s.</source>
+            <translation>가속을 %1 rev/s²로 프로그램한 뒤 다시 튜닝하십시오. 구멍당 %3 s가 아니라 %2 s가 걸립니다.</translation>
+        </message>
+        <message>
+            <source>The default tuner, which learns feed-forward and trim too.</source>
+            <translation>피드포워드와 보정까지 학습하는 기본 튜너를 쓰십시오.</translation>
+        </message>
+        <message>
+            <source>Tune again from here: it goes on with what it has learned.</source>
+            <translation>여기에서 다시 튜닝하십시오. 학습한 것에서 이어집니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

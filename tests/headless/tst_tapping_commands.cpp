@@ -61,6 +61,30 @@ class TestTappingCommands : public QObject {
         QCOMPARE(tapping(noisy).out, run.out);  // same seed, same digits
     }
 
+    void tuneSaysWhatLimitsItAndWhatARampCosts() {
+        const json held = document(tapping(QStringLiteral("tune --summary")));
+        QCOMPARE(held["within_tolerance"].get<bool>(), true);
+        QCOMPARE(held["limited_by"].get<std::string>(), "none");
+        QVERIFY(held["proposed_acc_rev_s2"].is_null());
+        KERF_CLOSE(held["hole_time_s"]["programmed"].get<double>(), 1.08, 1e-9);
+        QVERIFY(held["hole_time_s"]["proposed"].is_null());
+        const json weak = document(tapping(QStringLiteral("tune --summary --set amax_s=300")));
+        QCOMPARE(weak["within_tolerance"].get<bool>(), false);
+        QCOMPARE(weak["limited_by"].get<std::string>(), "torque");
+        const double ramp_revPerS2 = weak["proposed_acc_rev_s2"].get<double>();
+        QVERIFY(ramp_revPerS2 > 200.0 && ramp_revPerS2 < 300.0);
+        KERF_CLOSE(weak["hole_time_s"]["programmed"].get<double>(), 1.08, 1e-9);
+        QVERIFY(weak["hole_time_s"]["proposed"].get<double>() > 1.2);
+        QVERIFY(!weak["would_help"].get<std::string>().empty());
+        const json eased =
+            document(tapping(QStringLiteral("tune --summary --set amax_s=300 --set acc=%1").arg(ramp_revPerS2)));
+        QVERIFY(eased["engaged_pp_um"].get<double>() < 5.0);
+        QVERIFY(eased["proposed_acc_rev_s2"].is_null());
+        const json unknown = document(tapping(QStringLiteral("tune --summary --set pitch=1.27")));
+        QVERIFY(unknown["within_tolerance"].is_null());  // no tolerance is known for this pitch
+        QCOMPARE(tapping(QStringLiteral("tune --summary --thread M6")).exitCode, 2);
+    }
+
     void evaluateJudgesARecordAndRefusesAWrongPitch() {
         const QString file = scratchFile(QStringLiteral("record.csv"), tapping(QStringLiteral("simulate --csv")).out);
         const KerfRun run = tapping(QStringLiteral("evaluate %1 --pitch-mm 1.25").arg(file));

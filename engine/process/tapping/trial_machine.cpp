@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/process/tapping/tap_drive.h"
+#include "engine/process/tapping/trim_learning.h"
 
 namespace kerf::tapping {
 
@@ -13,6 +14,8 @@ TrialMachine::TrialMachine(const DriveParams& drive, const TrialScatter& scatter
       m_scatter(scatter),
       m_loads(Random(seed).stream(1)),
       m_noise(Random(seed).stream(2)),
+      m_airFriction(Random(seed).stream(3)),
+      m_airNoise(Random(seed).stream(4)),
       m_spindle_rev(tapTicks(drive)),
       m_z_mm(m_spindle_rev.size()) {}
 
@@ -25,11 +28,26 @@ TapSignals TrialMachine::tap(const TapSettings& settings) {
     drive.thrust_mmPerS2 *= load;
     drive.zCoulomb_mmPerS2 *= friction;
     drive.zViscous_perS *= friction;
+    return record(drive, settings, m_noise);
+}
+
+TapSignals TrialMachine::airTap(const TapSettings& settings) {
+    DriveParams drive = withSettings(m_drive, settings);
+    const double friction = 1.0 + m_scatter.frictionSpread * m_airFriction.uniform(-1.0, 1.0);
+    drive.load_revPerS2 = 0.0;
+    drive.loadOut_revPerS2 = 0.0;
+    drive.thrust_mmPerS2 = 0.0;
+    drive.zCoulomb_mmPerS2 *= friction;
+    drive.zViscous_perS *= friction;
+    return record(drive, settings, m_airNoise);
+}
+
+TapSignals TrialMachine::record(const DriveParams& drive, const TapSettings& settings, Random& noise) {
     simulateTap(drive, settings.zTrim_mm, m_spindle_rev, m_z_mm);
     const double counts = m_scatter.encoderSpindle_counts;
     const double step_mm = m_scatter.encoderZ_um / 1000.0;
     for (std::size_t k = 0; k < m_z_mm.size(); ++k) {
-        if (m_scatter.noise_um > 0.0) m_z_mm[k] += m_scatter.noise_um / 1000.0 * m_noise.gauss();
+        if (m_scatter.noise_um > 0.0) m_z_mm[k] += m_scatter.noise_um / 1000.0 * noise.gauss();
         if (counts > 0.0) m_spindle_rev[k] = std::round(m_spindle_rev[k] * counts) / counts;
         if (step_mm > 0.0) m_z_mm[k] = std::round(m_z_mm[k] / step_mm) * step_mm;
     }
@@ -88,18 +106,27 @@ Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialS
     const std::unique_ptr<Tuner> tuner = makeTuner(setup);
     TrialMachine machine(drive, scatter, seed);
     tuning.before = cleanFigures(drive, setup.initial);
+    tuning.reach = rampReach(setup.assumed, setup.initial, machine.airTap(setup.initial));
     for (bool finished = false; !finished;) {
         Trial trial;
         trial.settings = tuner->settings();
         const TapSignals tap = machine.tap(trial.settings);
         trial.measured = contourFigures(tap.spindle_rev, tap.z_mm, tap.valid, drive.pitch_mm, drive.engage_rev);
+        if (tuning.trials.empty()) tuning.reach = tuning.reach.lesser(rampReach(setup.assumed, trial.settings, tap));
         trial.step = tuner->observe(tap);
         finished = trial.step.finished;
+        tuning.noise_um = 1000.0 * errorNoise_mm(contourError(tap, drive.pitch_mm));
         tuning.final = trial.step.next;
         tuning.trials.push_back(std::move(trial));
     }
     tuning.after = cleanFigures(drive, tuning.final);
+    tuning.tapsUsed = static_cast<int>(tuning.trials.size()) >= setup.maxTaps;
     return tuning;
+}
+
+TuningVerdict judgeTuning(const TunerSetup& setup, const Tuning& tuning, double allowedPp_um) {
+    return judgeTuning({setup, tuning.reach, tuning.final, tuning.trials.back().step.safe, tuning.after.engagedPp_um,
+                        allowedPp_um, tuning.noise_um, tuning.tapsUsed});
 }
 
 }  // namespace kerf::tapping

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/process/tapping/tuner.h"
+#include "engine/process/tapping/tuning_verdict.h"
 
 namespace kerf::tapping {
 
@@ -24,12 +24,18 @@ class TrialMachine {
     TrialMachine(const DriveParams& drive, const TrialScatter& scatter, std::uint64_t seed);
     /// One tap; the spans stay valid until the next.
     [[nodiscard]] TapSignals tap(const TapSettings& settings);
+    /// The same without work: no load. Its noise and friction come from streams of their own.
+    [[nodiscard]] TapSignals airTap(const TapSettings& settings);
 
  private:
+    TapSignals record(const DriveParams& drive, const TapSettings& settings, Random& noise);
+
     DriveParams m_drive;
     TrialScatter m_scatter;
     Random m_loads;
     Random m_noise;
+    Random m_airFriction;
+    Random m_airNoise;
     std::vector<double> m_spindle_rev;
     std::vector<double> m_z_mm;
 };
@@ -58,10 +64,15 @@ struct Tuning {
     TapSettings final{};
     ContourFigures before{};  ///< clean, initial settings
     ContourFigures after{};   ///< clean, final settings
+    RampReach reach{};        ///< of the air tap before the first trial and of that trial, the lesser
+    double noise_um{0.0};     ///< white part of the last record's error
+    bool tapsUsed{false};     ///< ended because no tap was left
     [[nodiscard]] double reduction() const { return 1.0 - after.saec_mm / before.saec_mm; }
 };
-/// Tap, observe, until the tuner is finished.
+/// One air tap, then tap, observe, until the tuner is finished.
 [[nodiscard]] Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialScatter& scatter,
                                std::uint64_t seed);
+/// Whether the clean drive holds `allowedPp_um` with the final settings, and if not, why.
+[[nodiscard]] TuningVerdict judgeTuning(const TunerSetup& setup, const Tuning& tuning, double allowedPp_um);
 
 }  // namespace kerf::tapping

@@ -232,6 +232,8 @@ class DefaultTuner final : public TrialTuner {
     static constexpr double kWorseInitial = 0.25;  ///< … if it is also above this share of the first tap's
     static constexpr double kModelShows = 0.03;    ///< of the first tap's SAEC: above it the model's error shows …
     static constexpr double kHalved = 0.5;         ///< … on tap 2, then while SAEC falls below this share of the last
+    static constexpr double kClearlyWorse = 1.3;   ///< SAEC over the best tap's that gives the best tap's settings
+    static constexpr double kWorthKeeping = 0.95;  ///< of the first tap's SAEC: more is no reason to change the machine
     static constexpr int kMeanTaps = 3;            ///< taps without a new best that end the tuning
     static constexpr double kHighestVelocityFf = 1.2;
     static constexpr double kHighestAccelFf = 5.0;
@@ -253,6 +255,13 @@ class DefaultTuner final : public TrialTuner {
         m_accepted = m_current;
         m_acceptedSaec_mm = figures.saec_mm;
         const bool best = m_taps == 1 || figures.saec_mm < (1.0 - kWorth) * m_leastSaec_mm;
+        if (m_taps == 1) m_firstPp_um = figures.engagedPp_um;
+        m_acceptedPp_um = figures.engagedPp_um;
+        const double bound_mm = m_taps == 1 ? figures.saec_mm : std::min(m_bestSaec_mm, kWorthKeeping * m_firstSaec_mm);
+        if (figures.saec_mm <= bound_mm && figures.engagedPp_um <= m_firstPp_um) {
+            m_best = m_current;
+            m_bestSaec_mm = figures.saec_mm;
+        }
         m_leastSaec_mm = m_taps == 1 ? figures.saec_mm : std::min(m_leastSaec_mm, figures.saec_mm);
         m_sinceBest = best ? 0 : m_sinceBest + 1;
 
@@ -283,7 +292,7 @@ class DefaultTuner final : public TrialTuner {
         step.expectedSaec_mm = predicted_mm;
         if (m_taps > 2 && (predicted_mm > (1.0 - kWorth) * figures.saec_mm || m_sinceBest >= kMeanTaps)) {
             step.finished = true;
-            step.next = m_accepted;
+            step.next = settingsToKeep();
             step.reason = Sentence(KERF_TEXT("What is left (%1 mm) is noise and scatter: further taps would not help."),
                                    {figures.saec_mm, 1});
             return;
@@ -304,7 +313,7 @@ class DefaultTuner final : public TrialTuner {
         step.expectedSaec_mm = predicted_mm;
         if (m_taps > 1 && (predicted_mm > (1.0 - kWorth) * figures.saec_mm || m_sinceBest >= kMeanTaps)) {
             step.finished = true;
-            step.next = m_accepted;
+            step.next = settingsToKeep();
             step.reason = Sentence(KERF_TEXT("What is left (%1 mm) is not a matter of gain or feed-forward."),
                                    {figures.saec_mm, 1});
             return;
@@ -336,6 +345,18 @@ class DefaultTuner final : public TrialTuner {
         return out;
     }
 
+    /// The last accepted settings, a mean over several records; those of the best tap when it was clearly better. Never
+    /// what made sum or peak-to-peak worse than the first tap's.
+    [[nodiscard]] TapSettings settingsToKeep() const override {
+        const bool keep = m_acceptedSaec_mm <= kClearlyWorse * m_bestSaec_mm &&
+                          m_acceptedSaec_mm <= kWorthKeeping * m_firstSaec_mm && m_acceptedPp_um <= m_firstPp_um;
+        return keep ? m_accepted : m_best;
+    }
+
+    TapSettings m_best;
+    double m_bestSaec_mm{0.0};
+    double m_acceptedPp_um{0.0};
+    double m_firstPp_um{0.0};
     double m_firstSaec_mm{0.0};
     double m_leastSaec_mm{0.0};
     double m_lastSaec_mm{0.0};

@@ -240,6 +240,92 @@ class TestTappingTuners : public QObject {
         }
     }
 
+    void aSpindleThatCannotFollowIsSaidAndARampIsProposed_data() {
+        QTest::addColumn<double>("limit_revPerS2");
+        QTest::addColumn<double>("speed_rpm");
+        QTest::addColumn<double>("depth_rev");
+        QTest::addColumn<double>("load");
+        QTest::newRow("300") << 300.0 << 3000.0 << 22.0 << 1.0;
+        QTest::newRow("300, double load") << 300.0 << 3000.0 << 22.0 << 2.0;
+        QTest::newRow("300, 6000 rpm") << 300.0 << 6000.0 << 30.0 << 1.0;
+        QTest::newRow("300, 6 rev") << 300.0 << 3000.0 << 6.0 << 1.0;
+        QTest::newRow("200, half load") << 200.0 << 3000.0 << 22.0 << 0.5;
+    }
+    void aSpindleThatCannotFollowIsSaidAndARampIsProposed() {
+        QFETCH(double, limit_revPerS2);
+        QFETCH(double, speed_rpm);
+        QFETCH(double, depth_rev);
+        QFETCH(double, load);
+        const double allowed_um = findThread("M8")->allowedPp_um();
+        DriveParams drive;
+        drive.spindleAccelMax_revPerS2 = limit_revPerS2;
+        drive.speed_rpm = speed_rpm;
+        drive.depth_rev = depth_rev;
+        drive.load_revPerS2 *= load;
+        drive.loadOut_revPerS2 *= load;
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const TunerSetup setup = setupFor(drive, TunerKind::Default, 8);
+            const Tuning tuning = runTuning(setup, drive, kShopFloor, seed);
+            const TuningVerdict verdict = judgeTuning(setup, tuning, allowed_um);
+            QVERIFY(!verdict.within);
+            QCOMPARE(verdict.limitedBy, LimitedBy::Torque);
+            QVERIFY(!verdict.why.empty() && !verdict.help.empty());
+            QVERIFY(verdict.proposedRamp_revPerS2.has_value());
+            QVERIFY(*verdict.proposedRamp_revPerS2 < limit_revPerS2);
+            QVERIFY(*verdict.proposedHole_s > verdict.programmedHole_s);
+            DriveParams eased = drive;
+            eased.ramp_revPerS2 = *verdict.proposedRamp_revPerS2;
+            const TunerSetup again = setupFor(eased, TunerKind::Default, 8);
+            const Tuning mended = runTuning(again, eased, kShopFloor, seed);
+            const TuningVerdict now = judgeTuning(again, mended, allowed_um);
+            QVERIFY2(mended.after.engagedPp_um < 20.0, qPrintable(QString::number(mended.after.engagedPp_um)));
+            QVERIFY(now.within && !now.proposedRamp_revPerS2);
+            QCOMPARE(now.programmedHole_s, *verdict.proposedHole_s);
+        }
+    }
+
+    void noTuningEndsOutsideToleranceWithoutAReason_data() {
+        QTest::addColumn<QString>("limit");
+        QTest::addColumn<int>("taps");
+        QTest::addColumn<double>("zLimit_mmPerS2");
+        QTest::addColumn<double>("lag_s");
+        QTest::addColumn<double>("ramp_revPerS2");
+        QTest::newRow("one tap") << "taps" << 1 << 6000.0 << 0.0008 << 500.0;
+        QTest::newRow("Z too weak") << "z_torque" << 8 << 500.0 << 0.0008 << 500.0;
+        QTest::newRow("Z too slow") << "lag" << 8 << 6000.0 << 0.02 << 500.0;
+        QTest::newRow("a ramp of 2000") << "torque" << 8 << 6000.0 << 0.0008 << 2000.0;
+        QTest::newRow("nothing") << "none" << 8 << 6000.0 << 0.0008 << 500.0;
+    }
+    void noTuningEndsOutsideToleranceWithoutAReason() {
+        QFETCH(QString, limit);
+        QFETCH(int, taps);
+        QFETCH(double, zLimit_mmPerS2);
+        QFETCH(double, lag_s);
+        QFETCH(double, ramp_revPerS2);
+        DriveParams drive;
+        drive.zAccelMax_mmPerS2 = zLimit_mmPerS2;
+        drive.zTorqueLag_s = lag_s;
+        drive.ramp_revPerS2 = ramp_revPerS2;
+        const TunerSetup setup = setupFor(drive, TunerKind::Default, taps);
+        const TuningVerdict verdict =
+            judgeTuning(setup, runTuning(setup, drive, kShopFloor, 4), findThread("M8")->allowedPp_um());
+        QCOMPARE(QString(limitKey(verdict.limitedBy)), limit);
+        QCOMPARE(verdict.within, limit == QStringLiteral("none"));
+        QCOMPARE(verdict.why.empty(), verdict.within);
+        QCOMPARE(verdict.help.empty(), verdict.within);
+    }
+
+    void aTuningNeverEndsWorseThanItBegan() {
+        DriveParams drive;
+        drive.zAccelMax_mmPerS2 = 500.0;  // the learned trim asks for what Z cannot give
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const Tuning tuning = runTuning(setupFor(drive, TunerKind::Default, 8), drive, kShopFloor, seed);
+            QVERIFY2(tuning.after.saec_mm <= tuning.before.saec_mm, qPrintable(QString::number(tuning.after.saec_mm)));
+            QVERIFY2(tuning.after.engagedPp_um <= tuning.before.engagedPp_um,
+                     qPrintable(QString::number(tuning.after.engagedPp_um)));
+        }
+    }
+
     void tapWithGapsDoesNotCount() {
         const DriveParams drive;
         const std::unique_ptr<Tuner> tuner = makeTuner(setupFor(drive, TunerKind::Default, 4));
