@@ -52,7 +52,9 @@ std::string folderOf(const std::string& folder) {
 }  // namespace
 
 ConsoleSource::ConsoleSource(const std::string& dataFolder)
-    : m_file(db::databaseFile(folderOf(dataFolder))), m_page(live::livePagePath(folderOf(dataFolder))) {}
+    : m_file(db::databaseFile(folderOf(dataFolder))), m_page(live::livePagePath(folderOf(dataFolder))) {
+    (void)m_korean.load(QStringLiteral(":/translations/kerf_ko.qm"));  // without it alarms are said in English
+}
 
 ConsoleSource::~ConsoleSource() = default;
 
@@ -233,11 +235,15 @@ void ConsoleSource::readAlarms(Observations&) {
             }
         }
         const QString text = QString::fromStdString(sentence.english());
+        const QByteArray korean = m_korean.translate("engine", pattern.c_str()).toUtf8();
+        Sentence inKorean = sentence;
+        inKorean.text = korean.isEmpty() ? sentence.text : korean.constData();
         m_alarms.conditions.push_back({open.integer(1) == 1 ? QStringLiteral("Fault") : QStringLiteral("Warning"),
                                        QString::number(open.integer(0)), text});
         m_openAlarms.append(QJsonObject{{QStringLiteral("code"), static_cast<qint64>(open.integer(0))},
                                         {QStringLiteral("priority"), static_cast<qint64>(open.integer(1))},
                                         {QStringLiteral("text"), text},
+                                        {QStringLiteral("text_ko"), QString::fromStdString(inKorean.english())},
                                         {QStringLiteral("raised_utc_ms"), static_cast<qint64>(open.integer(4))}});
     }
 }

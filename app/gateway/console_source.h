@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QString>
+#include <QTranslator>
 #include <memory>
 #include <vector>
 
@@ -57,6 +58,7 @@ class ConsoleSource {
     Value m_partId{};
     QJsonArray m_lastParts{};
     QJsonArray m_openAlarms{};
+    QTranslator m_korean{};
     std::vector<PartAsset> m_assets{};
 };
 

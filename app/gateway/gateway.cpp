@@ -104,7 +104,8 @@ void Gateway::serve(const HttpRequest& request, HttpClient& client) {
         }
     } else if (path == QLatin1String("/") || path == QLatin1String("/board")) {
         QFile page(QStringLiteral(":/kerf/gateway/board.html"));
-        client.reply(page.open(QIODevice::ReadOnly) ? 200 : 500, "text/html; charset=utf-8", page.readAll());
+        const bool there = page.open(QIODevice::ReadOnly);
+        client.reply(there ? 200 : 500, "text/html; charset=utf-8", page.readAll());
     } else if (path == QLatin1String("/board.json")) {
         client.reply(200, "application/json", boardJson());
     } else if (path == QLatin1String("/events")) {
@@ -116,14 +117,30 @@ void Gateway::serve(const HttpRequest& request, HttpClient& client) {
     }
 }
 
+bool Gateway::select(const HttpRequest& request, HttpClient& client, std::optional<Ids>& ids) {
+    const QString path = request.query.queryItemValue(QStringLiteral("path"), QUrl::FullyDecoded);
+    if (path.isEmpty()) {
+        return true;
+    }
+    ids = path.size() > kMaxPath ? std::nullopt
+                                 : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
+    if (!ids) {
+        refuse(request, client, 400,
+               {"InvalidXPath",
+                tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
+    }
+    return ids.has_value();
+}
+
 void Gateway::current(const HttpRequest& request, HttpClient& client) {
     std::optional<quint64> at;
     if (!integerOf<quint64>(request.query, "at", m_observations.firstSequence(), m_observations.nextSequence() - 1,
                             at)) {
+        // The schema of errors knows no query parameter "at".
         refuse(request, client, 404,
-               {"OutOfRange", tr("at must be a number within its range."), QStringLiteral("at"),
-                request.query.queryItemValue(QStringLiteral("at")), static_cast<qint64>(m_observations.firstSequence()),
-                static_cast<qint64>(m_observations.nextSequence() - 1)});
+               {"InvalidURI", tr("at must be a number from %1 to %2, the numbers that the buffer holds.")
+                                  .arg(m_observations.firstSequence())
+                                  .arg(m_observations.nextSequence() - 1)});
         return;
     }
     std::optional<int> interval_ms;
@@ -135,17 +152,8 @@ void Gateway::current(const HttpRequest& request, HttpClient& client) {
         return;
     }
     std::optional<Ids> ids;
-    const QString path = request.query.queryItemValue(QStringLiteral("path"), QUrl::FullyDecoded);
-    if (!path.isEmpty()) {
-        ids = path.size() > kMaxPath ? std::nullopt
-                                     : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
-        if (!ids) {
-            refuse(
-                request, client, 400,
-                {"InvalidXPath",
-                 tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
-            return;
-        }
+    if (!select(request, client, ids)) {
+        return;
     }
     if (interval_ms) {
         stream(request, client, ids, 0, 0, std::max(*interval_ms, kMinInterval_ms), kDefaultHeartbeat_ms, false);
@@ -184,17 +192,8 @@ void Gateway::sample(const HttpRequest& request, HttpClient& client) {
         return;
     }
     std::optional<Ids> ids;
-    const QString path = request.query.queryItemValue(QStringLiteral("path"), QUrl::FullyDecoded);
-    if (!path.isEmpty()) {
-        ids = path.size() > kMaxPath ? std::nullopt
-                                     : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
-        if (!ids) {
-            refuse(
-                request, client, 400,
-                {"InvalidXPath",
-                 tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
-            return;
-        }
+    if (!select(request, client, ids)) {
+        return;
     }
     const quint64 first = from.value_or(m_observations.firstSequence());
     if (interval_ms) {

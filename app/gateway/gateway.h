@@ -40,6 +40,8 @@ class Gateway : public QObject {
                 int interval_ms, int heartbeat_ms, bool samples);
     void events(HttpClient& client);
     [[nodiscard]] QByteArray boardJson() const;
+    /// What ?path= selects; false: it selects nothing, and the client has been told.
+    bool select(const HttpRequest& request, HttpClient& client, std::optional<Ids>& ids);
     void refuse(const HttpRequest& request, HttpClient& client, int status, const Fault& fault);
     [[nodiscard]] bool allowed(const QByteArray& token) const;
 

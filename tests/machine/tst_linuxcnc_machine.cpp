@@ -194,7 +194,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
         wishes[static_cast<std::size_t>(kerf::ProcessId::Thermal)].workOffset_um[2] = 12.0;
         kerf::LimitReport report;
-        limiter.adopt(m_inputs, m_machine->capabilities());
+        limiter.adopt(m_inputs, quick);
         double largestStep_um = 0.0;
         double last_um = 0.0;
         const auto limitedUntil = [&](const std::function<bool()>& condition) {
@@ -280,13 +280,13 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         console.waitForFinished();
         QVERIFY(lost());
         QCOMPARE(seen.appliedFeedScale, 1.0);
-        qInfo("console killed: programmed feed and alarm after %.0f ms", noticed_ms);
+        qInfo("console killed: noticed after %.0f ms", noticed_ms);
         QVERIFY(m_machine->connect().has_value());
         m_deadline = std::chrono::steady_clock::now();
         QVERIFY(linkIs(kerf::LinkState::Up));
         QVERIFY(cycleUntil([this] { return homed(); }, neutral()));
     }
-    void silentConsoleLeavesTheProgrammedFeed() {
+    void silentConsoleNeverMakesTheFeedFaster() {
         QVERIFY(startShortProgram());
         kerf::MachineOutputs slow = neutral();
         slow.feedScale = 0.2;
@@ -295,18 +295,14 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
                 return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed();
             },
             slow));
-        const std::int64_t silentFrom_ns = kerf::test::monotonic_ns();
-        std::int64_t reacted_ns = 0;
-        while (kerf::test::monotonic_ns() - silentFrom_ns < 1'000'000'000 && reacted_ns == 0) {
-            machine().read(nextCycle(), m_inputs);  // looks, but says nothing: hung
-            QVERIFY(m_inputs.actualFeed_mmPerS.value <= programmed() * 1.001);
-            if (m_inputs.appliedFeedScale.value == 1.0) {
-                reacted_ns = kerf::test::monotonic_ns();
-            }
-        }
-        QVERIFY(reacted_ns != 0);
-        const double reaction_ms = static_cast<double>(reacted_ns - silentFrom_ns) * 1e-6;
-        qInfo("console silent: back at programmed feed after %.0f ms", reaction_ms);
+        double fastest = 0.0;
+        QVERIFY(silentUntil([&] {  // looks, but says nothing: hung
+            const bool runs = m_inputs.program == kerf::ProgramState::Running;
+            fastest = std::max(fastest, runs ? m_inputs.actualFeed_mmPerS.value / programmed() : 0.0);
+            return !runs;
+        }));
+        QCOMPARE(m_inputs.program, kerf::ProgramState::Finished);  // the part goes on to its end, as slow as it was
+        QVERIFY2(fastest < 0.25, qPrintable(QString::number(fastest)));
     }
     void controlKilledIsNoticedAndComesBack() {
         const std::int64_t killed_ns = kerf::test::LinuxCncControl::killBridge();

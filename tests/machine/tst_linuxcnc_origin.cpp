@@ -29,7 +29,7 @@ class TestLinuxCncOrigin : public QObject {
         wishes[static_cast<std::size_t>(ProcessId::Thermal)].workOffset_um[2] = shift_um;
         LimitReport report;
         m_machine->read(test::monotonic_ns(), m_inputs);
-        limiter.adopt(m_inputs, m_machine->capabilities());
+        limiter.adopt(m_inputs, quick);
         for (int i = 0; i < 15'000; ++i) {
             m_machine->read(test::monotonic_ns(), m_inputs);
             if (condition()) {
