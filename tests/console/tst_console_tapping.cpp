@@ -29,9 +29,14 @@ class TestConsoleTapping : public QObject {
         m_bench.console().window()->showPage("tapping");
         QVERIFY(m_bench.press("operator"));
         QTRY_VERIFY(m_bench.find<QLineEdit>("operatorName") != nullptr);
-        QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
-        QVERIFY(m_bench.press("roleEngineer"));
-        QVERIFY(m_bench.press("signOn"));
+        if (m_bench.find("operator0") != nullptr) {  // known since the first start
+            QVERIFY(m_bench.press("operator0"));
+        } else {
+            QTest::keyClicks(m_bench.find<QLineEdit>("operatorName"), QStringLiteral("Kim"));
+            QVERIFY(m_bench.press("roleEngineer"));
+            QVERIFY(m_bench.press("signOn"));
+        }
+        QCOMPARE(m_bench.console().window()->session().role(), ui::Role::Engineer);
         // The lot's only bore is cut first; it waits for its gauge and leaves the machine free.
         QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(enabled("tappingTap"), 60'000);

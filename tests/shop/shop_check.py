@@ -159,8 +159,9 @@ class Cut(threading.Thread):
                 client.sendall(data)
         except OSError:
             pass
-        client.close()
-        server.close()
+        for link in (client, server):  # closed alone, it would stay open while the other thread reads it
+            link.shutdown(socket.SHUT_RDWR)
+            link.close()
         self.listener.close()
 
 
