@@ -199,7 +199,10 @@ LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& c
     runWarmUp(inputs, outputs);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         m_status.shifted_um[axis] = inputs.workOffset_um[axis];
-        if (m_targetKnown && shiftReadable(inputs)) outputs.workOffset_um[axis] = m_status.target_um[axis];
+        // Without temperatures nothing moves: the limiter keeps what stands.
+        if (readable && m_targetKnown && shiftReadable(inputs)) {
+            outputs.workOffset_um[axis] = m_status.target_um[axis];
+        }
     }
     m_status.stage = !readable               ? ThermalStage::NoTemperatures
                      : !m_log.baselineDone() ? ThermalStage::Baseline
