@@ -294,7 +294,9 @@ void ConsoleApplication::lotIsOpen() {
 void ConsoleApplication::openWindow() {
     m_window = std::make_unique<ui::MainWindow>(*m_look, services());
     connect(&m_window->client(), &ui::EngineClient::alarmArrived, this, &ConsoleApplication::keepAlarm);
-    m_engine->start();
+    if (m_options.ownThread) {
+        m_engine->start();
+    }
     m_window->client().start();
     m_modes->restore();
     if (m_options.machine == "replay") {
@@ -302,9 +304,14 @@ void ConsoleApplication::openWindow() {
         speed.action = SetSimulationSpeed{m_options.simulationSpeed};
         (void)m_engine->send(speed);
     }
-    if (m_simulator && m_lots) {
-        const SimulatedShift::Params shift{m_options.preparedParts, m_options.autoOperator, m_options.simulationSpeed};
-        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots->service());
+    if (m_simulator) {
+        // A day that is on record has been prepared already.
+        const bool fresh = m_lots || !(m_reader->parts({}) && !m_reader->parts({})->empty());
+        const SimulatedShift::Params shift{
+            fresh ? m_options.preparedParts : 0, m_options.autoOperator, m_options.simulationSpeed, [this] {
+                return std::ranges::all_of(m_rooms, [this](const auto& room) { return room->prepared(*m_engine); });
+            }};
+        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots ? &m_lots->service() : nullptr);
     }
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);

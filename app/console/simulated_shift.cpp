@@ -19,16 +19,16 @@ Command commandOf(const Action& action) {
 
 }  // namespace
 
-SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringService& service, QObject* parent)
+SimulatedShift::SimulatedShift(const Params& params, EngineApi& engine, BoringService* service, QObject* parent)
     : QObject(parent), m_params(params), m_engine(engine), m_service(service) {
-    m_prepared = partsDone() >= params.preparedParts;
+    m_prepared = params.preparedParts == 0 || (service != nullptr && partsDone() >= params.preparedParts);
     setSpeed(m_prepared ? params.simulationSpeed : 0.0);
     connect(&m_timer, &QTimer::timeout, this, &SimulatedShift::tick);
     m_timer.start(kTick_ms);
 }
 
 std::uint32_t SimulatedShift::partsDone() const {
-    const auto& parts = m_service.view().parts;
+    const auto& parts = m_service->view().parts;
     const auto last =
         std::find_if(parts.rbegin(), parts.rend(), [](const BorePartView& part) { return part.complete; });
     return last == parts.rend() ? 0 : last->number;
@@ -39,12 +39,18 @@ void SimulatedShift::setSpeed(double factor) {
 }
 
 void SimulatedShift::tick() {
-    if (!m_prepared && partsDone() >= m_params.preparedParts) {
+    if (!m_prepared && boresDone()) {
+        if (m_params.others && !m_params.others()) {
+            return;
+        }
         m_prepared = true;
         setSpeed(m_params.simulationSpeed);
         emit preparationDone();
     }
-    if (m_service.view().awaiting) {
+    if (m_service == nullptr) {
+        return;
+    }
+    if (m_service->view().awaiting) {
         if (!m_prepared || m_params.autoOperator) {
             enterWhatTheGaugeShows();
         }
@@ -57,8 +63,8 @@ void SimulatedShift::enterWhatTheGaugeShows() {
     if (m_entering) {
         return;
     }
-    const BoringServiceView& view = m_service.view();
-    const auto reading_mm = m_service.gaugeReading_mm(*view.awaiting, view.awaitingDepth);
+    const BoringServiceView& view = m_service->view();
+    const auto reading_mm = m_service->gaugeReading_mm(*view.awaiting, view.awaitingDepth);
     if (!reading_mm) {
         return;
     }
@@ -70,7 +76,7 @@ void SimulatedShift::enterWhatTheGaugeShows() {
     entry.fromGauge = true;
     entry.confirmed = true;  // the gauge is read again and again until it is believed
     m_entering = true;
-    m_service.enter(entry, [this](const Result<void>& result) {
+    m_service->enter(entry, [this](const Result<void>& result) {
         m_entering = false;
         if (!result) {
             spdlog::warn("simulated operator: {}", result.error().english());
@@ -80,7 +86,7 @@ void SimulatedShift::enterWhatTheGaugeShows() {
 
 void SimulatedShift::loadNextBlank() {
     const Status& status = m_engine.status();
-    const BoringServiceView& view = m_service.view();
+    const BoringServiceView& view = m_service->view();
     const std::uint32_t cut = view.parts.empty() ? 0 : view.parts.back().number;
     const bool machineFree = status.program != ProgramState::Running && status.program != ProgramState::Paused;
     if (!machineFree && m_startWait > 0) {

@@ -22,8 +22,11 @@ class SimulatedShift : public QObject {
         std::uint32_t preparedParts{0};  ///< measured by itself and as fast as it can, before the operator comes
         bool autoOperator{false};        ///< measured by itself for the rest of the lot too
         double simulationSpeed{20.0};    ///< after the prepared parts
+        /// What the other processes do beforehand, after the bores; called until it is true. Empty: nothing.
+        std::function<bool()> others{};
     };
-    SimulatedShift(const Params& params, EngineApi& engine, BoringService& service, QObject* parent = nullptr);
+    /// `service` is null on a machine that does not bore.
+    SimulatedShift(const Params& params, EngineApi& engine, BoringService* service, QObject* parent = nullptr);
 
     /// True once the prepared parts are done.
     [[nodiscard]] bool prepared() const noexcept { return m_prepared; }
@@ -37,13 +40,14 @@ class SimulatedShift : public QObject {
     void loadNextBlank();
     void setSpeed(double factor);
     [[nodiscard]] std::uint32_t partsDone() const;
+    [[nodiscard]] bool boresDone() const { return m_service == nullptr || partsDone() >= m_params.preparedParts; }
 
     static constexpr int kTick_ms = 20;
     static constexpr int kStartPatience_ticks = 50;
 
     Params m_params;
     EngineApi& m_engine;
-    BoringService& m_service;
+    BoringService* m_service;
     QTimer m_timer;
     bool m_prepared{false};
     bool m_entering{false};

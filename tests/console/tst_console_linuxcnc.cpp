@@ -10,6 +10,7 @@
 #include "engine/core/random.h"
 #include "engine/process/boring/model.h"
 #include "tests/support/console_bench.h"
+#include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 #include "ui/pages/tapping/trial_bars.h"
 #include "ui/widgets/lamp.h"
@@ -249,5 +250,5 @@ class TestConsoleLinuxCnc : public QObject {
     test::LinuxCncControl m_control;
     test::ConsoleBench m_bench;
 };
-QTEST_MAIN(TestConsoleLinuxCnc)
+KERF_GUI_TEST_IN_TIME(TestConsoleLinuxCnc)
 #include "tst_console_linuxcnc.moc"

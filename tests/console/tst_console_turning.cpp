@@ -19,6 +19,7 @@ class TestConsoleTurning : public QObject {
     [[nodiscard]] static console::Options options() {
         console::Options o;
         o.machine = "diamond-lathe";
+        o.preparedParts = 0;
         o.seed = 7;
         return o;
     }

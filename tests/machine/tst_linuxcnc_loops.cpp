@@ -16,6 +16,7 @@
 #include "engine/process/milling/milling_loop.h"
 #include "engine/process/tapping/tapping_loop.h"
 #include "engine/process/tapping/tuning_session.h"
+#include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
 using namespace kerf;
@@ -192,5 +193,5 @@ class TestLinuxCncLoops : public QObject {
     std::unique_ptr<linuxcnc::LinuxCncMachine> m_machine;
     std::unique_ptr<Engine> m_engine;
 };
-QTEST_GUILESS_MAIN(TestLinuxCncLoops)
+KERF_TEST_IN_TIME(TestLinuxCncLoops)
 #include "tst_linuxcnc_loops.moc"

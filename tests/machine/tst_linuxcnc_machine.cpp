@@ -12,6 +12,7 @@
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "engine/process/boring/boring_loop.h"
 #include "tests/machine/port_conformance.h"
+#include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
 namespace {
@@ -391,6 +392,6 @@ int main(int argc, char** argv) {
     }
     QCoreApplication application(argc, argv);
     TestLinuxCncMachine test;
-    return QTest::qExec(&test, argc, argv);
+    return kerf::test::runInTime([&] { return QTest::qExec(&test, argc, argv); });
 }
 #include "tst_linuxcnc_machine.moc"

@@ -7,6 +7,7 @@
 
 #include "engine/limits/output_limiter.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
 using namespace kerf;
@@ -95,5 +96,5 @@ class TestLinuxCncOrigin : public QObject {
     std::unique_ptr<linuxcnc::LinuxCncMachine> m_machine;
     MachineInputs m_inputs{};
 };
-QTEST_GUILESS_MAIN(TestLinuxCncOrigin)
+KERF_TEST_IN_TIME(TestLinuxCncOrigin)
 #include "tst_linuxcnc_origin.moc"

@@ -12,6 +12,7 @@
 #include "engine/process/thermal/thermal_loop.h"
 #include "engine/process/thermal/training.h"
 #include "tests/support/golden.h"
+#include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
 using namespace kerf;
@@ -105,6 +106,7 @@ class TestLinuxCncThermal : public QObject {
         std::vector<std::unique_ptr<ProcessLoop>> loops;
         loops.push_back(std::make_unique<ThermalLoop>(*m_exchange));
         m_engine = std::make_unique<Engine>(port, std::move(loops));
+        const auto end = qScopeGuard([this] { m_engine.reset(); });  // before the port, also when a check fails
         m_exchange->offer(std::move(*LiveModel::make(*model, m_day.sensors, 1)));
         m_engine->start();
         QTRY_VERIFY(m_engine->status().link == LinkState::Up);
@@ -171,7 +173,6 @@ class TestLinuxCncThermal : public QObject {
                                  20'000);
         QVERIFY(setSignal(QStringLiteral("kerf-temp-fault-0"), false));
         QTRY_VERIFY_WITH_TIMEOUT(thermal().couple[0] == CoupleState::Healthy, 60'000);
-        m_engine.reset();
     }
 
  private:
@@ -180,5 +181,5 @@ class TestLinuxCncThermal : public QObject {
     std::unique_ptr<Engine> m_engine;
 };
 
-QTEST_GUILESS_MAIN(TestLinuxCncThermal)
+KERF_TEST_IN_TIME(TestLinuxCncThermal)
 #include "tst_linuxcnc_thermal.moc"

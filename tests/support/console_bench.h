@@ -6,6 +6,8 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <cmath>
 #include <memory>
 
 #include "app/console/console_application.h"
@@ -13,17 +15,31 @@
 namespace kerf::test {
 
 /// The real console on a scratch data folder, driven through its widgets by object name.
+///
+/// Its engine is stepped here, so many cycles to a turn of the event loop: whatever the computer is busy with, machine
+/// and screen keep pace with each other. On a machine that runs by itself, and where a test asks for it, on its own
+/// thread.
 class ConsoleBench {
  public:
+    static constexpr int kTurn_ms = 1;
+    static constexpr std::uint64_t kCyclesPerTurn = 4000;    ///< simulation as fast as it can
+    static constexpr std::uint64_t kCyclesPerLook = 100;     ///< of these, until the speed is looked at again
+    static constexpr std::uint64_t kCyclesPerTurnTimed = 4;  ///< for every unit of simulation speed
+
     /// The same folder again: a restart.
     void start(const console::Options& options) {
         m_options = options;
         m_options.dataDir = m_folder.path().toStdString();
+        m_options.ownThread = m_ownThread || m_options.machine == "linuxcnc";
         m_console = std::make_unique<console::ConsoleApplication>(m_options);
         m_failure.clear();
         QObject::connect(m_console.get(), &console::ConsoleApplication::ready, m_console.get(), [this] {
             m_console->window()->resize(1280, 800);
             m_console->window()->show();
+            if (!m_options.ownThread) {
+                QObject::connect(&m_pacer, &QTimer::timeout, m_console.get(), [this] { step(); });
+                m_pacer.start(kTurn_ms);
+            }
         });
         QObject::connect(m_console.get(), &console::ConsoleApplication::failed, m_console.get(),
                          [this](const QString& sentence) { m_failure = sentence; });
@@ -31,7 +47,12 @@ class ConsoleBench {
             m_failure = QString::fromStdString(started.error().english());
         }
     }
-    void stop() { m_console.reset(); }
+    void stop() {
+        m_pacer.stop();
+        m_console.reset();
+    }
+    /// From the next start on.
+    void setOwnThread(bool own) { m_ownThread = own; }
 
     [[nodiscard]] bool up() const { return m_console && m_console->window() != nullptr; }
     [[nodiscard]] const QString& failure() const { return m_failure; }
@@ -79,7 +100,20 @@ class ConsoleBench {
     }
 
  private:
+    void step() {
+        Engine& engine = m_console->engine();
+        for (std::uint64_t done = 0; done < kCyclesPerTurn;) {
+            const double speed = engine.cycle().simulationSpeed();
+            const std::uint64_t count =
+                speed > 0.0 ? static_cast<std::uint64_t>(std::ceil(speed * kCyclesPerTurnTimed)) : kCyclesPerLook;
+            engine.runCycles(count);
+            done += speed > 0.0 ? kCyclesPerTurn : count;
+        }
+    }
+
     QTemporaryDir m_folder;
+    QTimer m_pacer;
+    bool m_ownThread{false};
     console::Options m_options;
     QString m_failure;
     std::unique_ptr<console::ConsoleApplication> m_console;

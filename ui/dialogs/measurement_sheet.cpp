@@ -6,6 +6,7 @@
 #include <QLineEdit>
 
 #include "ui/link/texts.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -186,9 +187,9 @@ void MeasurementForm::reconsider() {
     } else if (!correct) {
         m_message->setText(tr("This bore then waits for a diameter again."));
     } else if (value_mm) {
-        m_message->setText(tr("%1 becomes %2.", "diameters")
-                               .arg(units.withUnit(m_subject.diameter_mm, "mm", kDecimals),
-                                    units.withUnit(*value_mm, "mm", kDecimals)));
+        m_message->setText(withParticles(tr("%1 becomes %2.", "diameters")
+                                             .arg(units.withUnit(m_subject.diameter_mm, "mm", kDecimals),
+                                                  units.withUnit(*value_mm, "mm", kDecimals))));
     } else {
         m_message->setText(tr("Type the right diameter: its last two figures, or the whole."));
     }
@@ -228,7 +229,7 @@ void MeasurementForm::answered(const Result<void>& result) {
                            .arg(m_subject.place, old, units.withUnit(*m_field->input().value_mm(), "mm", kDecimals))
                      : tr("%1: %2 taken out.").arg(m_subject.place, old);
     if (m_onDone) {
-        m_onDone(sentence);
+        m_onDone(withParticles(sentence));
     }
     if (m_sheet) {
         m_sheet->close();

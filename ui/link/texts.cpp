@@ -5,6 +5,7 @@
 #include <array>
 
 #include "engine/api/part_results.h"
+#include "ui/theme/particles.h"
 
 namespace kerf::ui {
 namespace {
@@ -76,7 +77,7 @@ QString fill(const QString& text, std::span<const SentenceArg> args, const UnitS
             out += UnitSystem::fixed(arg.value, arg.decimals);
         }
     }
-    return out;
+    return withParticles(out);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QStyle>
 
 #include "ui/link/texts.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -76,7 +77,7 @@ QString ValueField::whyInvalid() const {
     }
     double shown = 0.0;
     if (!UnitSystem::parse(m_edit->text(), shown)) {
-        return tr("“%1” is not a number.").arg(m_edit->text());
+        return withParticles(tr("“%1” is not a number.").arg(m_edit->text()));
     }
     const UnitSystem& units = look().units();
     return tr("Must be from %1 to %2.")

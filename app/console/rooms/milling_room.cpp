@@ -39,6 +39,10 @@ void MillingRoom::serve(ui::Services& services) {
     services.millingService = m_service.get();
 }
 
+bool MillingRoom::prepared(EngineApi& engine) {
+    return !m_service || cutBeforehand(engine, ProcessId::Milling, engine.status().milling.partsCut, 2);
+}
+
 void MillingRoom::poll() {
     m_service->poll();
 }

@@ -17,6 +17,7 @@ class MillingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:
     SimulatedMilling* m_plant{nullptr};  ///< null: a real machine

@@ -51,7 +51,13 @@ class Room {
     /// Hand the service to the pages.
     virtual void serve(ui::Services&) {}
     virtual void poll() {}
+    /// The simulated day before the operator comes: so that no page is empty. Called again and again, with the
+    /// machine's state, until it says true.
+    [[nodiscard]] virtual bool prepared(EngineApi&) { return true; }
 };
+
+/// Has this process of the simulated machine cut `wanted` parts? Starts the next one when the machine is free.
+[[nodiscard]] bool cutBeforehand(EngineApi& engine, ProcessId process, std::uint32_t cut, std::uint32_t wanted);
 
 /// The rooms beside boring, in the order of the navigation.
 [[nodiscard]] std::vector<std::unique_ptr<Room>> standardRooms();

@@ -16,4 +16,18 @@ std::vector<std::unique_ptr<Room>> standardRooms() {
     return rooms;
 }
 
+bool cutBeforehand(EngineApi& engine, ProcessId process, std::uint32_t cut, std::uint32_t wanted) {
+    const Status& status = engine.status();
+    const bool busy = status.program == ProgramState::Running || status.program == ProgramState::Paused;
+    if (cut >= wanted) {
+        return !busy;
+    }
+    if (!busy && !status.held) {
+        Command start;
+        start.action = StartPart{process};
+        (void)engine.send(start);
+    }
+    return false;
+}
+
 }  // namespace kerf::console

@@ -13,6 +13,8 @@
 namespace kerf::console {
 namespace {
 
+constexpr const char* kBeforehand = "Kerf";
+constexpr std::uint32_t kPreparedTaps = 3;
 constexpr const char* kTuning = "tuning";
 constexpr std::uint32_t kMostTunings = std::numeric_limits<std::int32_t>::max();  // none vanishes
 constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
@@ -65,6 +67,20 @@ void TappingRoom::open(const Context& context) {
     params.known = storedTunings(context.reader);
     params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
     m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));
+}
+
+bool TappingRoom::prepared(EngineApi& engine) {
+    if (!m_service) {
+        return true;
+    }
+    const TuningState state = m_service->view().state;
+    if (state == TuningState::None) {
+        return !m_service->begin(kBeforehand, true).has_value();
+    }
+    if (state != TuningState::Done) {
+        return state == TuningState::Failed;
+    }
+    return cutBeforehand(engine, ProcessId::Tapping, engine.status().tapping.productionTaps, kPreparedTaps);
 }
 
 void TappingRoom::poll() {

@@ -20,6 +20,7 @@ class TappingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override { services.tappingService = m_service.get(); }
     void poll() override;
+    [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:
     void keep(const tapping::StoredTuning& tuning);

@@ -35,6 +35,10 @@ void TurningRoom::serve(ui::Services& services) {
     services.turningService = m_service.get();
 }
 
+bool TurningRoom::prepared(EngineApi& engine) {
+    return !m_service || cutBeforehand(engine, ProcessId::Turning, engine.status().turning.partsCut, 1);
+}
+
 void TurningRoom::poll() {
     m_service->poll();
 }

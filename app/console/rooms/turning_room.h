@@ -16,6 +16,7 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool prepared(EngineApi& engine) override;
     [[nodiscard]] const StoredTurningService& service() const { return *m_service; }
 
  private:

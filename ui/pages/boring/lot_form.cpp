@@ -13,6 +13,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/recipe_form.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -418,7 +419,7 @@ void LotForm::openLot() {
     order.insertGrade = m_grade->text().trimmed().toStdString();
     order.material = m_material->text().trimmed().toStdString();
     order.estimator = m_perturbation->isChecked() ? "perturbation" : "kalman";
-    const QString done = tr("Lot %1 is open.").arg(m_name->text().trimmed());
+    const QString done = withParticles(tr("Lot %1 is open.").arg(m_name->text().trimmed()));
     change(done, [order](const PageContext& context, BoringLots::Done answer) mutable {
         order.author = context.session.author();
         context.services.boringLots->open(order, std::move(answer));
@@ -430,7 +431,7 @@ void LotForm::chooseLot() {
     if (lot == nullptr) {
         return;
     }
-    const QString done = tr("Lot %1 goes on.").arg(QString::fromStdString(lot->name));
+    const QString done = withParticles(tr("Lot %1 goes on.").arg(QString::fromStdString(lot->name)));
     change(done, [id = lot->id](const PageContext& context, BoringLots::Done answer) {
         context.services.boringLots->choose(id, context.session.author(), std::move(answer));
     });

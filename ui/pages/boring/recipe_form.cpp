@@ -12,6 +12,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -385,7 +386,7 @@ void RecipeForm::restore() {
                          m_reason->text().trimmed().toStdString(),
                          [self = QPointer<RecipeForm>(this), revision = shown->revision](const Result<void>& result) {
                              if (RecipeForm* form = self.data()) {
-                                 form->answered(result, tr("Revision %1 is back.").arg(revision));
+                                 form->answered(result, withParticles(tr("Revision %1 is back.").arg(revision)));
                              }
                          });
 }

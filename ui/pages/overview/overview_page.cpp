@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/overview/overview_page.h"
 
-#include <QGridLayout>
 #include <algorithm>
 #include <array>
 
@@ -84,6 +83,7 @@ void LoopCard::mouseReleaseEvent(QMouseEvent*) {
 OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
     : Page(context, parent),
       m_entries(standardPages()),
+      m_grid(new QGridLayout(this)),
       m_machine(new Card(context.look, this)),
       m_machineLamp(new Lamp(context.look, this)),
       m_sentence(makeLabel(TextRole::Body, this, true)),
@@ -92,8 +92,6 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
       m_parts(new NumberDisplay(context.look, "", 0, TextSize::Card, this)),
       m_start(new ActionButton(context.look, this)),
       m_release(new ActionButton(context.look, this)) {
-    auto* grid = new QGridLayout(this);
-    int cell = 0;
     for (const ProcessId process : kAllProcesses) {
         PageEntry entry;
         entry.key = processKey(process);
@@ -106,20 +104,44 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
         }
         auto* card = new LoopCard(look(), entry, this);
         connect(card, &LoopCard::opened, this, [this, key = entry.key] { this->context().showPage(key); });
-        grid->addWidget(card, cell / 3, cell % 3);
+        card->hide();
         m_cards.push_back(card);
-        ++cell;
     }
     buildMachine();
-    grid->addWidget(m_machine, 1, 2);
-    for (int i = 0; i < 3; ++i) {
-        grid->setColumnStretch(i, 1);
-    }
-    grid->setRowStretch(0, 1);
-    grid->setRowStretch(1, 1);
     m_sinceSample.start();
     connect(&context.client, &EngineClient::statusChanged, this, &OverviewPage::onStatus);
     refresh();
+}
+
+void OverviewPage::arrange(const Status& status) {
+    std::vector<bool> fitted;
+    for (const LoopStatus& loop : status.loops) {
+        fitted.push_back(loop.fitted);
+    }
+    if (fitted == m_arranged) {
+        return;
+    }
+    m_arranged = fitted;
+    const int count = static_cast<int>(std::ranges::count(fitted, true));
+    const int columns = (count + 1) / 2;
+    int cell = 0;
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        m_grid->removeWidget(m_cards[i]);
+        m_cards[i]->setVisible(fitted[i]);
+        if (fitted[i]) {
+            m_grid->addWidget(m_cards[i], cell / columns, cell % columns);
+            ++cell;
+        }
+    }
+    m_grid->removeWidget(m_machine);
+    const bool oneCellLeft = count % 2 == 1 && count > 1;
+    m_grid->addWidget(m_machine, oneCellLeft ? 1 : 0, oneCellLeft ? columns - 1 : columns, oneCellLeft ? 1 : 2, 1);
+    for (int i = 0; i < m_grid->columnCount(); ++i) {
+        m_grid->setColumnStretch(i, i < columns || (!oneCellLeft && i == columns) ? 1 : 0);
+    }
+    for (int i = 0; i < 2; ++i) {
+        m_grid->setRowStretch(i, i == 0 || count > 1 ? 1 : 0);
+    }
 }
 
 void OverviewPage::buildMachine() {
@@ -259,6 +281,7 @@ void OverviewPage::onStatus(const Status& status) {
     if (!sample && isVisible() == false) {
         return;
     }
+    arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
         KeyFigure figure;
         for (const PageEntry& entry : m_entries) {
@@ -309,6 +332,7 @@ void OverviewPage::refresh() {
     Page::refresh();
     const Status& status = context().client.status();
     m_sentence->setText(machineSentence());
+    arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
         KeyFigure figure;
         for (const PageEntry& entry : m_entries) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QGridLayout>
 #include <vector>
 
 #include "ui/charts/live_plot.h"
@@ -53,6 +54,8 @@ class OverviewPage : public Page {
  private:
     void buildMachine();
     void onStatus(const Status& status);
+    /// Cards of the fitted loops in two rows, the machine's beside them; nothing stands for what is not there.
+    void arrange(const Status& status);
     /// What this machine is there for: the first loop that is fitted.
     [[nodiscard]] ProcessId mainProcess() const;
     [[nodiscard]] QString whyNoStart() const;
@@ -64,6 +67,8 @@ class OverviewPage : public Page {
 
     PageList m_entries;
     std::vector<LoopCard*> m_cards;
+    std::vector<bool> m_arranged;  ///< which are fitted, as arranged
+    QGridLayout* m_grid;
     Card* m_machine;
     Lamp* m_machineLamp;
     QLabel* m_sentence;
