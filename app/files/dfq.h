@@ -80,7 +80,7 @@ struct File {
     Encoding encoding{Encoding::Windows1252};
     std::uint32_t characteristics{0};  ///< as described, or as many as the values need
     std::vector<Entry> entries{};      ///< without K0100
-    std::vector<Value> values{};       ///< in the order they begin
+    std::vector<Value> values{};       ///< by part, then characteristic
     std::vector<Oddity> oddities{};
 
     /// K field of a part or characteristic; `/0` counts for all, a line of its own beats it.

@@ -48,12 +48,18 @@ std::optional<fs::path> partner(const fs::path& path, const std::string& suffix)
 std::vector<std::pair<std::string, dfq::File>> readDfqFiles(const std::vector<std::string>& paths) {
     std::vector<std::pair<std::string, dfq::File>> files;
     std::set<std::string> taken;
+    // One description and one set of values named together belong together, whatever their names.
+    const bool pair = paths.size() == 2 && ((suffixOf(paths[0]) == ".dfd" && suffixOf(paths[1]) == ".dfx") ||
+                                            (suffixOf(paths[0]) == ".dfx" && suffixOf(paths[1]) == ".dfd"));
     for (const std::string& path : paths) {
         const std::string suffix = suffixOf(path);
         std::string description = path;
         std::optional<fs::path> values;
         std::optional<std::string> lonely;
-        if (suffix == ".dfx") {
+        if (pair) {
+            description = suffix == ".dfd" ? path : paths[&path == &paths[0] ? 1 : 0];
+            values = suffix == ".dfx" ? path : paths[&path == &paths[0] ? 1 : 0];
+        } else if (suffix == ".dfx") {
             if (const auto found = partner(path, ".dfd")) {
                 description = found->string();
                 values = path;

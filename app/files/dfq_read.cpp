@@ -8,37 +8,12 @@
 #include <set>
 
 #include "app/files/dfq.h"
+#include "app/files/dfq_line.h"
 
 namespace kerf::dfq {
 namespace {
 
-constexpr char kBetweenCharacteristics = '\x0F';
-constexpr char kBetweenFields = '\x14';
 constexpr std::uint32_t kMostCharacteristics = 100'000;
-/// What editors and printers have made of the two separators: ¤ and ¶, or the pictures of the control characters.
-constexpr std::array<std::string_view, 2> kForCharacteristics{"\xC2\xA4", "\xE2\x90\x8F"};
-constexpr std::array<std::string_view, 2> kForFields{"\xC2\xB6", "\xE2\x90\x94"};
-
-constexpr std::array<int, 10> kVariableOrder{1, 2, 4, 5, 6, 7, 8, 10, 11, 12};
-constexpr std::array<int, 12> kAttributeOrder{20, 21, -3, 2, 4, 5, 6, 7, 8, 10, 11, 12};
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-    std::vector<std::string_view> pieces;
-    for (std::size_t begin = 0;;) {
-        const auto end = text.find(at, begin);
-        pieces.push_back(text.substr(begin, end - begin));
-        if (end == std::string_view::npos) {
-            return pieces;
-        }
-        begin = end + 1;
-    }
-}
 
 std::string keyName(int key) {
     return key < 0 ? fmt::format("place {}", -key) : fmt::format("K{:04}", key);
@@ -46,13 +21,6 @@ std::string keyName(int key) {
 
 bool isZeroTime(std::string_view text) {
     return text.find_first_of("123456789") == std::string_view::npos;
-}
-
-std::string replaced(std::string text, std::string_view what, char with) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
-        text.replace(at, what.size(), 1, with);
-    }
-    return text;
 }
 
 class Reader {
@@ -117,6 +85,12 @@ class Reader {
             m_file.oddities.push_back({line, "and more of them"});
         }
     }
+    /// Told once, with the line where it was seen first.
+    void oddOnce(std::string text) {
+        if (!std::ranges::any_of(m_file.oddities, [&](const Oddity& other) { return other.text == text; })) {
+            odd(m_line, std::move(text));
+        }
+    }
     void bad(std::string field, std::string text) {
         if (!m_problem) {
             m_problem = Problem{m_line, std::move(field), std::move(text)};
@@ -173,7 +147,7 @@ class Reader {
     /// `Knnnn`, `Knnnn/i`, `Knnnn/i/j`, then blank or tab, then text.
     void takeKeyLine(std::string_view line) {
         if (line[0] == 'k') {
-            odd(m_line, "a key in small letters");
+            oddOnce("a key in small letters");
         }
         std::size_t at = 1;
         int key = 0;
@@ -221,7 +195,7 @@ class Reader {
         } else if (key > 0 && key < 100) {
             takeValueKey(key, index.value_or(1), sub, std::move(text));
         } else {
-            if (!sub.empty()) {
+            if (!sub.empty() && key < 4000) {
                 odd(m_line, "a value's index on a key of the description");
             }
             m_file.entries.push_back({key, index, std::move(sub), std::move(text)});
@@ -247,6 +221,7 @@ class Reader {
         }
         if (!any) {
             odd(m_line, fmt::format("{} for all characteristics before any value, kept for the first", keyName(key)));
+            m_inFront = true;
             m_pending.push_back({key, std::move(text)});
         }
     }
@@ -276,10 +251,25 @@ class Reader {
         }
     }
 
+    /// K lines in front of a value line have begun its value.
+    [[nodiscard]] bool isBegun(const Track& track) const {
+        if (!m_inFront || track.values.empty() || track.byLine) {
+            return false;
+        }
+        const Value& newest = m_file.values[track.values.back()];
+        return newest.find(1) == nullptr && newest.find(20) == nullptr;
+    }
+
     void addByKey(std::uint32_t characteristic, int key, std::string text) {
         Track& track = m_tracks[characteristic];
         const bool opens = key == 1 || key == 20;
-        const bool another = track.values.empty() || (track.byLine ? opens : track.keys.contains(key));
+        // Where such lines stand in front of their part, one that comes again is of the next part.
+        const bool ofTheNext = m_inFront && key != 9 && track.keys.contains(key);
+        const bool another = track.values.empty() || (track.byLine ? opens || ofTheNext : track.keys.contains(key));
+        if (another && !opens && m_row == 0 && !m_inFront) {
+            m_inFront = true;
+            oddOnce(fmt::format("{} in front of the value it belongs to", keyName(key)));
+        }
         if (another) {
             begin(characteristic, track, track.row + 1, false);
         }
@@ -301,6 +291,7 @@ class Reader {
         if (track.values.size() == 1) {
             for (const Field& field : m_pending) {
                 set(m_file.values.back(), field.key, field.text);
+                track.keys.insert(field.key);
             }
         }
         if (characteristic > m_described && m_missing.insert(characteristic).second) {
@@ -404,24 +395,23 @@ class Reader {
 
     void takeValueLine(std::string_view given) {
         std::string line(given);
-        repairSeparators(line);
-        std::vector<std::vector<std::string_view>> characteristics;
+        for (std::string& oddity : repairSeparators(line)) {
+            odd(0, std::move(oddity));
+        }
+        LineFields characteristics;
         if (line.find(kBetweenFields) == std::string::npos && line.find(kBetweenCharacteristics) == std::string::npos &&
             !numberOf(trimmed(line))) {
-            if (!splitAtBlanks(line, characteristics)) {
+            characteristics = splitAtBlanks(line, std::max(m_described, m_announced.value_or(0)));
+            if (characteristics.empty()) {
                 bad("K0001", fmt::format("'{}' is no number", std::string(trimmed(line)).substr(0, 40)));
                 return;
             }
             odd(0, "values apart by blanks instead of 0x14 and 0x0F");
         } else {
-            for (const std::string_view piece : split(line, kBetweenCharacteristics)) {
-                characteristics.push_back(split(piece, kBetweenFields));
-            }
-            while (characteristics.size() > 1 && isEmpty(characteristics.back())) {
-                characteristics.pop_back();  // a separator at the end of the line
-            }
+            characteristics = splitAtSeparators(line);
         }
-        const std::uint32_t row = m_row + 1;
+        const bool begun = std::ranges::any_of(m_tracks, [&](const auto& track) { return isBegun(track.second); });
+        const std::uint32_t row = begun ? m_row : m_row + 1;
         bool any = false;
         for (std::size_t i = 0; i < characteristics.size() && !m_problem; ++i) {
             if (!isEmpty(characteristics[i])) {
@@ -436,67 +426,6 @@ class Reader {
         }
     }
 
-    static bool isEmpty(const std::vector<std::string_view>& fields) {
-        return std::ranges::all_of(fields, [](std::string_view field) { return trimmed(field).empty(); });
-    }
-
-    void repairSeparators(std::string& line) {
-        // Only where what follows could begin a field: such a sign may also stand in a batch's name.
-        const auto follows = [&](std::size_t after) {
-            return after >= line.size() || line.find_first_of("0123456789+-.#\x0F\x14 \xC2\xE2", after) == after;
-        };
-        const auto repair = [&](char right, const auto& wrong, const char* name) {
-            if (line.find(right) != std::string::npos) {
-                return;
-            }
-            for (const std::string_view picture : wrong) {
-                bool separates = line.find(picture) != std::string::npos;
-                for (auto at = line.find(picture); at != std::string::npos; at = line.find(picture, at + 1)) {
-                    separates = separates && follows(at + picture.size());
-                }
-                if (separates) {
-                    line = replaced(line, picture, right);
-                    odd(0, fmt::format("a printed sign instead of {}", name));
-                }
-            }
-        };
-        repair(kBetweenCharacteristics, kForCharacteristics, "0x0F");
-        repair(kBetweenFields, kForFields, "0x14");
-    }
-
-    /// Blanks, tabs or semicolons between everything: a characteristic begins two places before each time, or every
-    /// token is a value when there are as many as characteristics.
-    bool splitAtBlanks(const std::string& line, std::vector<std::vector<std::string_view>>& out) const {
-        std::vector<std::string_view> tokens;
-        const std::string_view text = line;
-        for (std::size_t begin = text.find_first_not_of(" \t;"); begin != std::string_view::npos;) {
-            const auto end = std::min(text.find_first_of(" \t;", begin), text.size());
-            tokens.push_back(text.substr(begin, end - begin));
-            begin = text.find_first_not_of(" \t;", end);
-        }
-        std::vector<std::size_t> starts;
-        for (std::size_t i = 2; i < tokens.size(); ++i) {
-            if (tokens[i].size() > 7 && timeOf(tokens[i])) {
-                starts.push_back(i - 2);
-            }
-        }
-        const std::uint32_t known = std::max(m_described, m_announced.value_or(0));
-        if (starts.empty() && tokens.size() == known) {
-            for (std::size_t i = 0; i < tokens.size(); ++i) {
-                starts.push_back(i);
-            }
-        }
-        if (starts.empty() || starts.front() != 0) {
-            return false;
-        }
-        for (std::size_t i = 0; i < starts.size(); ++i) {
-            const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : tokens.size();
-            out.emplace_back(tokens.begin() + static_cast<std::ptrdiff_t>(starts[i]),
-                             tokens.begin() + static_cast<std::ptrdiff_t>(end));
-        }
-        return true;
-    }
-
     [[nodiscard]] bool isAttribute(std::uint32_t characteristic, const std::vector<std::string_view>& fields) const {
         auto kind = m_kinds.find(characteristic);
         if (kind == m_kinds.end()) {
@@ -509,19 +438,14 @@ class Reader {
         return timeAt == 3 || timeAt == 4 || (timeAt == 0 && fields.size() > kVariableOrder.size());
     }
 
-    static std::size_t timePlace(const std::vector<std::string_view>& fields) {
-        for (std::size_t i = 2; i < std::min<std::size_t>(fields.size(), 5); ++i) {
-            if (timeOf(trimmed(fields[i]))) {
-                return i;
-            }
-        }
-        return 0;
-    }
-
     void addByLine(std::uint32_t characteristic, std::uint32_t row, const std::vector<std::string_view>& fields) {
         Track& track = m_tracks[characteristic];
-        begin(characteristic, track, row, true);
-        const std::size_t at = m_file.values.size() - 1;
+        if (isBegun(track)) {
+            track.byLine = true;
+        } else {
+            begin(characteristic, track, row, true);
+        }
+        const std::size_t at = track.values.back();
         const bool attribute = isAttribute(characteristic, fields);
         // Attribute characteristics are written with and without the unnamed third field: their time tells.
         const bool named = attribute && fields.size() != kAttributeOrder.size() && timePlace(fields) != 4;
@@ -555,6 +479,8 @@ class Reader {
             odd(0, fmt::format("K0100 says {} characteristics, there are {}", *m_announced, found));
         }
         m_file.characteristics = std::max({m_file.characteristics, m_announced.value_or(0), found});
+        std::ranges::stable_sort(m_file.values, {},
+                                 [](const Value& value) { return std::pair(value.row, value.characteristic); });
         return {};
     }
 
@@ -568,6 +494,7 @@ class Reader {
     std::map<std::uint32_t, std::string> m_kinds{};
     std::set<std::uint32_t> m_missing{};
     std::vector<Field> m_pending{};
+    bool m_inFront{false};  ///< K lines of a value stand before its value line
 };
 
 }  // namespace

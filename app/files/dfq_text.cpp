@@ -189,6 +189,16 @@ std::string decoded(std::string_view bytes, Encoding& encoding) {
         encoding = Encoding::Utf16;
         return fromUtf16(bytes.substr(2), bytes.front() == '\xFF');
     }
+    // Without a mark: a K line of two-byte letters has a zero beside every letter.
+    const bool wide = bytes.size() >= 4 && bytes.size() % 2 == 0;
+    if (wide && bytes[0] != '\0' && bytes[1] == '\0' && bytes[2] != '\0' && bytes[3] == '\0') {
+        encoding = Encoding::Utf16;
+        return fromUtf16(bytes, true);
+    }
+    if (wide && bytes[0] == '\0' && bytes[1] != '\0' && bytes[2] == '\0' && bytes[3] != '\0') {
+        encoding = Encoding::Utf16;
+        return fromUtf16(bytes, false);
+    }
     if (looksLikeUtf8(bytes)) {
         encoding = Encoding::Utf8;
         return std::string(bytes);

@@ -7,13 +7,12 @@
 #include <map>
 
 #include "app/files/dfq.h"
+#include "app/files/dfq_line.h"
 
 namespace kerf::dfq {
 
 namespace {
 
-constexpr std::array<int, 10> kVariableOrder{1, 2, 4, 5, 6, 7, 8, 10, 11, 12};
-constexpr std::array<int, 12> kAttributeOrder{20, 21, -3, 2, 4, 5, 6, 7, 8, 10, 11, 12};
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
 
@@ -48,7 +47,13 @@ std::optional<std::size_t> placeOf(int key, bool attribute) {
 
 class Writer {
  public:
-    explicit Writer(const File& file) : m_file(file) {}
+    explicit Writer(const File& file) : m_file(file) {
+        for (const Entry& entry : file.entries) {
+            if (entry.key == 2004) {
+                m_kinds[entry.index.value_or(1)] = entry.text;
+            }
+        }
+    }
 
     std::string run() {
         line("K0100 {}", m_file.characteristics);
@@ -90,9 +95,13 @@ class Writer {
 
     /// The order of the fields in a line is told by the kind of the characteristic.
     [[nodiscard]] bool isAttribute(const Value& value) const {
-        const std::string* kind = m_file.find(2004, value.characteristic);
-        return kind != nullptr && !kind->empty() ? *kind == "1" || *kind == "5" || *kind == "6"
-                                                 : value.find(20) != nullptr;
+        auto kind = m_kinds.find(value.characteristic);
+        if (kind == m_kinds.end()) {
+            kind = m_kinds.find(0);
+        }
+        return kind != m_kinds.end() && !kind->second.empty()
+                   ? kind->second == "1" || kind->second == "5" || kind->second == "6"
+                   : value.find(20) != nullptr;
     }
 
     /// Can be read back from a place in a line.
@@ -161,6 +170,7 @@ class Writer {
     }
 
     const File& m_file;
+    std::map<std::uint32_t, std::string> m_kinds{};  ///< K2004 by characteristic, 0: all
     std::string m_text{};
 };
 

@@ -10,6 +10,7 @@
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/data_file.h"
+#include "app/service/quality/part_judge.h"
 #include "db/api/csv_export.h"
 #include "db/migrator.h"
 #include "db/readers/database_reader.h"
@@ -77,13 +78,15 @@ void exportTable(const DataOptions& options) {
         return true;
     };
     const PartQuery query = queryOf(options);
-    const Result<std::uint64_t> rows = options.table == "parts"   ? exportParts(*reader, query, sink, format)
-                                       : options.table == "bores" ? exportBores(*reader, query, feedAt, sink, format)
-                                       : options.table == "measurements"
-                                           ? exportMeasurements(*reader, query, sink, format)
-                                       : options.table == "figures" ? exportFigures(*reader, query, sink, format)
-                                       : options.table == "feed"    ? exportFeed(*reader, query, sink, format)
-                                                                    : exportAudit(*reader, sink, format);
+    PartJudge judge(*reader, *reader);
+    const VerdictOf verdictOf = judge.forExport();
+    const Result<std::uint64_t> rows =
+        options.table == "parts"          ? exportParts(*reader, query, sink, format, verdictOf)
+        : options.table == "bores"        ? exportBores(*reader, query, feedAt, sink, format)
+        : options.table == "measurements" ? exportMeasurements(*reader, query, sink, format)
+        : options.table == "figures"      ? exportFigures(*reader, query, sink, format, verdictOf)
+        : options.table == "feed"         ? exportFeed(*reader, query, sink, format)
+                                          : exportAudit(*reader, sink, format);
     if (!rows) {
         throw BadInput(fmt::format("{}: {}", path, rows.error().english()));
     }

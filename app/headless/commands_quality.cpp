@@ -12,6 +12,7 @@
 #include "engine/quality/capability.h"
 #include "engine/quality/charts.h"
 #include "engine/quality/gauge_study.h"
+#include "engine/quality/steadiness.h"
 
 namespace kerf::headless {
 namespace {
@@ -40,15 +41,6 @@ void put(ordered_json& report, const char* key, const std::optional<quality::Ind
     report[name + "_high"] = index ? ordered_json(index->high) : ordered_json(nullptr);
 }
 
-/// Nothing on the charts of the values themselves: a file has no law to compare with.
-bool isQuiet(const std::vector<double>& values) {
-    const quality::CentreLine line = quality::centreLine(values);
-    quality::ChartState chart;
-    return std::ranges::none_of(values, [&](double value) {
-        return line.sigma > 0.0 && chart.push((value - line.centre) / line.sigma).fired.any();
-    });
-}
-
 void capability(const CapabilityOptions& options) {
     if (!options.lower && !options.upper) {
         throw CLI::ValidationError("--lower, --upper", "at least one of them must be given");
@@ -58,7 +50,7 @@ void capability(const CapabilityOptions& options) {
     }
     const LabelledTable table = LabelledTable::read(options.file);
     const std::vector<double> values = table.numbers(table.valueColumn(options.column));
-    const bool quiet = isQuiet(values);
+    const bool quiet = quality::isSteadySeries(values);
     const quality::Capability result =
         quality::capability(values, {options.lower, options.upper, {}}, quiet, options.confidence);
     const quality::CentreLine line = quality::centreLine(values);

@@ -40,25 +40,39 @@ ordered_json fieldsOf(const std::map<int, std::string>& fields) {
     return json;
 }
 
-/// Fields of part or characteristic `index`; what stands for all first, its own above it.
-std::map<int, std::string> described(const dfq::File& file, std::uint32_t index, bool (*belongs)(int)) {
-    std::map<int, std::string> fields;
-    for (const bool own : {false, true}) {
-        for (const dfq::Entry& entry : file.entries) {
-            if (belongs(entry.key) && (own ? entry.index.value_or(1) == index : entry.index == 0U)) {
-                fields[entry.key] = entry.text;
-            }
-        }
-    }
-    return fields;
-}
-
 bool ofPart(int key) {
     return key >= 1000 && key < 2000;
 }
 bool ofCharacteristic(int key) {
     return (key >= 2000 && key < 3000) || (key >= 8000 && key < 9000);
 }
+
+/// Fields of parts or characteristics by their index; what stands for all first, a line of its own above it.
+class Described {
+ public:
+    Described(const dfq::File& file, bool (*belongs)(int)) {
+        for (const dfq::Entry& entry : file.entries) {
+            if (belongs(entry.key)) {
+                m_fields[entry.index.value_or(1)][entry.key] = entry.text;
+            }
+        }
+    }
+    [[nodiscard]] std::map<int, std::string> of(std::uint32_t index) const {
+        std::map<int, std::string> fields;
+        for (const std::uint32_t place : {0U, index}) {
+            if (const auto found = m_fields.find(place); found != m_fields.end()) {
+                for (const auto& [key, text] : found->second) {
+                    fields[key] = text;
+                }
+            }
+        }
+        return fields;
+    }
+    [[nodiscard]] std::uint32_t last() const { return m_fields.empty() ? 0 : m_fields.rbegin()->first; }
+
+ private:
+    std::map<std::uint32_t, std::map<int, std::string>> m_fields{};
+};
 
 std::string textOf(const dfq::Value& value, int key) {
     const std::string* text = value.find(key);
@@ -91,23 +105,22 @@ ordered_json valueJson(const dfq::Value& value) {
     return json;
 }
 
+/// Stands where the values come in: as a document of their own they would need many times their text.
+constexpr std::string_view kValuesHere = "\"\x7f values\"";
+
 ordered_json fileJson(const std::string& path, const dfq::File& file) {
     ordered_json json;
     json["file"] = path;
     json["encoding"] = dfq::encodingName(file.encoding);
-    std::uint32_t parts = 0;
-    for (const dfq::Entry& entry : file.entries) {
-        if (ofPart(entry.key)) {
-            parts = std::max(parts, entry.index.value_or(1));
-        }
-    }
     json["parts"] = ordered_json::array();
-    for (std::uint32_t i = 1; i <= parts; ++i) {
-        json["parts"].push_back({{"index", i}, {"fields", fieldsOf(described(file, i, ofPart))}});
+    const Described parts(file, ofPart);
+    for (std::uint32_t i = 1; i <= parts.last(); ++i) {
+        json["parts"].push_back({{"index", i}, {"fields", fieldsOf(parts.of(i))}});
     }
     json["characteristics"] = ordered_json::array();
+    const Described characteristics(file, ofCharacteristic);
     for (std::uint32_t i = 1; i <= file.characteristics; ++i) {
-        const auto fields = described(file, i, ofCharacteristic);
+        const auto fields = characteristics.of(i);
         const auto name = fields.find(2002);
         json["characteristics"].push_back({{"index", i},
                                            {"name", name == fields.end() ? std::string{} : name->second},
@@ -121,10 +134,7 @@ ordered_json fileJson(const std::string& path, const dfq::File& file) {
                                      {"text", entry.text}});
         }
     }
-    json["values"] = ordered_json::array();
-    for (const dfq::Value& value : file.values) {
-        json["values"].push_back(valueJson(value));
-    }
+    json["values"] = "\x7f values";
     json["oddities"] = ordered_json::array();
     for (const dfq::Oddity& oddity : file.oddities) {
         json["oddities"].push_back(
@@ -133,12 +143,32 @@ ordered_json fileJson(const std::string& path, const dfq::File& file) {
     return json;
 }
 
-void read(const DfqOptions& options) {
-    ordered_json documents = ordered_json::array();
-    for (const auto& [path, file] : readDfqFiles(options.files)) {
-        documents.push_back(fileJson(path, file));
+std::string fileText(const std::string& path, const dfq::File& file) {
+    constexpr auto kBadBytes = ordered_json::error_handler_t::replace;
+    std::string text = fileJson(path, file).dump(2, ' ', false, kBadBytes);
+    const std::size_t at = text.find(kValuesHere);
+    const std::string behind = text.substr(at + kValuesHere.size());
+    text.erase(at);
+    text += '[';
+    for (std::size_t i = 0; i < file.values.size(); ++i) {
+        text += i == 0 ? "\n    " : ",\n    ";
+        text += valueJson(file.values[i]).dump(-1, ' ', false, kBadBytes);
     }
-    printJson(documents.size() == 1 ? documents.front() : ordered_json{{"files", std::move(documents)}});
+    text += file.values.empty() ? "]" : "\n  ]";
+    return text + behind;
+}
+
+void read(const DfqOptions& options) {
+    const auto files = readDfqFiles(options.files);
+    if (files.size() == 1) {
+        files::writeOut(fileText(files.front().first, files.front().second) + "\n");
+        return;
+    }
+    std::string text = "{\n\"files\": [";
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        text += (i == 0 ? "\n" : ",\n") + fileText(files[i].first, files[i].second);
+    }
+    files::writeOut(text + "\n]\n}\n");
 }
 
 void write(const DfqOptions& options) {

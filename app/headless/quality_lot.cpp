@@ -7,11 +7,13 @@
 
 #include "app/files/table.h"
 #include "app/headless/data_file.h"
+#include "app/service/quality/stored_quality_service.h"
 
 namespace kerf::headless {
 namespace {
 
 constexpr std::uint32_t kMostLots = 1'000'000;
+constexpr std::uint32_t kMostParts = 10'000'000;
 
 template <class Value>
 Value valueOf(Result<Value> result, const std::string& path) {
@@ -43,7 +45,15 @@ LotId idOf(const std::vector<LotRow>& lots, const std::string& wanted, const std
                                    wanted, fmt::join(named, ", ")));
     }
     if (named.empty()) {
-        throw BadInput(fmt::format("{}: there is no lot '{}'; expected the name or number of a lot.", path, wanted));
+        for (const ProcessId process : kAllProcesses) {
+            if (wanted == processKey(process) && process != ProcessId::Boring && process != ProcessId::Thermal) {
+                return partsWithoutLot(process);
+            }
+        }
+        throw BadInput(
+            fmt::format("{}: there is no lot '{}'; expected the name or number of a lot, or milling, turning "
+                        "or tapping, whose parts belong to none.",
+                        path, wanted));
     }
     return named.front();
 }
@@ -55,15 +65,17 @@ StoredLot storedLot(const std::string& folder, const std::string& lot) {
     const std::string path = checkedDataFile(folder);
     const auto reader = openReader(path);
     const LotId id = idOf(valueOf(reader->lots(std::nullopt, kMostLots), path), lot, path);
-    auto history = valueOf(reader->history(id), path);
-    if (!history) {
-        throw BadInput(fmt::format("{}: there is no lot '{}'.", path, lot));
+    StoredLot stored;
+    if (id < 0) {
+        stored.history = valueOf(readQualityLot(*reader, id, kMostParts), path).history;
+    } else {
+        auto history = valueOf(reader->history(id), path);
+        if (!history) {
+            throw BadInput(fmt::format("{}: there is no lot '{}'.", path, lot));
+        }
+        stored.history = std::move(*history);
     }
-    StoredLot stored{std::move(*history), {}};
-    const ProcessId process = stored.history.lot.process;
-    const auto records = valueOf(reader->roomRecords(process, kFigureLimits, {}, 1), path);
-    stored.limits =
-        records.empty() ? standardLimits(process) : valueOf(limitsFromJson(process, records.front().bodyJson), path);
+    stored.limits = figureLimits(*reader, stored.history.lot.process);
     return stored;
 }
 

@@ -150,6 +150,10 @@ Result<std::uint64_t> eachPart(PartReader& reader, PartQuery query, Lines& lines
     }
 }
 
+ExportedVerdict judged(const VerdictOf& verdictOf, const PartRow& part, std::string_view key) {
+    return verdictOf ? verdictOf(part, key) : ExportedVerdict{};
+}
+
 }  // namespace
 
 std::string isoTime(std::int64_t utc_ms) {
@@ -174,10 +178,10 @@ std::string localTime(std::int64_t utc_ms) {
 }
 
 Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink,
-                                  const CsvFormat& format) {
+                                  const CsvFormat& format, const VerdictOf& verdictOf) {
     Lines lines(
         "part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,position_mm,diameter_mm,"
-        "source,author,accepted_utc,corrected",
+        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict",
         ",ended_local,accepted_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const double cutting_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerSecond;
@@ -187,12 +191,14 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
         };
         const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
         for (const MeasurementRow& row : effective) {
+            const ExportedVerdict verdict = judged(verdictOf, part, "bore_" + std::to_string(row.station));
             add(row.station, row.position_mm, row.diameter_mm, sourceName(row.source), row.author,
-                isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction);
+                isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction, verdict.lower, verdict.upper,
+                verdict.value, verdict.part);
             lines.end({part.endedUtc_ms, row.acceptedUtc_ms});
         }
         if (effective.empty()) {
-            add("", "", "", "", "", "", "");
+            add("", "", "", "", "", "", "", "", "", "", judged(verdictOf, part, {}).part);
             lines.end({part.endedUtc_ms, std::nullopt});
         }
         return {};
@@ -241,12 +247,15 @@ Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& qu
 }
 
 Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
-                                    const CsvFormat& format) {
-    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value", ",ended_local", sink, format);
-    return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
+                                    const CsvFormat& format, const VerdictOf& verdictOf) {
+    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value,lower,upper,verdict,part_verdict",
+                ",ended_local", sink, format);
+    return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         for (const PartFigure& figure : part.figures) {
+            const ExportedVerdict verdict = judged(verdictOf, part, figure.key);
             lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
-                      isoTime(part.endedUtc_ms), figure.key, figure.value);
+                      isoTime(part.endedUtc_ms), figure.key, figure.value, verdict.lower, verdict.upper, verdict.value,
+                      verdict.part);
             lines.end({part.endedUtc_ms});
         }
         return {};

@@ -28,12 +28,22 @@ struct CsvFormat {
 /// closed).
 using CsvSink = std::function<bool(std::string_view)>;
 
+/// What quality says of a part's value; whoever knows tolerances gives it. Empty texts: nobody was asked.
+struct ExportedVerdict {
+    std::optional<double> lower{};
+    std::optional<double> upper{};
+    std::string value{};  ///< "good", "rework", "scrap", "not_judged"
+    std::string part{};   ///< the worst of the part's values
+};
+/// `key`: a figure's key, or "bore_0" for the first depth.
+using VerdictOf = std::function<ExportedVerdict(const PartRow&, std::string_view key)>;
+
 /// One row per part and station with what holds now: part_id, process, part_type, lot, number, serial, complete,
-/// ended_utc, cutting_time_s, station, position_mm, diameter_mm, source, author, accepted_utc, corrected. A part
-/// without a measurement has one row with empty fields from station on. Gives the number of rows; `query`'s paging is
-/// ignored.
+/// ended_utc, cutting_time_s, station, position_mm, diameter_mm, source, author, accepted_utc, corrected, lower_mm,
+/// upper_mm, verdict, part_verdict. A part without a measurement has one row with empty fields from station on. Gives
+/// the number of rows; `query`'s paging is ignored.
 [[nodiscard]] Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink,
-                                                const CsvFormat& format = {});
+                                                const CsvFormat& format = {}, const VerdictOf& verdictOf = {});
 
 /// What `kerf boring replay` reads: part (its number in the lot), overhang_mm, feed_mm_per_rev (really cut there),
 /// diameter_mm, lot; one row per bore that holds, in the order of parts. `feedAt` is the law's: feed of a part at an
@@ -48,9 +58,9 @@ using FeedAt = std::function<std::optional<double>(const PartDetail&, double ove
                                                        const CsvFormat& format = {});
 
 /// The engine's figures of each part, one row per figure: part_id, process, part_type, lot, number, serial, ended_utc,
-/// figure (ends in its unit), value.
+/// figure (ends in its unit), value, lower, upper, verdict, part_verdict.
 [[nodiscard]] Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
-                                                  const CsvFormat& format = {});
+                                                  const CsvFormat& format = {}, const VerdictOf& verdictOf = {});
 
 /// The schedule against what was cut, one row per point: part_id, lot, number, schedule_revision, overhang_mm,
 /// scheduled_feed_mm_per_rev, cut_feed_mm_per_rev.

@@ -25,8 +25,13 @@ class LotReader {
     [[nodiscard]] virtual Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) = 0;
     /// The lot that finished parts of the process go to.
     [[nodiscard]] virtual Result<std::optional<LotId>> activeLot(ProcessId process) = 0;
+    /// What the lot is cut to; empty optional: no such lot.
+    [[nodiscard]] virtual Result<std::optional<RecipeRevision>> recipeOf(LotId lot) = 0;
     /// Everything about one lot; empty optional: no such lot.
     [[nodiscard]] virtual Result<std::optional<LotHistory>> history(LotId lot) = 0;
+    /// The newest parts of a lot with schedule, feed and measurements, but without estimator states and proposed
+    /// schedules: to be looked at, whatever the lot's size. Empty optional: no such lot.
+    [[nodiscard]] virtual Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count) = 0;
 };
 
 }  // namespace kerf

@@ -25,13 +25,14 @@ QString select(const char* columns, const char* rest) {
     return QStringLiteral("SELECT %1 %2").arg(QLatin1String(columns), QLatin1String(rest));
 }
 
-std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot) {
-    Statement find(database,
-                   QStringLiteral("SELECT %1, f.points, %2 FROM parts p %3 LEFT JOIN feed_traces f ON f.part_id = "
-                                  "p.id LEFT JOIN schedules s ON s.id = p.schedule_id WHERE p.lot_id = ? ORDER BY "
-                                  "p.number")
-                       .arg(QLatin1String(kPartColumns), QLatin1String(kScheduleColumns), QLatin1String(kPartJoins)));
-    find.bind(lot).run();
+std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot, std::uint32_t from = 0) {
+    Statement find(
+        database,
+        QStringLiteral("SELECT %1, f.points, %2 FROM parts p %3 LEFT JOIN feed_traces f ON f.part_id = "
+                       "p.id LEFT JOIN schedules s ON s.id = p.schedule_id WHERE p.lot_id = ? AND p.number >= ? "
+                       "ORDER BY p.number")
+            .arg(QLatin1String(kPartColumns), QLatin1String(kScheduleColumns), QLatin1String(kPartJoins)));
+    find.bind(lot).bind(from).run();
     std::vector<PartDetail> parts;
     while (find.next()) {
         PartDetail detail;
@@ -43,6 +44,40 @@ std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot) {
         parts.push_back(std::move(detail));
     }
     return parts;
+}
+
+/// Lot and recipe; empty: no such lot.
+std::optional<LotHistory> headOfLot(const QSqlDatabase& database, LotId lot) {
+    Statement find(database,
+                   select(kLotColumns, "FROM lots l ") + QLatin1String(kLotJoins) + QStringLiteral("WHERE l.id = ?"));
+    if (!find.bind(lot).run().next()) {
+        return std::nullopt;
+    }
+    LotHistory history;
+    history.lot = readLot(find);
+    Statement recipe(database, select(kRecipeColumns, "FROM recipe_revisions r WHERE r.id = ?"));
+    if (recipe.bind(history.lot.recipe).run().next()) {
+        history.recipe = readRecipe(recipe);
+    }
+    return history;
+}
+
+/// Parts from a number on, with every measurement of theirs.
+void addParts(const QSqlDatabase& database, LotHistory& history, std::uint32_t from) {
+    history.parts = partsOfLot(database, history.lot.id, from);
+    std::map<PartId, std::size_t> place;
+    for (std::size_t i = 0; i < history.parts.size(); ++i) {
+        place[history.parts[i].part.id] = i;
+    }
+    // CROSS JOIN keeps the order: the lot's parts first, then their measurements by index.
+    Statement measured(database, select(kMeasurementColumns,
+                                        "FROM parts p CROSS JOIN measurements m ON m.part_id = p.id WHERE p.lot_id = ? "
+                                        "AND p.number >= ? ORDER BY m.id"));
+    measured.bind(history.lot.id).bind(from);
+    history.measurements = readAll(measured, readMeasurement);
+    for (const MeasurementRow& row : history.measurements) {
+        history.parts[place.at(row.part)].part.measurements.push_back(row);
+    }
 }
 
 }  // namespace
@@ -104,34 +139,27 @@ Result<std::optional<LotId>> DatabaseReader::activeLot(ProcessId process) {
     });
 }
 
+Result<std::optional<RecipeRevision>> DatabaseReader::recipeOf(LotId lot) {
+    return guarded([&]() -> std::optional<RecipeRevision> {
+        Statement find(database(), select(kRecipeColumns,
+                                          "FROM lots l JOIN recipe_revisions r ON r.id = "
+                                          "l.recipe_revision_id WHERE l.id = ?"));
+        return find.bind(lot).run().next() ? std::optional(readRecipe(find)) : std::nullopt;
+    });
+}
+
 Result<std::optional<LotHistory>> DatabaseReader::history(LotId lot) {
     return guarded([&]() -> std::optional<LotHistory> {
         const Snapshot snapshot(database());
-        Statement find(database(), select(kLotColumns, "FROM lots l ") + QLatin1String(kLotJoins) +
-                                       QStringLiteral("WHERE l.id = ?"));
-        if (!find.bind(lot).run().next()) {
+        std::optional<LotHistory> found = headOfLot(database(), lot);
+        if (!found) {
             return std::nullopt;
         }
-        LotHistory history;
-        history.lot = readLot(find);
-        Statement recipe(database(), select(kRecipeColumns, "FROM recipe_revisions r WHERE r.id = ?"));
-        if (recipe.bind(history.lot.recipe).run().next()) {
-            history.recipe = readRecipe(recipe);
-        }
-        history.parts = partsOfLot(database(), lot);
+        LotHistory& history = *found;
+        addParts(database(), history, 0);
         std::map<PartId, std::size_t> place;
         for (std::size_t i = 0; i < history.parts.size(); ++i) {
             place[history.parts[i].part.id] = i;
-        }
-        // CROSS JOIN keeps the order: the lot's parts first, then their measurements by index.
-        Statement measured(database(),
-                           select(kMeasurementColumns,
-                                  "FROM parts p CROSS JOIN measurements m ON m.part_id = p.id WHERE p.lot_id = ? "
-                                  "ORDER BY m.id"));
-        measured.bind(lot);
-        history.measurements = readAll(measured, readMeasurement);
-        for (const MeasurementRow& row : history.measurements) {
-            history.parts[place.at(row.part)].part.measurements.push_back(row);
         }
         std::map<MeasurementId, EstimatorStateRow> newest;
         Statement states(database(), select(kStateColumns, "FROM estimator_states e WHERE e.lot_id = ? ORDER BY e.id"));
@@ -153,7 +181,22 @@ Result<std::optional<LotHistory>> DatabaseReader::history(LotId lot) {
         while (schedules.next()) {
             history.schedules.push_back(readSchedule(schedules));
         }
-        return history;
+        return found;
+    });
+}
+
+Result<std::optional<LotHistory>> DatabaseReader::newestParts(LotId lot, std::uint32_t count) {
+    return guarded([&]() -> std::optional<LotHistory> {
+        const Snapshot snapshot(database());
+        std::optional<LotHistory> found = headOfLot(database(), lot);
+        if (found) {
+            Statement first(database(),
+                            "SELECT MIN(number) FROM (SELECT number FROM parts WHERE lot_id = ? ORDER BY "
+                            "number DESC LIMIT ?)");
+            first.bind(lot).bind(count).run();
+            addParts(database(), *found, first.next() ? static_cast<std::uint32_t>(first.integer(0)) : 0);
+        }
+        return found;
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/cycle/engine.h"
 
+#include "engine/api/quality_alarms.h"
 #include "engine/cycle/machine_alarms.h"
 
 namespace kerf {
@@ -66,6 +67,9 @@ const AlarmSpec* Engine::alarmSpec(AlarmCode code) const noexcept {
         return nullptr;
     };
     if (const AlarmSpec* found = search(machine_alarm::kSpecs)) {
+        return found;
+    }
+    if (const AlarmSpec* found = search(quality_alarm::kSpecs)) {
         return found;
     }
     for (const auto& loop : m_cycle.loops()) {

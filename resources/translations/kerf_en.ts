@@ -4060,6 +4060,110 @@
             <source>Tune again from here: it goes on with what it has learned.</source>
             <translation>Tune again from here: it goes on with what it has learned.</translation>
         </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1 cannot be written.</translation>
+        </message>
+        <message>
+            <source>A Q-DAS file was not written</source>
+            <translation>A Q-DAS file was not written</translation>
+        </message>
+        <message>
+            <source>A file name may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}, and no folder.</source>
+            <translation>A file name may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}, and no folder.</translation>
+        </message>
+        <message>
+            <source>A gauge is overdue</source>
+            <translation>A gauge is overdue</translation>
+        </message>
+        <message>
+            <source>A part is out of tolerance</source>
+            <translation>A part is out of tolerance</translation>
+        </message>
+        <message>
+            <source>Gauge %1</source>
+            <translation>Gauge %1</translation>
+        </message>
+        <message>
+            <source>Have it checked, and enter the new date on the Quality page under Gauges.</source>
+            <translation>Have it checked, and enter the new date on the Quality page under Gauges.</translation>
+        </message>
+        <message>
+            <source>In control: the figures of the parts spread by chance.</source>
+            <translation>In control: the figures of the parts spread by chance.</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts. The last signal was %1 at part %2.</source>
+            <translation>In control: the law predicts the parts. The last signal was %1 at part %2.</translation>
+        </message>
+        <message>
+            <source>Its readings are taken as before, but nobody vouches for them.</source>
+            <translation>Its readings are taken as before, but nobody vouches for them.</translation>
+        </message>
+        <message>
+            <source>Look at tool, blank and gauge of that part. Announce a change on the Boring page.</source>
+            <translation>Look at tool, blank and gauge of that part. Announce a change on the Boring page.</translation>
+        </message>
+        <message>
+            <source>Make the folder reachable. The file is tried again with the next part.</source>
+            <translation>Make the folder reachable. The file is tried again with the next part.</translation>
+        </message>
+        <message>
+            <source>Measure it again. Set the part aside and say on the Quality page what was done with it.</source>
+            <translation>Measure it again. Set the part aside and say on the Quality page what was done with it.</translation>
+        </message>
+        <message>
+            <source>Part %1 can be cut again.</source>
+            <translation>Part %1 can be cut again.</translation>
+        </message>
+        <message>
+            <source>Part %1 is scrap.</source>
+            <translation>Part %1 is scrap.</translation>
+        </message>
+        <message>
+            <source>Part %1: %2.</source>
+            <translation>Part %1: %2.</translation>
+        </message>
+        <message>
+            <source>Parts may leave the tolerance sooner than the loop can follow. No capability is claimed.</source>
+            <translation>Parts may leave the tolerance sooner than the loop can follow. No capability is claimed.</translation>
+        </message>
+        <message>
+            <source>Something has changed that the law does not know: insert, material, clamping, gauge.</source>
+            <translation>Something has changed that the law does not know: insert, material, clamping, gauge.</translation>
+        </message>
+        <message>
+            <source>The date until which it was checked has passed.</source>
+            <translation>The date until which it was checked has passed.</translation>
+        </message>
+        <message>
+            <source>The file name must hold {part} or {serial}: each part has a file of its own.</source>
+            <translation>The file name must hold {part} or {serial}: each part has a file of its own.</translation>
+        </message>
+        <message>
+            <source>The folder is not there, is full, or may not be written to.</source>
+            <translation>The folder is not there, is full, or may not be written to.</translation>
+        </message>
+        <message>
+            <source>The law no longer predicts the parts</source>
+            <translation>The law no longer predicts the parts</translation>
+        </message>
+        <message>
+            <source>The lot has no parts yet.</source>
+            <translation>The lot has no parts yet.</translation>
+        </message>
+        <message>
+            <source>The part waits for a decision. The loop goes on and learns from the value.</source>
+            <translation>The part waits for a decision. The loop goes on and learns from the value.</translation>
+        </message>
+        <message>
+            <source>The values are stored here; the system that reads the folder does not have them.</source>
+            <translation>The values are stored here; the system that reads the folder does not have them.</translation>
+        </message>
+        <message>
+            <source>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</source>
+            <translation>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

@@ -4059,6 +4059,110 @@
             <source>Tune again from here: it goes on with what it has learned.</source>
             <translation>여기에서 다시 튜닝하십시오. 학습한 것에서 이어집니다.</translation>
         </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1에 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>A Q-DAS file was not written</source>
+            <translation>Q-DAS 파일을 쓰지 못했습니다</translation>
+        </message>
+        <message>
+            <source>A file name may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}, and no folder.</source>
+            <translation>파일 이름에는 {type}, {lot}, {part}, {serial}, {machine}, {date}, {time}을 쓸 수 있으며 폴더는 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>A gauge is overdue</source>
+            <translation>게이지의 검교정 기한이 지났습니다</translation>
+        </message>
+        <message>
+            <source>A part is out of tolerance</source>
+            <translation>공작물이 공차를 벗어났습니다</translation>
+        </message>
+        <message>
+            <source>Gauge %1</source>
+            <translation>게이지 %1</translation>
+        </message>
+        <message>
+            <source>Have it checked, and enter the new date on the Quality page under Gauges.</source>
+            <translation>검교정을 받고 품질 화면의 게이지에 새 날짜를 입력하세요.</translation>
+        </message>
+        <message>
+            <source>In control: the figures of the parts spread by chance.</source>
+            <translation>관리 상태: 공작물의 값은 우연히 흩어져 있습니다.</translation>
+        </message>
+        <message>
+            <source>In control: the law predicts the parts. The last signal was %1 at part %2.</source>
+            <translation>관리 상태: 법칙이 공작물을 예측합니다. 마지막 신호는 %2번 공작물의 %1입니다.</translation>
+        </message>
+        <message>
+            <source>Its readings are taken as before, but nobody vouches for them.</source>
+            <translation>측정값은 전과 같이 받아들이지만 보증하는 사람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Look at tool, blank and gauge of that part. Announce a change on the Boring page.</source>
+            <translation>그 공작물의 공구, 소재, 게이지를 확인하세요. 바뀐 것이 있으면 보링 화면에서 알리세요.</translation>
+        </message>
+        <message>
+            <source>Make the folder reachable. The file is tried again with the next part.</source>
+            <translation>폴더에 접근할 수 있게 하세요. 다음 공작물 때 다시 시도합니다.</translation>
+        </message>
+        <message>
+            <source>Measure it again. Set the part aside and say on the Quality page what was done with it.</source>
+            <translation>다시 측정하세요. 공작물을 따로 두고 어떻게 처리했는지 품질 화면에 기록하세요.</translation>
+        </message>
+        <message>
+            <source>Part %1 can be cut again.</source>
+            <translation>%1번 공작물은 재가공할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 is scrap.</source>
+            <translation>%1번 공작물은 불량입니다.</translation>
+        </message>
+        <message>
+            <source>Part %1: %2.</source>
+            <translation>%1번 공작물: %2.</translation>
+        </message>
+        <message>
+            <source>Parts may leave the tolerance sooner than the loop can follow. No capability is claimed.</source>
+            <translation>루프가 따라가기 전에 공작물이 공차를 벗어날 수 있습니다. 공정 능력은 주장하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Something has changed that the law does not know: insert, material, clamping, gauge.</source>
+            <translation>법칙이 모르는 변화가 있습니다: 인서트, 소재, 클램핑, 게이지.</translation>
+        </message>
+        <message>
+            <source>The date until which it was checked has passed.</source>
+            <translation>검교정 유효 날짜가 지났습니다.</translation>
+        </message>
+        <message>
+            <source>The file name must hold {part} or {serial}: each part has a file of its own.</source>
+            <translation>파일 이름에는 {part} 또는 {serial}이 있어야 합니다. 공작물마다 파일이 하나씩 있습니다.</translation>
+        </message>
+        <message>
+            <source>The folder is not there, is full, or may not be written to.</source>
+            <translation>폴더가 없거나 가득 찼거나 쓸 권한이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The law no longer predicts the parts</source>
+            <translation>법칙이 더 이상 공작물을 예측하지 못합니다</translation>
+        </message>
+        <message>
+            <source>The lot has no parts yet.</source>
+            <translation>로트에 아직 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The part waits for a decision. The loop goes on and learns from the value.</source>
+            <translation>공작물이 처리 결정을 기다립니다. 루프는 계속되며 이 값에서 배웁니다.</translation>
+        </message>
+        <message>
+            <source>The values are stored here; the system that reads the folder does not have them.</source>
+            <translation>값은 여기에 저장되어 있지만 폴더를 읽는 시스템에는 없습니다.</translation>
+        </message>
+        <message>
+            <source>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</source>
+            <translation>공구, 소재, 클램핑 또는 게이지: 이 공작물만의 문제인지 품질 화면의 관리도가 알려 줍니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>

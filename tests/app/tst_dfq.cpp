@@ -177,8 +177,28 @@ class TestDfq : public QObject {
     void valuesOfOneCharacteristicAfterTheOtherShareRows() {
         const auto file =
             readOrFail("K0100 2\r\nK2001/1 a\r\nK0001/1 1\r\nK0001/1 1.1\r\nK2001/2 b\r\nK0001/2 2\r\nK0001/2 2.1\r\n");
+        QCOMPARE(file.values[1].row, 1U);
+        QCOMPARE(*file.values[1].value, 2.0);
+        QCOMPARE(file.values[2].row, 2U);
+        QVERIFY(copiesEqually(file));
+    }
+    void linesInFrontOfTheirPartBelongToIt_data() {
+        QTest::addColumn<QByteArray>("index");
+        QTest::newRow("of the first characteristic") << QByteArray("1");
+        QTest::newRow("for all") << QByteArray("0");
+    }
+    void linesInFrontOfTheirPartBelongToIt() {
+        QFETCH(QByteArray, index);
+        const std::string key = "K0014/" + index.toStdString();
+        const auto file = readOrFail("K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\n" + key + " P-1\r\n1\x0F" + "2\r\n" + key +
+                                     " P-2\r\n3\x0F" + "4\r\n");
+        QCOMPARE(file.values.size(), std::size_t{4});
+        QCOMPARE(*file.values[0].find(14), "P-1"s);
+        QCOMPARE(*file.values[2].find(14), "P-2"s);
+        QCOMPARE(*file.values[2].value, 3.0);
         QCOMPARE(file.values[3].row, 2U);
-        QCOMPARE(file.values[2].row, 1U);
+        QCOMPARE(file.values[1].find(14) != nullptr, index == "0");
+        QVERIFY(!file.oddities.empty());
         QVERIFY(copiesEqually(file));
     }
     void indexedKeysFindTheirValue() {
@@ -280,6 +300,29 @@ class TestDfq : public QObject {
         QVERIFY(file.oddities.empty());
         QCOMPARE(file.values.size(), std::size_t{1});
         QCOMPARE(*file.find(2001, 1), "a"s);
+    }
+    void valuesStandByPartThenCharacteristic() {
+        const auto file =
+            readOrFail("K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\nK0001/1 1\r\nK0001/1 2\r\nK0001/2 3\r\nK0001/2 4\r\n");
+        const double inOrder[] = {1.0, 3.0, 2.0, 4.0};
+        for (std::size_t i = 0; i < 4; ++i) {
+            QCOMPARE(*file.values.at(i).value, inOrder[i]);
+        }
+        const auto copy = readOrFail(dfq::write(file));
+        for (std::size_t i = 0; i < 4; ++i) {
+            QCOMPARE(*copy.values.at(i).value, inOrder[i]);
+        }
+    }
+    void twoByteLettersAreReadWithAndWithoutAMark() {
+        const std::string plain = "K0100 1\r\nK2001/1 a\r\n1.5\r\n";
+        for (const bool little : {true, false}) {
+            std::string wide;
+            for (const char c : plain) {
+                wide += little ? std::string{c, '\0'} : std::string{'\0', c};
+            }
+            QCOMPARE(*readOrFail(wide).values.at(0).value, 1.5);
+            QCOMPARE(*readOrFail((little ? "\xFF\xFE" : "\xFE\xFF") + wide).values.at(0).value, 1.5);
+        }
     }
     void descriptionAndValuesInTwoFiles() {
         auto file = readOrFail("K0100 1\r\nK1001 x\r\nK2001/1 a\r\nK2004/1 1\r\n");

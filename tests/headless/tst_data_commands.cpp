@@ -50,7 +50,8 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows.size(), 6);  // header, 2 + 2 stations, the part whose only measurement was voided
         QCOMPARE(rows[0].join(u','),
                  QStringLiteral("part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,"
-                                "position_mm,diameter_mm,source,author,accepted_utc,corrected"));
+                                "position_mm,diameter_mm,source,author,accepted_utc,corrected,lower_mm,upper_mm,"
+                                "verdict,part_verdict"));
         QCOMPARE(rows[1][8].toDouble(), 41.0);
         QCOMPARE(rows[2][9], QStringLiteral("1"));
         QCOMPARE(rows[2][11].toDouble(), 50.0125);
@@ -58,8 +59,13 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows[5][4], QStringLiteral("3"));
         QCOMPARE(rows[5][11], QString());
         for (const auto& row : rows) {
-            QCOMPARE(row.size(), 16);
+            QCOMPARE(row.size(), 20);
         }
+        // 50.0125 lies in 49.985 … 50.015, the recipe's limits
+        QCOMPARE(rows[2][16].toDouble(), 49.985);
+        QCOMPARE(rows[2][17].toDouble(), 50.015);
+        QCOMPARE(rows[2][18], QStringLiteral("good"));
+        QCOMPARE(rows[5][19], QStringLiteral("not_judged"));
     }
     void exportMeasurementsGivesEveryAcceptedRow() {
         const DataFolder data;

@@ -259,6 +259,18 @@ class TestQualityCommands : public QObject {
         }
         QVERIFY(!jsonOf(quality({"dfq", "read", "Pair.DFD", "Pair.dfx"})).contains("files"));
     }
+    void aPairNamedTogetherBelongsTogetherWhateverItsNames() {
+        scratchFile("station7.dfd", QStringLiteral("K0100 1\r\nK2001/1 a\r\n"));
+        scratchFile("values_0815.DFX", QStringLiteral("2.5\x14"
+                                                      "0\r\n"));
+        for (const QStringList& pair :
+             {QStringList{"station7.dfd", "values_0815.DFX"}, QStringList{"values_0815.DFX", "station7.dfd"}}) {
+            const json file = jsonOf(quality(QStringList{"dfq", "read"} + pair));
+            QCOMPARE(file["values"][0]["value"].get<double>(), 2.5);
+            QCOMPARE(file["characteristics"].size(), std::size_t{1});
+            QVERIFY(file["oddities"].empty());
+        }
+    }
     void whatCannotBeReadIsExit3WithLineAndField() {
         scratchFile("bad.dfq", QStringLiteral("K0100 1\r\nK2001/1 a\r\n1.x\x14"
                                               "0\r\n"));

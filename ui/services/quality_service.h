@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "db/api/csv_export.h"
 #include "db/api/rows.h"
 #include "engine/core/result.h"
 #include "engine/quality/capability.h"
@@ -26,6 +27,12 @@ struct Characteristic {
     std::string unit{};
     int decimals{3};
     std::optional<double> nominal{};
+    quality::Tolerance tolerance{};
+};
+
+/// Limits of one figure, in its stored unit.
+struct FigureLimit {
+    std::string key{};
     quality::Tolerance tolerance{};
 };
 
@@ -49,6 +56,7 @@ struct ChartedPart {
     double error{0.0};     ///< e, standardised
     double tSquared{0.0};  ///< T² over its bores
     double tSquaredLimit{0.0};
+    double tSquaredChance{1.0};  ///< of a T² as large as this, when the law is right
     double action{0.0};     ///< what the controller does: feed in the middle of the bore, mm/rev; 0: nothing to show
     bool perturbed{false};  ///< the estimator took it for a change of the process: the charts begin anew behind it
     quality::ChartPoint point{};
@@ -78,11 +86,16 @@ struct LotQuality {
     std::vector<ChartedPart> charted{};             ///< by number
     std::vector<QualitySignal> found{};
     std::uint32_t good{0}, notJudged{0}, rework{0}, scrap{0};
-    double gaugeSigma_mm{0.0};  ///< boring: what the estimator takes for the repeatability
+    double gaugeSigma_mm{0.0};  ///< boring: what the estimator takes for the repeatability of a diameter
     Sentence sentence{};        ///< whether the process is in control and what drives it
 
-    [[nodiscard]] bool quiet() const noexcept { return found.empty(); }
+    bool steady{true};  ///< the errors of the whole lot do not speak against a capability
 };
+
+/// Parts of processes that know no lots stand under this number.
+[[nodiscard]] constexpr LotId partsWithoutLot(ProcessId process) {
+    return -1 - static_cast<LotId>(process);
+}
 
 /// What was done with a part that is out of tolerance.
 struct Disposition {
@@ -100,8 +113,17 @@ struct Gauge {
     double resolution_mm{0.001};
     double ring_mm{0.0};               ///< true size of its setting ring; 0: none
     std::int64_t dueUtc_ms{0};         ///< 0: no date
-    std::optional<double> sigma_mm{};  ///< repeatability of its newest study that was accepted
-    std::string sigmaFrom{};           ///< "type1", "anova"; empty: no study
+    std::optional<double> sigma_mm{};  ///< repeatability of its newest study that was accepted, of a diameter
+    double sigmaLow_mm{0.0};           ///< its 95 % interval
+    double sigmaHigh_mm{0.0};
+    bool pass{false};         ///< good enough for the tolerance of the study
+    std::string sigmaFrom{};  ///< "type1", "anova"; empty: no study
+};
+
+/// Q-DAS files that appear by themselves as parts finish.
+struct DfqFiles {
+    std::string folder{};   ///< empty: none
+    std::string pattern{};  ///< "{type}_{lot}_{part}.dfq"
 };
 
 /// A study that is kept, with what it was computed from.
@@ -132,6 +154,16 @@ class QualityService {
     /// Read this lot on a worker; listeners are told when it is there.
     virtual void show(LotId lot) = 0;
 
+    /// Any part, with the recipe of its lot or the limits of its process.
+    [[nodiscard]] virtual PartJudgement judge(const PartRow& part) = 0;
+    [[nodiscard]] virtual std::vector<Characteristic> characteristics(const PartRow& part) = 0;
+    /// Makes, on a worker, who judges the parts of an export there.
+    [[nodiscard]] virtual std::function<VerdictOf()> openVerdicts() = 0;
+    /// Limits for the figures of a process that is not measured by hand; they hold for every part that is looked at.
+    [[nodiscard]] virtual std::vector<FigureLimit> limits(ProcessId process) = 0;
+    virtual void setLimits(ProcessId process, const std::vector<FigureLimit>& limits, const std::string& author,
+                           Done done) = 0;
+
     [[nodiscard]] virtual const std::map<PartId, Disposition>& dispositions() const = 0;
     virtual void dispose(PartId part, const std::string& what, const std::string& author, Done done) = 0;
 
@@ -140,9 +172,11 @@ class QualityService {
     /// Computes, keeps and takes the repeatability over into the register.
     virtual void saveStudy(const GaugeStudyRecord& study, const std::string& author, Done done) = 0;
 
-    /// The lot report as PDF with DFQ and CSV attached, on a worker.
-    virtual void writeReport(LotId lot, const std::string& file, Done done) = 0;
+    /// The lot report as PDF with DFQ and CSV attached, on a worker; `firstArticle`: of the first part alone.
+    virtual void writeReport(LotId lot, bool firstArticle, const std::string& file, Done done) = 0;
     virtual void writeDfq(LotId lot, const std::string& file, Done done) = 0;
+    [[nodiscard]] virtual DfqFiles dfqFiles() = 0;
+    virtual void setDfqFiles(const DfqFiles& files, const std::string& author, Done done) = 0;
 
     virtual void onChanged(std::function<void()> changed) = 0;
 };

@@ -13,11 +13,7 @@
 /// What is judged of a part: the bores of a boring recipe, the figures of the other processes that have limits.
 namespace kerf {
 
-/// Limits of one figure, in its stored unit. Kept as room records (kind `kFigureLimits`), the newest holds.
-struct FigureLimit {
-    std::string key{};
-    quality::Tolerance tolerance{};
-};
+/// Limits of figures are kept as room records of this kind, the newest holds.
 inline constexpr const char* kFigureLimits = "figure_limits";
 
 /// What holds when nobody has set limits: a tap may use all of its thread's tolerance (6H) and no more.

@@ -18,6 +18,9 @@ std::string gaugeJson(const Gauge& gauge) {
                                 {"identity", gauge.identity}};
     if (gauge.sigma_mm) {
         json["sigma_mm"] = *gauge.sigma_mm;
+        json["sigma_low_mm"] = gauge.sigmaLow_mm;
+        json["sigma_high_mm"] = gauge.sigmaHigh_mm;
+        json["pass"] = gauge.pass;
         json["sigma_from"] = gauge.sigmaFrom;
     }
     return json.dump();
@@ -36,6 +39,9 @@ std::optional<Gauge> gaugeFromJson(const std::string& text) {
         gauge.dueUtc_ms = json.value("due_utc_ms", std::int64_t{0});
         if (json.contains("sigma_mm")) {
             gauge.sigma_mm = json.at("sigma_mm").get<double>();
+            gauge.sigmaLow_mm = json.value("sigma_low_mm", 0.0);
+            gauge.sigmaHigh_mm = json.value("sigma_high_mm", 0.0);
+            gauge.pass = json.value("pass", false);
             gauge.sigmaFrom = json.value("sigma_from", "");
         }
         return gauge;

@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/service/boring/boring_recipe.h"
 #include "app/service/boring/lot_records.h"
 #include "engine/process/boring/one_step_error.h"
+#include "engine/quality/distributions.h"
+#include "engine/quality/steadiness.h"
 
 namespace kerf {
 namespace {
 
-constexpr double kHarder = 0.15;  // a feed that has moved by this share over the lot is worth a word
+constexpr std::uint32_t kFresh_parts = 25;  // a signal older than this is history, not the state
+constexpr double kHarder = 0.15;            // a feed that has moved by this share over the lot is worth a word
 
 void judgeParts(const LotHistory& history, LotQuality& quality) {
     std::vector<quality::Moments> moments(quality.characteristics.size());
@@ -42,7 +46,7 @@ void judgeParts(const LotHistory& history, LotQuality& quality) {
     }
     for (std::size_t i = 0; i < moments.size(); ++i) {
         quality.capability.push_back(
-            quality::capability(moments[i], quality.characteristics[i].tolerance, quality.quiet()));
+            quality::capability(moments[i], quality.characteristics[i].tolerance, quality.steady));
     }
 }
 
@@ -53,7 +57,8 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
     if (!recipe || !kind) {
         return;
     }
-    quality.gaugeSigma_mm = recipe->sigma_mm;
+    // Eq. 11: a deflection errs by the diameter's error over 2 cos φ.
+    quality.gaugeSigma_mm = recipe->sigma_mm * 2.0 * std::cos(recipe->phi_deg * std::numbers::pi / 180.0);
     LotRecords records(*recipe, *kind);
     for (const PartDetail& detail : history.parts) {
         records.addPart({detail.part.id, detail.part.number, detail.part.complete, 0,
@@ -77,6 +82,7 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
         charted.error = error.level;
         charted.tSquared = error.tSquared;
         charted.tSquaredLimit = quality::tSquaredLimit(error.count);
+        charted.tSquaredChance = quality::chiSquareUpperTail(static_cast<double>(error.count), error.tSquared);
         charted.action = part->schedule.feed_mmPerRev(middle_mm);
         charted.perturbed = step.perturbed();
         quality.charted.push_back(charted);
@@ -93,8 +99,11 @@ void chartFigure(const LotHistory& history, LotQuality& quality) {
         const PartJudgement judged = judgePart(detail.part, quality.characteristics);
         if (const auto& value = judged.values.front().value; value && std::isfinite(*value) && detail.part.complete) {
             values.push_back(*value);
-            quality.charted.push_back(
-                {detail.part.number, detail.part.id, 0.0, 0.0, quality::tSquaredLimit(1), 0.0, false, {}});
+            ChartedPart charted;
+            charted.number = detail.part.number;
+            charted.id = detail.part.id;
+            charted.tSquaredLimit = quality::tSquaredLimit(1);
+            quality.charted.push_back(charted);
         }
     }
     const quality::CentreLine line = quality::centreLine(values);
@@ -119,12 +128,26 @@ void runCharts(const quality::ChartParams& params, LotQuality& quality) {
     }
 }
 
+/// Of the lot as a whole, for the indices: charts that run from part to part alarm by chance now and then.
+bool isSteady(const LotQuality& quality) {
+    std::vector<double> errors;
+    for (const ChartedPart& part : quality.charted) {
+        errors.push_back(part.error);
+    }
+    const bool together = std::ranges::all_of(quality.charted, [&](const ChartedPart& part) {
+        return part.tSquaredChance >= quality::chanceOfOnePoint(quality.charted.size());
+    });
+    return quality.lot.process == ProcessId::Boring ? together && quality::isSteady(errors)
+                                                    : quality::isSteadySeries(errors);
+}
+
 Sentence sentenceOf(const LotQuality& quality) {
     if (quality.charted.size() < quality::kFewestForIndices) {
         return Sentence(KERF_TEXT("%1 parts on the charts: too few to say whether the process is in control."),
                         SentenceArg(static_cast<double>(quality.charted.size()), 0));
     }
-    if (!quality.found.empty()) {
+    const std::uint32_t newest = quality.charted.back().number;
+    if (!quality.found.empty() && quality.found.back().part + kFresh_parts > newest) {
         const QualitySignal& last = quality.found.back();
         return Sentence(KERF_TEXT("Not in control: %1 at part %2; look at tool, gauge and blank of that part."),
                         SentenceArg(std::string_view(quality::ruleKey(last.rule))),
@@ -138,7 +161,14 @@ Sentence sentenceOf(const LotQuality& quality) {
                         SentenceArg(100.0 * (last / first - 1.0), 0),
                         SentenceArg(static_cast<double>(quality.charted.front().number), 0));
     }
-    return Sentence(KERF_TEXT("In control: the law predicts the parts, and the controller does not work harder."));
+    if (!quality.found.empty()) {
+        return Sentence(KERF_TEXT("In control: the law predicts the parts. The last signal was %1 at part %2."),
+                        SentenceArg(std::string_view(quality::ruleKey(quality.found.back().rule))),
+                        SentenceArg(static_cast<double>(quality.found.back().part), 0));
+    }
+    return quality.lot.process == ProcessId::Boring
+               ? Sentence(KERF_TEXT("In control: the law predicts the parts, and the controller does not work harder."))
+               : Sentence(KERF_TEXT("In control: the figures of the parts spread by chance."));
 }
 
 }  // namespace
@@ -155,6 +185,7 @@ LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>&
         chartFigure(history, quality);
     }
     runCharts(params, quality);
+    quality.steady = isSteady(quality);
     judgeParts(history, quality);
     quality.sentence = sentenceOf(quality);
     return quality;

@@ -8,6 +8,8 @@
 
 #include "app/files/dfq_files.h"
 #include "app/files/table.h"
+#include "app/service/boring/boring_memory.h"
+#include "app/service/quality/dfq_export.h"
 #include "app/service/quality/gauge_records.h"
 #include "app/service/quality/lot_dfq.h"
 #include "db/readers/database_reader.h"
@@ -16,6 +18,8 @@ namespace kerf {
 namespace {
 
 constexpr std::uint32_t kMostRecords = 100'000;
+constexpr std::uint32_t kMostAlarms = 1'000;
+constexpr std::int64_t kBeforeFirstPart_ms = 3'600'000;  // what went wrong while the first part was cut
 
 std::int64_t now_ms() {
     using namespace std::chrono;
@@ -24,37 +28,124 @@ std::int64_t now_ms() {
 
 }  // namespace
 
+Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::uint32_t count) {
+    LotHistory history;
+    if (lot < 0) {
+        history.lot.id = lot;
+        history.lot.process = static_cast<ProcessId>(-1 - lot);
+        PartQuery query;
+        query.process = history.lot.process;
+        query.limit = count;
+        auto parts = reader.parts(query);
+        if (!parts) {
+            return tl::unexpected(parts.error());
+        }
+        std::ranges::reverse(*parts);
+        for (PartRow& part : *parts) {
+            history.parts.emplace_back().part = std::move(part);
+        }
+    } else {
+        auto found = reader.newestParts(lot, count);
+        if (!found) {
+            return tl::unexpected(found.error());
+        }
+        if (!*found) {
+            return fail(KERF_TEXT("There is no such lot."));
+        }
+        history = std::move(**found);
+    }
+    QualityLot result{std::move(history), {}};
+    result.quality = analyseLot(result.history, figureLimits(reader, result.history.lot.process));
+    return result;
+}
+
 Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot) {
     const auto reader = db::DatabaseReader::open(databasePath);
     if (!reader) {
         return tl::unexpected(reader.error());
     }
-    auto history = (*reader)->history(lot);
-    if (!history) {
-        return tl::unexpected(history.error());
-    }
-    if (!*history) {
-        return fail(KERF_TEXT("There is no such lot."));
-    }
-    const ProcessId process = (*history)->lot.process;
-    std::vector<FigureLimit> limits = standardLimits(process);
-    if (const auto records = (*reader)->roomRecords(process, kFigureLimits, {}, 1); records && !records->empty()) {
-        const auto stored = limitsFromJson(process, records->front().bodyJson);
-        if (!stored) {
-            return tl::unexpected(stored.error());
-        }
-        limits = *stored;
-    }
-    QualityLot result{std::move(**history), {}};
-    result.quality = analyseLot(result.history, limits);
-    return result;
+    return readQualityLot(**reader, lot);
 }
 
-StoredQualityService::StoredQualityService(Links links) : m_links(std::move(links)) {
+/// The first part of a lot that is complete, as a lot of one.
+Result<QualityLot> readFirstPart(db::DatabaseReader& reader, LotId lot) {
+    auto read = readQualityLot(reader, lot, 1);
+    if (!read) {
+        return read;
+    }
+    PartQuery query;
+    query.process = read->history.lot.process;
+    query.lot = lot > 0 ? std::optional(lot) : std::nullopt;
+    query.oldestFirst = true;
+    query.limit = 1;
+    const auto first = reader.parts(query);
+    if (!first || first->empty()) {
+        return first ? fail(KERF_TEXT("The lot has no parts yet.")) : Result<QualityLot>(tl::unexpected(first.error()));
+    }
+    const auto detail = reader.part(first->front().id);
+    if (!detail || !*detail) {
+        return fail(KERF_TEXT("There is no such part."));
+    }
+    read->history.parts = {**detail};
+    read->history.measurements = (*detail)->part.measurements;
+    read->quality = analyseLot(read->history, figureLimits(reader, read->history.lot.process));
+    return read;
+}
+
+Result<void> readLotPapers(db::DatabaseReader& reader, const QualityLot& lot, LotPapers& papers) {
+    if (lot.history.parts.empty()) {
+        return {};
+    }
+    const std::int64_t from_ms =
+        std::max(lot.history.lot.openedUtc_ms, lot.history.parts.front().part.endedUtc_ms - kBeforeFirstPart_ms);
+    std::int64_t to_ms = lot.history.parts.back().part.endedUtc_ms;
+    for (const MeasurementRow& row : lot.history.measurements) {
+        to_ms = std::max(to_ms, row.acceptedUtc_ms);
+    }
+    const auto alarms = reader.alarms(std::nullopt, kMostAlarms);
+    if (!alarms) {
+        return tl::unexpected(alarms.error());
+    }
+    for (const AlarmRow& row : *alarms) {
+        if (row.raisedUtc_ms >= from_ms && row.raisedUtc_ms <= to_ms) {
+            papers.alarms.push_back(row);
+        }
+    }
+    std::ranges::reverse(papers.alarms);
+    if (const auto studies = reader.newestRoomRecords(ProcessId::Boring, kStudyRecord)) {
+        papers.studies = *studies;
+    }
+    if (lot.history.lot.process == ProcessId::Boring && lot.history.lot.id > 0) {
+        const auto rows =
+            reader.roomRecords(ProcessId::Boring, kChangeRecord, std::to_string(lot.history.lot.id), kMostRecords);
+        for (const RoomRecordRow& row : rows ? *rows : std::vector<RoomRecordRow>{}) {
+            const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);
+            if (json.is_object()) {
+                papers.changes.emplace_back(json.value("part", 0U), json.value("change", ""));
+            }
+        }
+        std::ranges::reverse(papers.changes);
+    }
+    const auto head = reader.audit(std::nullopt, 1);
+    if (!head) {
+        return tl::unexpected(head.error());
+    }
+    if (!head->empty()) {
+        papers.auditEntry = head->front().id;
+        papers.auditHash = head->front().hash;
+    }
+    return {};
+}
+
+StoredQualityService::StoredQualityService(Links links)
+    : m_links(std::move(links)), m_judge(m_links.lots, m_links.records) {
     readRecords();
 }
 
 void StoredQualityService::readRecords() {
+    const auto folder = m_links.settings.setting(kDfqFolder);
+    const auto pattern = m_links.settings.setting(kDfqPattern);
+    m_files = {folder && *folder ? **folder : std::string(), pattern && *pattern ? **pattern : kDfqPatternStandard};
     if (const auto rows = m_links.records.roomRecords(ProcessId::Boring, kGaugeRecord, {}, kMostRecords)) {
         for (const RoomRecordRow& row : *rows) {  // newest first: the first of an identity holds
             const auto gauge = gaugeFromJson(row.bodyJson);
@@ -134,6 +225,38 @@ void StoredQualityService::dispose(PartId part, const std::string& what, const s
         std::move(done));
 }
 
+std::function<VerdictOf()> StoredQualityService::openVerdicts() {
+    return [path = m_links.databasePath]() -> VerdictOf {
+        auto opened = db::DatabaseReader::open(path);
+        if (!opened) {
+            return {};
+        }
+        const std::shared_ptr<db::DatabaseReader> reader = std::move(*opened);
+        const auto judge = std::make_shared<PartJudge>(*reader, *reader);
+        return [reader, judge, verdict = judge->forExport()](const PartRow& part, std::string_view key) {
+            return verdict(part, key);
+        };
+    };
+}
+
+void StoredQualityService::setLimits(ProcessId process, const std::vector<FigureLimit>& limits,
+                                     const std::string& author, Done done) {
+    const std::string body = limitsJson(limits);
+    if (const auto valid = limitsFromJson(process, body); !valid) {
+        done(tl::unexpected(valid.error()));
+        return;
+    }
+    store(
+        {process, kFigureLimits, {}, body, author, {}},
+        [this] {
+            m_judge.forget();
+            if (m_wanted) {
+                show(*m_wanted);
+            }
+        },
+        std::move(done));
+}
+
 void StoredQualityService::saveGauge(const Gauge& gauge, const std::string& author, Done done) {
     if (const auto why = whyInvalid(gauge)) {
         done(tl::unexpected(*why));
@@ -162,6 +285,9 @@ void StoredQualityService::saveStudy(const GaugeStudyRecord& study, const std::s
     }
     Gauge updated = *gauge;
     updated.sigma_mm = finding->sigma_mm;
+    updated.sigmaLow_mm = finding->low_mm;
+    updated.sigmaHigh_mm = finding->high_mm;
+    updated.pass = finding->pass;
     updated.sigmaFrom = study.method;
     store(
         {ProcessId::Boring, kStudyRecord, study.gauge, studyJson(study, *finding), author, {}}, [] {},
@@ -170,14 +296,43 @@ void StoredQualityService::saveStudy(const GaugeStudyRecord& study, const std::s
         });
 }
 
-void StoredQualityService::writeReport(LotId lot, const std::string& file, Done done) {
+void StoredQualityService::writeReport(LotId lot, bool firstArticle, const std::string& file, Done done) {
+    LotPapers papers;
+    papers.firstArticle = firstArticle;
+    papers.dispositions = m_dispositions;
+    papers.gauges = m_gauges;
     m_links.background(
-        [path = m_links.databasePath, lot, file, report = m_links.makeReport(), dispositions = m_dispositions,
-         gauges = m_gauges]() -> Result<void> {
-            const auto read = readQualityLot(path, lot);
-            return read ? report(*read, dispositions, gauges, file) : Result<void>(tl::unexpected(read.error()));
+        [path = m_links.databasePath, lot, file, report = m_links.makeReport(), papers]() mutable -> Result<void> {
+            const auto reader = db::DatabaseReader::open(path);
+            if (!reader) {
+                return tl::unexpected(reader.error());
+            }
+            auto read = papers.firstArticle ? readFirstPart(**reader, lot) : readQualityLot(**reader, lot);
+            if (!read) {
+                return tl::unexpected(read.error());
+            }
+            if (const auto filled = readLotPapers(**reader, *read, papers); !filled) {
+                return filled;
+            }
+            return report(*read, papers, file);
         },
         std::move(done));
+}
+
+void StoredQualityService::setDfqFiles(const DfqFiles& files, const std::string& author, Done done) {
+    if (const auto why = files.folder.empty() ? std::nullopt : whyNoPattern(files.pattern)) {
+        done(tl::unexpected(*why));
+        return;
+    }
+    m_links.writer.submit(ChangeSetting{kDfqPattern, files.pattern, author, {}}, {});
+    m_links.writer.submit(ChangeSetting{kDfqFolder, files.folder, author, {}},
+                          [this, files, done](const Result<Receipt>& stored) {
+                              if (stored) {
+                                  m_files = files;
+                                  tell();
+                              }
+                              done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
+                          });
 }
 
 void StoredQualityService::writeDfq(LotId lot, const std::string& file, Done done) {

@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "app/service/quality/lot_quality.h"
+#include "app/service/quality/part_judge.h"
 #include "db/api/room_records.h"
+#include "db/api/settings_reader.h"
 #include "db/api/store_writer.h"
 #include "ui/services/quality_service.h"
+
+namespace kerf::db {
+class DatabaseReader;
+}
 
 namespace kerf {
 
@@ -16,19 +22,39 @@ struct QualityLot {
     LotHistory history{};
     LotQuality quality{};
 };
-/// Reads and judges a lot on its own connection: for a worker.
+/// Parts of a lot that are read at once: a page, a report and a chart show the newest ones, whatever the lot's size.
+inline constexpr std::uint32_t kNewestParts = 5'000;
+/// Reads and judges the newest parts of a lot, or of a process without lots.
+[[nodiscard]] Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot,
+                                                std::uint32_t count = kNewestParts);
+/// On a connection of its own: for a worker.
 [[nodiscard]] Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot);
+
+/// What a report says beside the parts.
+struct LotPapers {
+    bool firstArticle{false};
+    std::map<PartId, Disposition> dispositions{};
+    std::vector<Gauge> gauges{};
+    std::vector<AlarmRow> alarms{};        ///< raised between the lot's first part and its last, oldest first
+    std::vector<RoomRecordRow> studies{};  ///< newest of each gauge
+    std::vector<std::pair<std::uint32_t, std::string>> changes{};  ///< announced: from this part on, what
+    std::int64_t auditEntry{0};                                    ///< head of the audit chain when the report was made
+    std::string auditHash{};
+};
+/// Fills in what the data file knows; the rest stays as it is.
+[[nodiscard]] Result<void> readLotPapers(db::DatabaseReader& reader, const QualityLot& lot, LotPapers& papers);
 
 /// Quality on the data file. GUI thread; what is slow goes to `background`.
 class StoredQualityService final : public QualityService {
  public:
     using Work = std::function<Result<void>()>;
     /// Writes the report of a lot into a file.
-    using Report = std::function<Result<void>(const QualityLot&, const std::map<PartId, Disposition>&,
-                                              const std::vector<Gauge>&, const std::string& file)>;
+    using Report = std::function<Result<void>(const QualityLot&, const LotPapers&, const std::string& file)>;
     struct Links {
         StoreWriter& writer;
         RoomRecordReader& records;
+        LotReader& lots;
+        SettingsReader& settings;
         std::string databasePath{};
         std::function<void(Work, Done)> background{};
         /// Asked on the GUI thread; what it returns runs on a worker.
@@ -40,13 +66,25 @@ class StoredQualityService final : public QualityService {
     [[nodiscard]] bool reading() const override { return m_reading; }
     [[nodiscard]] Sentence problem() const override { return m_problem; }
     void show(LotId lot) override;
+    [[nodiscard]] PartJudgement judge(const PartRow& part) override { return m_judge.judge(part); }
+    [[nodiscard]] std::vector<Characteristic> characteristics(const PartRow& part) override {
+        return m_judge.characteristics(part);
+    }
+    [[nodiscard]] std::function<VerdictOf()> openVerdicts() override;
+    [[nodiscard]] std::vector<FigureLimit> limits(ProcessId process) override {
+        return figureLimits(m_links.records, process);
+    }
+    void setLimits(ProcessId process, const std::vector<FigureLimit>& limits, const std::string& author,
+                   Done done) override;
     [[nodiscard]] const std::map<PartId, Disposition>& dispositions() const override { return m_dispositions; }
     void dispose(PartId part, const std::string& what, const std::string& author, Done done) override;
     [[nodiscard]] const std::vector<Gauge>& gauges() const override { return m_gauges; }
     void saveGauge(const Gauge& gauge, const std::string& author, Done done) override;
     void saveStudy(const GaugeStudyRecord& study, const std::string& author, Done done) override;
-    void writeReport(LotId lot, const std::string& file, Done done) override;
+    void writeReport(LotId lot, bool firstArticle, const std::string& file, Done done) override;
     void writeDfq(LotId lot, const std::string& file, Done done) override;
+    [[nodiscard]] DfqFiles dfqFiles() override { return m_files; }
+    void setDfqFiles(const DfqFiles& files, const std::string& author, Done done) override;
     void onChanged(std::function<void()> changed) override { m_listeners.push_back(std::move(changed)); }
 
  private:
@@ -55,12 +93,14 @@ class StoredQualityService final : public QualityService {
     void readRecords();
 
     Links m_links;
+    PartJudge m_judge;
     std::shared_ptr<LotQuality> m_lot{};
     std::optional<LotId> m_wanted{};
     bool m_reading{false};
     Sentence m_problem{};
     std::map<PartId, Disposition> m_dispositions{};
     std::vector<Gauge> m_gauges{};
+    DfqFiles m_files{};
     std::vector<std::function<void()>> m_listeners{};
 };
 

@@ -4,7 +4,9 @@
 #include <limits>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/quality/capability.h"
+#include "engine/quality/steadiness.h"
 #include "engine/quality/verdict.h"
 
 namespace {
@@ -101,6 +103,56 @@ class TestQualityCapability : public QObject {
         for (const Verdict verdict : {Verdict::Good, Verdict::NotJudged, Verdict::Rework, Verdict::Scrap}) {
             QVERIFY(verdictOf(verdictKey(verdict)) == verdict);
         }
+    }
+    void steadySeriesAreSeldomCalledUnsteady_data() {
+        QTest::addColumn<int>("n");
+        QTest::newRow("10") << 10;
+        QTest::newRow("50") << 50;
+        QTest::newRow("1000") << 1000;
+    }
+    void steadySeriesAreSeldomCalledUnsteady() {
+        QFETCH(int, n);
+        constexpr int kSeries = 2000;
+        int ofValues = 0;
+        int ofErrors = 0;
+        for (int series = 0; series < kSeries; ++series) {
+            kerf::Random random = kerf::Random(7).stream(static_cast<std::uint32_t>(series));
+            std::vector<double> values(static_cast<std::size_t>(n));
+            for (double& value : values) {
+                value = random.gauss();
+            }
+            ofValues += isSteadySeries(values) ? 0 : 1;
+            ofErrors += isSteady(values) ? 0 : 1;
+        }
+        // The three tests together are made for 1 in 100; σ from few moving ranges adds to it.
+        QVERIFY2(ofErrors <= kSeries / 66, qPrintable(QString::number(ofErrors)));
+        QVERIFY2(ofValues <= kSeries / (n < 50 ? 25 : 66), qPrintable(QString::number(ofValues)));
+    }
+    void shiftsDriftsAndOutliersAreUnsteady() {
+        kerf::Random random(3);
+        std::vector<double> plain(100);
+        for (double& value : plain) {
+            value = random.gauss();
+        }
+        QVERIFY(isSteadySeries(plain) && isSteady(plain));
+        std::vector<double> shifted = plain;
+        std::vector<double> drifting = plain;
+        std::vector<double> outlier = plain;
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            shifted[i] += i < 50 ? 0.0 : 2.0;
+            drifting[i] += 0.03 * static_cast<double>(i);
+        }
+        outlier[40] = 7.0;
+        for (const auto& series : {shifted, drifting, outlier}) {
+            QVERIFY(!isSteadySeries(series) && !isSteady(series));
+        }
+        std::vector<double> biased = plain;
+        for (double& value : biased) {
+            value += 2.0;
+        }
+        QVERIFY(isSteadySeries(biased));  // a series is its own centre …
+        QVERIFY(!isSteady(biased));       // … but a law has promised 0
+        QVERIFY(isSteadySeries(std::vector<double>(40, 5.0)) && isSteady({}) && isSteadySeries({}));
     }
 };
 

@@ -170,6 +170,38 @@ class TestQualityCharts : public QObject {
         const double arl = static_cast<double>(kPoints) / alarms;
         QVERIFY2(arl > 340.0 && arl < 402.0, qPrintable(QString::number(arl)));
     }
+    /// Second opinion: R's package spc, xewma.arl(.2, 3, shift, sided = "two") and xcusum.arl(.5, 5, shift, sided =
+    /// "two").
+    void runLengthsAreThoseOfSpc_data() {
+        QTest::addColumn<int>("rule");
+        QTest::addColumn<double>("shift");
+        QTest::addColumn<double>("expected");
+        QTest::newRow("ewma, in control") << static_cast<int>(Rule::Ewma) << 0.0 << 559.8741;
+        QTest::newRow("ewma, 1.5 sigma") << static_cast<int>(Rule::Ewma) << 1.5 << 5.604721;
+        QTest::newRow("cusum, in control") << static_cast<int>(Rule::Cusum) << 0.0 << 465.4435;
+        QTest::newRow("cusum, 1.5 sigma") << static_cast<int>(Rule::Cusum) << 1.5 << 5.747218;
+    }
+    void runLengthsAreThoseOfSpc() {
+        QFETCH(int, rule);
+        QFETCH(double, shift);
+        QFETCH(double, expected);
+        kerf::Random random(11);
+        ChartParams params;
+        params.active = rules({static_cast<Rule>(rule)});
+        ChartState chart(params);
+        constexpr int kPoints = 1'000'000;
+        int alarms = 0;
+        for (int i = 0; i < kPoints; ++i) {
+            if (chart.push(random.gauss() + shift).fired.any()) {
+                ++alarms;
+                chart.reset();
+            }
+        }
+        const double arl = static_cast<double>(kPoints) / alarms;
+        // Run lengths spread by as much as their mean: three standard errors.
+        const double tolerance = 3.0 * expected * std::sqrt(expected / kPoints);
+        QVERIFY2(std::abs(arl - expected) < tolerance, qPrintable(QString::number(arl)));
+    }
     void quantilesAreTheTables() {
         QCOMPARE(printed(normalQuantile(0.975), 9), QString("1.959963985"));
         QCOMPARE(printed(chiSquareQuantile(10.0, 0.95), 4), QString("18.3070"));
