@@ -12,6 +12,7 @@
 #include "app/files/tapping_drive_file.h"
 #include "app/headless/commands.h"
 #include "app/headless/read_options.h"
+#include "app/headless/tapping_robust.h"
 #include "app/headless/tapping_table.h"
 #include "engine/process/tapping/tap_drive.h"
 #include "engine/process/tapping/tap_record.h"
@@ -27,21 +28,28 @@ using Json = nlohmann::ordered_json;
 
 struct DriveOptions {
     std::string file;
+    std::uint64_t machineSeed{0};
     std::vector<std::string> settings;
     bool csv{false};
     bool summary{false};
 
     [[nodiscard]] DriveParams drive() const {
-        DriveParams out = file.empty() ? DriveParams{} : readDriveFile(file);
+        DriveParams out = file.empty() ? hardDrive(machineSeed) : readDriveFile(file);
         applyDriveSettings(out, "--set", settings);
         return out;
     }
 };
 
 void addDriveOptions(CLI::App& command, DriveOptions& options) {
-    command.add_option("--drive", options.file,
-                       "JSON file with constants of the drive; the reference drive without it");
-    command.add_option("--set", options.settings, "KEY=VALUE: one constant, after --drive")->expected(1)->take_all();
+    auto* file = command.add_option("--drive", options.file,
+                                    "JSON file with constants of the drive; the reference drive without it");
+    command
+        .add_option("--machine-seed", options.machineSeed,
+                    "a hard machine drawn from this seed (docs/tapping.md); 0: the reference drive")
+        ->excludes(file);
+    command.add_option("--set", options.settings, "KEY=VALUE: one constant, after --drive and --machine-seed")
+        ->expected(1)
+        ->take_all();
     auto* form = command.add_option_group("output")->require_option(1);
     form->add_flag("--csv", options.csv, "rows as CSV");
     form->add_flag("--summary", options.summary, "figures as JSON");
@@ -136,7 +144,7 @@ void putVerdict(Json& out, const TunerSetup& setup, const Tuning& tuning, const 
             out[key] = nullptr;
         return;
     }
-    const TuningVerdict verdict = judgeTuning(setup, tuning, thread->allowedPp_um());
+    const TuningVerdict verdict = judgeTuning(tuning, thread->allowedPp_um());
     hole["programmed"] = verdict.programmedHole_s;
     hole["proposed"] = verdict.proposedHole_s ? Json(*verdict.proposedHole_s) : Json();
     out["thread"] = thread->name;
@@ -152,7 +160,7 @@ void putVerdict(Json& out, const TunerSetup& setup, const Tuning& tuning, const 
 void tune(const TuneOptions& options) {
     const DriveParams drive = options.drive();
     const ThreadPreset* thread = threadFor(options.thread, drive.pitch_mm);
-    DriveParams assumed;
+    DriveParams assumed = middlingDrive();
     applyDriveSettings(assumed, "--assume", options.assume);
     TunerSetup setup;
     setup.kind = tunerOf(options.tuner);
@@ -193,6 +201,10 @@ void tune(const TuneOptions& options) {
     parameters["ffz"] = tuning.final.zVelocityFf;
     parameters["faz"] = tuning.final.zAccelFf;
     parameters["trim_peak_um"] = peakTrim_um(tuning.final);
+    if (const auto& measured = tuning.setup.measured) {
+        out["measured_kpz"] = {{"critical", measured->critical_perS}, {"highest", measured->highest_perS}};
+        out["measured_resonance_hz"] = measured->resonance_Hz > 0.0 ? Json(measured->resonance_Hz) : Json();
+    }
     const SafeGains& safe = tuning.trials.back().step.safe;
     out["safe_kpz"] = {{"lowest", safe.lowest_perS}, {"highest", safe.highest_perS}, {"critical", safe.critical_perS}};
     out["reason"] = tuning.trials.back().step.reason.english();
@@ -290,7 +302,7 @@ void addTappingCommands(CLI::App& kerf) {
         ->check(CLI::Range(0.0, 0.9));
     tuneCommand
         ->add_option("--assume", tuneOptions->assume,
-                     "KEY=VALUE: servo constant the tuner assumes; the reference without it")
+                     "KEY=VALUE: servo constant the tuner assumes; a middling servo without it")
         ->expected(1)
         ->take_all();
     tuneCommand->add_option("--thread", tuneOptions->thread, "M3 to M20, fine as in M8x1; by pitch without it");
@@ -311,6 +323,7 @@ void addTappingCommands(CLI::App& kerf) {
 
     auto* tableCommand = tapping->add_subcommand("table", "The table of docs/tapping.md: tuners by scenario");
     tableCommand->callback([] { printTappingTable(); });
+    addTappingRobust(*tapping);
 }
 
 }  // namespace kerf::headless

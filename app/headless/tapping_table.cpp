@@ -37,7 +37,7 @@ Tuning run(const Scenario& scenario, TunerKind kind, std::uint64_t seed) {
 std::vector<Scenario> scenarios() {
     std::vector<Scenario> out;
     const auto add = [&](std::string name, auto change, TrialScatter scatter = {}) {
-        Scenario scenario{std::move(name), {}, {}, scatter};
+        Scenario scenario{std::move(name), {}, middlingDrive(), scatter};
         change(scenario);
         out.push_back(std::move(scenario));
     };
@@ -91,7 +91,7 @@ void printRandomMachines() {
         Random random(kSeed);
         std::vector<double> before, after, peak, pp, taps;
         for (int i = 0; i < kMachines; ++i) {
-            const Scenario scenario{"", randomDrive(random), {}, kShopFloor};
+            const Scenario scenario{"", randomDrive(random), middlingDrive(), kShopFloor};
             const Tuning tuning = run(scenario, kind, kSeed + static_cast<std::uint64_t>(i));
             before.push_back(tuning.before.saec_mm);
             after.push_back(tuning.after.saec_mm);

@@ -25,7 +25,7 @@ void tuning(benchmark::State& state, TunerKind kind) {
     const DriveParams drive;
     TunerSetup setup;
     setup.kind = kind;
-    setup.assumed = knownTo(drive, {});
+    setup.assumed = knownTo(drive, middlingDrive());
     setup.initial = settingsOf(drive);
     for (auto _ : state) {
         benchmark::DoNotOptimize(runTuning(setup, drive, {2.0, 4096.0, 1.0, 0.2, 0.1}, 1));

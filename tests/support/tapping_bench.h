@@ -32,7 +32,7 @@ inline LoadTapGains initialGains() {
 
 inline tapping::TunerSetup setup(const tapping::DriveParams& drive) {
     tapping::TunerSetup setup;
-    setup.assumed = tapping::knownTo(drive, {});
+    setup.assumed = tapping::knownTo(drive, tapping::middlingDrive());
     setup.initial = tapping::settingsOf(drive);
     setup.maxTaps = 6;
     return setup;

@@ -92,6 +92,7 @@ struct TappingServiceView {
     std::uint64_t revision{0};  ///< rises with each change
     TuningState state{TuningState::None};
     Sentence reason{};      ///< of the proposal, or why the tuning ended
+    Sentence help{};        ///< what would help a tuning outside the tolerance; else empty
     bool finished{false};   ///< Proposed: the tuner expects nothing of a further tap
     bool mayTapMore{true};  ///< Proposed: the taps of a tuning are not used up
     bool automatic{false};  ///< proposals are tapped and accepted at once

@@ -377,6 +377,7 @@ void StoredTappingService::rebuild() {
     m_shownTrials = m_session->trials().size();
     m_view.state = stateOf(m_shownState);
     m_view.reason = m_session->reason();
+    m_view.help = m_session->help();
     m_view.mayTapMore = m_session->mayTapMore();
     m_view.trials.clear();
     for (const TuningSession::Trial& trial : m_session->trials()) {

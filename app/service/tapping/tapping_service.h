@@ -19,8 +19,9 @@ namespace kerf {
 class StoredTappingService final : public TappingService {
  public:
     struct Params {
-        tapping::DriveParams assumed{};  ///< servo constants the tuner starts from, and the drive's ramp and tail
-        double abortOverAllowed{10.0};   ///< abort limit over the allowed peak-to-peak: an untuned drive must pass
+        /// Servo constants the tuner starts from, and the drive's ramp and tail.
+        tapping::DriveParams assumed{tapping::middlingDrive()};
+        double abortOverAllowed{10.0};  ///< abort limit over the allowed peak-to-peak: an untuned drive must pass
         int maxTaps{8};
         std::vector<tapping::StoredTuning> known{};                 ///< oldest first
         std::function<void(const tapping::StoredTuning&)> store{};  ///< an accepted tuning; may be empty

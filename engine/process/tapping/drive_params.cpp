@@ -39,6 +39,14 @@ std::span<const DriveKey> driveKeys() {
         DriveKey{"thrust", &P::thrust_mmPerS2, 0.0, 1e5},
         DriveKey{"slave", &P::slaved, 0.0, 1.0},
         DriveKey{"delay", &P::zDelay_s, 0.0, 0.01},
+        DriveKey{"res_hz", &P::zResonance_Hz, 0.0, 500.0},
+        DriveKey{"res_damping", &P::zResonanceDamping, 0.001, 0.9},
+        DriveKey{"res_share", &P::zResonanceShare, 0.0, 2.0},
+        DriveKey{"backlash_um", &P::zBacklash_um, 0.0, 200.0},
+        DriveKey{"stiction", &P::zStiction, 0.0, 5.0},
+        DriveKey{"gear", &P::spindleGear, 1.0, 2.0},
+        DriveKey{"gear_ratio", &P::gearRatio, 1.0, 10.0},
+        DriveKey{"motor_share", &P::motorInertiaShare, 0.0, 1.0},
     };
     return keys;
 }
@@ -48,6 +56,35 @@ const DriveKey* findDriveKey(std::string_view key) {
         if (key == entry.key) return &entry;
     }
     return nullptr;
+}
+
+DriveParams inGear(const DriveParams& drive) {
+    if (drive.spindleGear < 1.5) return drive;
+    DriveParams out = drive;
+    const double ratio = drive.gearRatio;
+    const double inertia = 1.0 - drive.motorInertiaShare + ratio * ratio * drive.motorInertiaShare;
+    out.spindleAccelMax_revPerS2 *= ratio / inertia;
+    out.spindleBandwidth_perS *= ratio * ratio / inertia;
+    out.load_revPerS2 /= inertia;
+    out.loadOut_revPerS2 /= inertia;
+    out.spindleViscous_perS /= inertia;
+    out.spindleGear = 1.0;
+    return out;
+}
+
+DriveParams middlingDrive() {
+    DriveParams drive;
+    drive.spindleBandwidth_perS = 120.0;
+    drive.spindleIntegral_perS = 15.0;
+    drive.spindleFilter_s = 0.0015;
+    drive.spindleViscous_perS = 0.3;
+    drive.zBandwidth_perS = 300.0;
+    drive.zIntegral_perS = 35.0;
+    drive.zTorqueLag_s = 0.0012;
+    drive.zViscous_perS = 1.0;
+    drive.zCoulomb_mmPerS2 = 40.0;
+    drive.thrust_mmPerS2 = 20.0;
+    return drive;
 }
 
 }  // namespace kerf::tapping

@@ -41,6 +41,14 @@ struct DriveParams {
     double thrust_mmPerS2{30.0};    ///< axial force of the tap, as Z acceleration
     double slaved{0.0};             ///< 1: Z follows the measured spindle, 0: both follow one command
     double zDelay_s{0.0};           ///< dead time of the Z speed command, 0…0.01
+    double zResonance_Hz{0.0};      ///< structural resonance of Z, 0: none
+    double zResonanceDamping{0.05};
+    double zResonanceShare{0.2};  ///< of the structure's swing that the measured position sees
+    double zBacklash_um{0.0};     ///< play between motor and table; the position is measured at the table
+    double zStiction{0.0};        ///< friction at rest over Coulomb's, as a share of it; gone above some mm/s
+    double spindleGear{1.0};      ///< 1: direct; 2: low gear, gearRatio motor turns per spindle turn
+    double gearRatio{2.5};
+    double motorInertiaShare{0.6};  ///< of the spindle's inertia in gear 1
     double referenceDelay_s{0.0};  ///< model of a slaved Z: the spindle's angle reaches it this much later, whole ticks
     double referenceAccel{0.0};    ///< model of a slaved Z: 1: fa_z acts on the reference's second difference
 };
@@ -55,5 +63,12 @@ struct DriveKey {
 [[nodiscard]] std::span<const DriveKey> driveKeys();
 /// Null when there is no such key.
 [[nodiscard]] const DriveKey* findDriveKey(std::string_view key);
+
+/// The drive with its spindle in the gear it stands in, gear 1 afterwards. In gear 2 the motor's torque counts by the
+/// ratio i and its inertia by i²: with r the motor's share, J = 1 − r + i² r; a_max·i/J, w_s·i²/J, load/J, vis_s/J.
+[[nodiscard]] DriveParams inGear(const DriveParams& drive);
+
+/// A middling servo: what a tuner assumes before it has seen the machine. Not the simulator's own constants.
+[[nodiscard]] DriveParams middlingDrive();
 
 }  // namespace kerf::tapping

@@ -4,8 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace kerf::tapping {
+namespace {
+
+constexpr double kSticking = 4.0;  ///< reversal speeds over which stiction fades
+
+}  // namespace
 
 ZServo::ZServo(const DriveParams& params) noexcept : m_p(params) {
     setParams(params);
@@ -15,10 +21,20 @@ void ZServo::setParams(const DriveParams& params) noexcept {
     m_p = params;
     const double steps = std::round(params.zDelay_s * params.substeps / params.tick_s);
     m_delaySteps = std::min(static_cast<std::size_t>(std::max(steps, 0.0)), kDelayLine - 1);
+    if (params.zResonance_Hz <= 0.0) return;
+    const double omega_perS = 2.0 * std::numbers::pi * params.zResonance_Hz;
+    const double decay_perS = params.zResonanceDamping * omega_perS;
+    const double swing_perS = std::sqrt(omega_perS * omega_perS - decay_perS * decay_perS);
+    const double h = params.tick_s / params.substeps;
+    const double left = std::exp(-decay_perS * h);
+    const double c = left * std::cos(swing_perS * h);
+    const double s = left * std::sin(swing_perS * h) / swing_perS;
+    m_swing = {c + decay_perS * s, s, -omega_perS * omega_perS * s, c - decay_perS * s, 0.0, -s};
+    m_swing.b1 = -(1.0 - m_swing.a11) / (omega_perS * omega_perS);
 }
 
 void ZServo::command(const Command& command) noexcept {
-    m_wanted_mmPerS = m_p.zKp_perS * (command.position_mm - m_z_mm) + m_p.zVelocityFf * command.velocity_mmPerS;
+    m_wanted_mmPerS = m_p.zKp_perS * (command.position_mm - m_measured_mm) + m_p.zVelocityFf * command.velocity_mmPerS;
     m_accelFf_mmPerS2 = m_p.zAccelFf * command.accel_mmPerS2;
 }
 
@@ -34,14 +50,32 @@ void ZServo::substep(double thrust_mmPerS2) noexcept {
     }
     const double given_mmPerS2 = std::clamp(asked_mmPerS2, -m_p.zAccelMax_mmPerS2, m_p.zAccelMax_mmPerS2);
     m_torque_mmPerS2 += h / m_p.zTorqueLag_s * (given_mmPerS2 - m_torque_mmPerS2);
-    const double friction_mmPerS2 = m_p.zViscous_perS * m_v_mmPerS +
-                                    m_p.zCoulomb_mmPerS2 * std::tanh(m_v_mmPerS / m_p.reversalSpeed) + thrust_mmPerS2;
+    double coulomb_mmPerS2 = m_p.zCoulomb_mmPerS2;
+    if (m_p.zStiction > 0.0) {
+        const double slip = m_v_mmPerS / (kSticking * m_p.reversalSpeed);
+        coulomb_mmPerS2 *= 1.0 + m_p.zStiction * std::exp(-slip * slip);
+    }
+    const double friction_mmPerS2 =
+        m_p.zViscous_perS * m_v_mmPerS + coulomb_mmPerS2 * std::tanh(m_v_mmPerS / m_p.reversalSpeed) + thrust_mmPerS2;
     m_v_mmPerS += h * (m_torque_mmPerS2 - friction_mmPerS2);
     m_z_mm += h * m_v_mmPerS;
+    measure(m_torque_mmPerS2 - friction_mmPerS2);
+}
+
+void ZServo::measure(double accel_mmPerS2) noexcept {
+    const double play_mm = 0.0005 * m_p.zBacklash_um;  // to either side
+    m_table_mm = play_mm > 0.0 ? std::clamp(m_table_mm, m_z_mm - play_mm, m_z_mm + play_mm) : m_z_mm;
+    m_measured_mm = m_table_mm;
+    if (m_p.zResonance_Hz <= 0.0) return;
+    const double swing_mm = m_swing.a11 * m_swing_mm + m_swing.a12 * m_swing_mmPerS + m_swing.b1 * accel_mmPerS2;
+    m_swing_mmPerS = m_swing.a21 * m_swing_mm + m_swing.a22 * m_swing_mmPerS + m_swing.b2 * accel_mmPerS2;
+    m_swing_mm = swing_mm;
+    m_measured_mm += m_p.zResonanceShare * m_swing_mm;
 }
 
 void ZServo::restAt(double position_mm) noexcept {
-    m_z_mm = position_mm;
+    m_z_mm = m_table_mm = m_measured_mm = position_mm;
+    m_swing_mm = m_swing_mmPerS = 0.0;
     m_v_mmPerS = 0.0;
     m_torque_mmPerS2 = 0.0;
     m_integral_mmPerS2 = 0.0;
@@ -50,10 +84,10 @@ void ZServo::restAt(double position_mm) noexcept {
     m_delayed_mmPerS.fill(0.0);
 }
 
-TapDrive::TapDrive(const DriveParams& params) noexcept : m_p(params), m_zServo(params) {}
+TapDrive::TapDrive(const DriveParams& params) noexcept : m_p(inGear(params)), m_zServo(params) {}
 
 void TapDrive::setParams(const DriveParams& params) noexcept {
-    m_p = params;
+    m_p = inGear(params);
     m_zServo.setParams(params);
 }
 

@@ -15,6 +15,9 @@ namespace kerf::tapping {
 ///   v_c = K_pz (z_c − z) + ff_z ż_c
 ///   b = w_z (v_c − v) + I + fa_z z̈_c, clipped at a_max,z; I frozen while clipped; lag t_a
 ///   v̇ = b − vis_z v − coul_z tanh(v/v_c) − thrust·engaged·tanh(ω/v_c)
+/// With backlash the table stands still until the play is taken up; with a resonance (ω, ζ, share p) the structure
+/// swings against it, q̈ + 2ζω q̇ + ω² q = −v̇, and the measured position is z_table + p q. Stiction s makes Coulomb's
+/// friction 1 + s exp(−(v/4v_c)²) times as large.
 /// The plant and the tuner's assumed model are the same code with different constants. tick() may run in the cycle.
 class ZServo {
  public:
@@ -30,13 +33,22 @@ class ZServo {
     void command(const Command& command) noexcept;
     /// One velocity-loop step; `thrust_mmPerS2` opposes positive motion.
     void substep(double thrust_mmPerS2) noexcept;
-    [[nodiscard]] double position_mm() const noexcept { return m_z_mm; }
+    /// Measured: at the table, with the structure's swing. The position loop is closed over it.
+    [[nodiscard]] double position_mm() const noexcept { return m_measured_mm; }
     /// Standing still at a position, all memory of the motion gone: after a stop.
     void restAt(double position_mm) noexcept;
 
  private:
+    /// The structure's oscillator over one substep under a constant acceleration, exact.
+    struct Swing {
+        double a11{1.0}, a12{0.0}, a21{0.0}, a22{1.0}, b1{0.0}, b2{0.0};
+    };
+    void measure(double accel_mmPerS2) noexcept;
+
     static constexpr std::size_t kDelayLine = 1024;
     DriveParams m_p;
+    Swing m_swing{};
+    double m_swing_mm{0.0}, m_swing_mmPerS{0.0}, m_table_mm{0.0}, m_measured_mm{0.0};
     double m_z_mm{0.0}, m_v_mmPerS{0.0}, m_torque_mmPerS2{0.0}, m_integral_mmPerS2{0.0};
     double m_wanted_mmPerS{0.0}, m_accelFf_mmPerS2{0.0};
     std::array<double, kDelayLine> m_delayed_mmPerS{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/process/tapping/trial_machine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -101,12 +102,76 @@ DriveParams randomDrive(Random& random) {
     return drive;
 }
 
+DriveParams hardDrive(std::uint64_t seed) {
+    if (seed == 0) return {};
+    Random random(seed);
+    const auto logUniform = [&](double low, double high) { return low * std::pow(high / low, random.uniform()); };
+    DriveParams drive = randomDrive(random);
+    drive.zDelay_s = random.uniform(0.0, 0.003);
+    drive.zTorqueLag_s = logUniform(0.0005, 0.002);
+    drive.zResonance_Hz = logUniform(30.0, 200.0);
+    drive.zResonanceDamping = logUniform(0.02, 0.1);
+    drive.zResonanceShare = logUniform(0.02, 0.3);
+    drive.zBacklash_um = random.uniform(2.0, 20.0);
+    drive.zStiction = random.uniform();
+    drive.spindleAccelMax_revPerS2 = logUniform(300.0, 1200.0);
+    drive.spindleGear = random.uniform() < 0.5 ? 1.0 : 2.0;
+    drive.gearRatio = random.uniform(1.5, 3.0);
+    drive.motorInertiaShare = random.uniform(0.3, 0.6);
+    constexpr double kCommissioned = 3.0;
+    const double most_perS = criticalZKp_perS(drive) / kCommissioned;
+    const double scale = std::min(1.0, most_perS / drive.zKp_perS);
+    drive.zKp_perS *= scale;
+    drive.spindleKp_perS *= scale;
+    return drive;
+}
+
+bool oscillates(const DriveParams& drive, const TapSettings& settings) {
+    if (!(settings.zKp_perS < criticalZKp_perS(drive))) return true;
+    constexpr double kRest_s = 0.5;
+    constexpr double kStill_mm = 0.025;
+    DriveParams resting = withSettings(drive, settings);
+    resting.tail_s = std::max(resting.tail_s, kRest_s);
+    std::vector<double> spindle_rev(tapTicks(resting));
+    std::vector<double> z_mm(spindle_rev.size());
+    simulateTap(resting, settings.zTrim_mm, spindle_rev, z_mm);
+    const auto last = static_cast<std::ptrdiff_t>(std::min(0.1 / drive.tick_s, static_cast<double>(z_mm.size())));
+    const auto [low, high] = std::minmax_element(z_mm.end() - last, z_mm.end());
+    return !(*high - *low < kStill_mm);
+}
+
+namespace {
+
+/// Taps without work: one as programmed, one with the sweep and one with its opposite. A machine that takes no trim
+/// makes the first alone; so does a tap too short for a sweep.
+void probeInTheAir(TrialMachine& machine, Tuning& tuning) {
+    TunerSetup& setup = tuning.setup;
+    const TapSignals air = machine.airTap(setup.initial);
+    tuning.reach = rampReach(setup.assumed, setup.initial, air);
+    const std::vector<double> probe_mm = probeTrim_mm(air.z_mm.size(), setup.assumed.tick_s);
+    if (!setup.trim || std::ranges::all_of(probe_mm, [](double p_mm) { return p_mm == 0.0; })) return;
+    const auto probed = [&](double sign) {
+        TapSettings settings = setup.initial;
+        settings.zTrim_mm.resize(probe_mm.size(), 0.0);
+        for (std::size_t k = 0; k < probe_mm.size(); ++k)
+            settings.zTrim_mm[k] += sign * probe_mm[k];
+        return machine.airTap(settings);
+    };
+    const TapSignals plus = probed(1.0);
+    const std::vector<double> spindle_rev(plus.spindle_rev.begin(), plus.spindle_rev.end());
+    const std::vector<double> z_mm(plus.z_mm.begin(), plus.z_mm.end());
+    setup.measured = measureLoop(setup.assumed, setup.initial, probe_mm, {spindle_rev, z_mm, {}}, probed(-1.0));
+}
+
+}  // namespace
+
 Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialScatter& scatter, std::uint64_t seed) {
     Tuning tuning;
-    const std::unique_ptr<Tuner> tuner = makeTuner(setup);
     TrialMachine machine(drive, scatter, seed);
     tuning.before = cleanFigures(drive, setup.initial);
-    tuning.reach = rampReach(setup.assumed, setup.initial, machine.airTap(setup.initial));
+    tuning.setup = setup;
+    probeInTheAir(machine, tuning);
+    const std::unique_ptr<Tuner> tuner = makeTuner(tuning.setup);
     for (bool finished = false; !finished;) {
         Trial trial;
         trial.settings = tuner->settings();
@@ -124,9 +189,9 @@ Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialS
     return tuning;
 }
 
-TuningVerdict judgeTuning(const TunerSetup& setup, const Tuning& tuning, double allowedPp_um) {
-    return judgeTuning({setup, tuning.reach, tuning.final, tuning.trials.back().step.safe, tuning.after.engagedPp_um,
-                        allowedPp_um, tuning.noise_um, tuning.tapsUsed});
+TuningVerdict judgeTuning(const Tuning& tuning, double allowedPp_um) {
+    return judgeTuning({tuning.setup, tuning.reach, tuning.final, tuning.trials.back().step.safe,
+                        tuning.after.engagedPp_um, allowedPp_um, tuning.noise_um, tuning.tapsUsed});
 }
 
 }  // namespace kerf::tapping

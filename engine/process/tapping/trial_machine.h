@@ -53,6 +53,23 @@ class TrialMachine {
 /// 30-55 1/s, Z gain 85-135 % of it, torque limit 520-1000 rev/s², 1500-6000 rpm, 12-30 revolutions, load 40-160.
 [[nodiscard]] DriveParams randomDrive(Random& random);
 
+/// A machine that bites, drawn from a seed; seed 0 is the reference drive, digit for digit.
+///
+///   servos     every servo constant as in randomDrive(), friction and thrust ±25 %
+///   lag        dead time of Z uniform 0-3 ms, torque lag .5-2 ms (log-uniform)
+///   resonance  30-200 Hz, damping .02-.1, share .02-.3, each log-uniform
+///   play       backlash uniform 2-20 µm, stiction uniform 0-1
+///   spindle    torque limit 300-1200 rev/s² (log-uniform); gear 1 or 2, ratio uniform 1.5-3, motor's share .3-.6
+///   job        1500-6000 rpm, 12-30 revolutions, load 40-160 rev/s², ramp 500 rev/s²
+///   gains      spindle 30-55 1/s, Z 85-135 % of it; both scaled down where Z would exceed a third of its critical
+///   gain:
+///              a machine is commissioned stable
+[[nodiscard]] DriveParams hardDrive(std::uint64_t seed);
+
+/// Z oscillates with these settings: at or beyond the true critical gain, or still moving by more than 25 µm in the
+/// last 100 ms of half a second at rest behind the tap.
+[[nodiscard]] bool oscillates(const DriveParams& drive, const TapSettings& settings);
+
 /// One trial of a tuning.
 struct Trial {
     TapSettings settings{};
@@ -64,15 +81,16 @@ struct Tuning {
     TapSettings final{};
     ContourFigures before{};  ///< clean, initial settings
     ContourFigures after{};   ///< clean, final settings
+    TunerSetup setup{};       ///< with what the probe measured
     RampReach reach{};        ///< of the air tap before the first trial and of that trial, the lesser
     double noise_um{0.0};     ///< white part of the last record's error
     bool tapsUsed{false};     ///< ended because no tap was left
     [[nodiscard]] double reduction() const { return 1.0 - after.saec_mm / before.saec_mm; }
 };
-/// One air tap, then tap, observe, until the tuner is finished.
+/// Three taps in the air (two of them the stability probe), then tap, observe, until the tuner is finished.
 [[nodiscard]] Tuning runTuning(const TunerSetup& setup, const DriveParams& drive, const TrialScatter& scatter,
                                std::uint64_t seed);
 /// Whether the clean drive holds `allowedPp_um` with the final settings, and if not, why.
-[[nodiscard]] TuningVerdict judgeTuning(const TunerSetup& setup, const Tuning& tuning, double allowedPp_um);
+[[nodiscard]] TuningVerdict judgeTuning(const Tuning& tuning, double allowedPp_um);
 
 }  // namespace kerf::tapping

@@ -14,10 +14,12 @@ namespace {
 class TrialTuner : public Tuner {
  public:
     explicit TrialTuner(const TunerSetup& setup)
-        : m_setup(setup),
-          m_current(setup.initial),
-          m_accepted(setup.initial),
-          m_safe(safeGains(setup.assumed, setup.assumed, setup.initial.zKp_perS)) {}
+        : m_setup(setup), m_current(setup.initial), m_accepted(setup.initial), m_safe(safeSet(setup.assumed)) {
+        if (setup.measured) {
+            m_setup.assumed = setup.measured->fitted;
+            m_safe = safeSet(m_setup.assumed);
+        }
+    }
 
     [[nodiscard]] const TapSettings& settings() const final { return m_current; }
 
@@ -51,6 +53,14 @@ class TrialTuner : public Tuner {
     /// Fills `step` but for `safe`; m_current are the settings of this tap.
     virtual void decide(const TapSignals& tap, const ContourFigures& figures, TunerStep& step) = 0;
     [[nodiscard]] virtual TapSettings settingsToKeep() const { return m_accepted; }
+
+    /// Measured when there was a probe, else estimated from the assumed and the fitted servo.
+    [[nodiscard]] SafeGains safeSet(const DriveParams& fitted) const {
+        const double initial_perS = m_setup.initial.zKp_perS;
+        const auto& measured = m_setup.measured;
+        return measured ? safeGains(measured->critical_perS, measured->highest_perS, fitted.pitch_mm, initial_perS)
+                        : safeGains(m_setup.assumed, fitted, initial_perS);
+    }
 
     void acceptIfBest(const ContourFigures& figures, TunerStep& step) {
         step.accepted = m_taps == 1 || figures.saec_mm < m_acceptedSaec_mm;
@@ -190,7 +200,7 @@ class GainTuner final : public TrialTuner {
     void decide(const TapSignals& tap, const ContourFigures& figures, TunerStep& step) override {
         acceptIfBest(figures, step);
         const DriveParams model = fitServo(m_setup.assumed, m_current, tap);
-        m_safe = safeGains(m_setup.assumed, model, m_setup.initial.zKp_perS);
+        m_safe = safeSet(model);
         const std::vector<double> error_mm = contourError(tap, m_setup.assumed.pitch_mm);
         const double found_perS = bestGain_perS(model, m_current, m_safe, tap.spindle_rev, error_mm);
         const double far = std::log(found_perS / m_current.zKp_perS);
@@ -242,7 +252,7 @@ class DefaultTuner final : public TrialTuner {
         const std::vector<double> error_mm = contourError(tap, m_setup.assumed.pitch_mm);
         const double noise_mm = errorNoise_mm(error_mm);
         const DriveParams model = fitServo(m_setup.assumed, m_current, tap);
-        m_safe = safeGains(m_setup.assumed, model, m_setup.initial.zKp_perS);
+        m_safe = safeSet(model);
         if (m_taps == 1) m_firstSaec_mm = figures.saec_mm;
         step.accepted = m_taps == 1 || figures.saec_mm < kWorse * m_acceptedSaec_mm ||
                         figures.saec_mm < kWorseInitial * m_firstSaec_mm;

@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "engine/core/sentence.h"
 #include "engine/process/tapping/contour_error.h"
-#include "engine/process/tapping/z_servo_model.h"
+#include "engine/process/tapping/stability_probe.h"
 
 namespace kerf::tapping {
 
@@ -25,10 +26,11 @@ struct TunerSetup {
     TunerKind kind{TunerKind::Default};
     DriveParams assumed{};  ///< cycle (pitch, depth, speed, ramp, tick) as programmed; servo constants as assumed
     TapSettings initial{};
-    int maxTaps{8};     ///< the first tap with the initial gains counts
-    double eta{0.03};   ///< step of `paper` and `signed`, 1/(s·mm)
-    bool probe{false};  ///< `paper`: second tap at −3 % instead of S(−1) = 0
-    bool trim{true};    ///< `default`: the machine takes a trim of the Z command; else gain and feed-forward only
+    int maxTaps{8};                          ///< the first tap with the initial gains counts
+    double eta{0.03};                        ///< step of `paper` and `signed`, 1/(s·mm)
+    bool probe{false};                       ///< `paper`: second tap at −3 % instead of S(−1) = 0
+    std::optional<MeasuredLoop> measured{};  ///< by the probe in the air; the safe set then rests on it
+    bool trim{true};  ///< `default`: the machine takes a trim of the Z command; else gain and feed-forward only
 };
 
 /// Answer to one tap.
@@ -44,7 +46,8 @@ struct TunerStep {
 
 /// Trial-tap tuner: a state machine fed with recorded taps, each made with the settings it asked for last.
 ///
-/// It sees the recorded signals, the initial gains and the assumed constants, nothing of the true drive. Every proposal
+/// It sees the recorded signals, the initial gains and the assumed constants (moved to what the probe in the air has
+/// measured), nothing of the true drive. Every proposal
 /// stays inside safeGains(). observe() allocates and takes milliseconds: between taps, never in the cycle.
 class Tuner {
  public:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/process/tapping/trim_learning.h"
+
 namespace kerf {
 namespace {
 
@@ -44,6 +46,7 @@ TuningSession::TuningSession(EngineApi& engine, TapExchange& exchange, const tap
     : m_engine(engine),
       m_exchange(exchange),
       m_setup(setup),
+      m_job(job),
       m_tuner(tapping::makeTuner(setup)),
       m_automatic(automatic),
       m_kept(setup.initial) {
@@ -120,7 +123,11 @@ void TuningSession::poll() {
             failed(Sentence(KERF_TEXT("The air tap shows another pitch than the one entered.")));
             return;
         }
-        tap(status.airTapPassed ? State::Trial : State::Air);
+        if (status.airTapPassed) {
+            airTapped(record);
+        } else {
+            airTap(m_probeSign);  // it did not count
+        }
         return;
     }
     if (status.outcome == TapOutcome::NotCounted) {
@@ -129,6 +136,61 @@ void TuningSession::poll() {
         learn(record);
     }
     if (m_state == State::Proposed && m_automatic) setAutomatic(true);
+}
+
+// The first air tap shows the pitch and how far the axes follow the ramp; the next two measure Z's loop.
+void TuningSession::airTapped(const TapRecord& record) {
+    const std::vector<double> spindle_rev(record.spindle_rev.begin(), record.spindle_rev.begin() + record.count);
+    std::vector<double> z_mm(record.z_mm.begin(), record.z_mm.begin() + record.count);
+    const std::vector<std::uint8_t> valid(record.valid.begin(), record.valid.begin() + record.count);
+    if (m_probeSign == 0.0) {
+        m_reach = tapping::rampReach(m_setup.assumed, m_setup.initial, {spindle_rev, z_mm, valid});
+        m_probe_mm = tapping::probeTrim_mm(record.count, m_setup.assumed.tick_s);
+        const bool sweeps = std::ranges::any_of(m_probe_mm, [](double trim_mm) { return trim_mm != 0.0; });
+        if (m_setup.trim && sweeps) return airTap(1.0);
+    } else {
+        m_probed_mm.push_back(std::move(z_mm));
+        if (m_probeSign > 0.0) return airTap(-1.0);
+        m_setup.measured =
+            tapping::measureLoop(m_setup.assumed, m_setup.initial, m_probe_mm, {spindle_rev, m_probed_mm.front(), {}},
+                                 {spindle_rev, m_probed_mm.back(), {}});
+        if (m_setup.measured) m_tuner = tapping::makeTuner(m_setup);
+        load(m_setup.initial, true, false);
+    }
+    tap(State::Trial);
+}
+
+void TuningSession::airTap(double probeSign) {
+    m_probeSign = probeSign;
+    if (probeSign != 0.0) {
+        send(LoadTappingJob{m_job});  // its first tap is one in the air again
+        tapping::TapSettings settings = m_setup.initial;
+        settings.zTrim_mm.resize(std::max(settings.zTrim_mm.size(), m_probe_mm.size()), 0.0);
+        for (std::size_t k = 0; k < m_probe_mm.size(); ++k)
+            settings.zTrim_mm[k] += probeSign * m_probe_mm[k];
+        load(settings, false, false);
+    }
+    tap(State::Air);
+}
+
+// The tuning has ended: inside the tolerance with what is kept, or why not.
+void TuningSession::judge(const TapRecord& record) {
+    const Trial* kept = nullptr;
+    for (const Trial& trial : m_trials) {
+        if (trial.counted && (kept == nullptr || trial.figures.engagedPp_um < kept->figures.engagedPp_um))
+            kept = &trial;
+    }
+    if (kept == nullptr) return;
+    std::vector<double> error_mm(record.count);
+    for (std::size_t k = 0; k < record.count; ++k) {
+        error_mm[k] = m_job.pitch_mm * static_cast<double>(record.spindle_rev[k]) - static_cast<double>(record.z_mm[k]);
+    }
+    const tapping::TuningVerdict verdict =
+        tapping::judgeTuning({m_setup, m_reach, m_step.next, m_step.safe, kept->figures.engagedPp_um,
+                              m_job.allowedPp_um, 1000.0 * tapping::errorNoise_mm(error_mm), !mayTapMore()});
+    if (verdict.within) return;
+    m_reason = verdict.why;
+    m_help = verdict.help;
 }
 
 void TuningSession::repeat(const TapRecord& record) {
@@ -157,6 +219,9 @@ void TuningSession::learn(const TapRecord& record) {
         trial.spindle_rev.push_back(record.spindle_rev[k]);
         trial.error_um.push_back(static_cast<float>(1000.0 * (m_setup.assumed.pitch_mm * spindle_rev[k] - z_mm[k])));
     }
+    if (m_counted == 0) {
+        m_reach = m_reach.lesser(tapping::rampReach(m_setup.assumed, trial.settings, {spindle_rev, z_mm, valid}));
+    }
     m_step = m_tuner->observe({spindle_rev, z_mm, valid});
     m_counted += m_step.counted ? 1 : 0;
     trial.accepted = m_step.accepted;
@@ -164,6 +229,8 @@ void TuningSession::learn(const TapRecord& record) {
     m_trials.push_back(std::move(trial));
     m_reason = m_step.reason;
     m_state = State::Proposed;
+    m_help = Sentence{};
+    if (m_step.finished) judge(record);
 }
 
 void TuningSession::setAutomatic(bool automatic) {

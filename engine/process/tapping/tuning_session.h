@@ -8,7 +8,7 @@
 
 #include "engine/api/engine_api.h"
 #include "engine/process/tapping/tap_exchange.h"
-#include "engine/process/tapping/tuner.h"
+#include "engine/process/tapping/tuning_verdict.h"
 
 namespace kerf {
 
@@ -19,7 +19,8 @@ namespace kerf {
 [[nodiscard]] LoadTapGains gainsToLoad(TapExchange& exchange, const tapping::TapSettings& settings,
                                        std::uint32_t revision);
 
-/// One tuning on the machine: air tap, first tap with the initial gains, then propose, confirm, tap, decide.
+/// One tuning on the machine: air tap, two more with the stability probe where the machine takes a trim, first tap with
+/// the initial gains, then propose, confirm, tap, decide.
 ///
 /// However it ends, gains and trim of an accepted setting are loaded: the kept ones, or after an abort, a refusal or a
 /// roll back the initial ones.
@@ -28,7 +29,7 @@ namespace kerf {
 class TuningSession {
  public:
     enum class State : std::uint8_t {
-        Air,       ///< the job's first tap, without work
+        Air,       ///< the job's first taps, without work
         Trial,     ///< a tap with the settings of `trials().back()` or the initial ones
         Proposed,  ///< waits for confirm(), accept() or rollBack()
         Done,      ///< settings accepted; production may go on with them
@@ -63,6 +64,8 @@ class TuningSession {
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] const Sentence& reason() const { return m_reason; }
+    /// What would help a tuning that has ended outside the tolerance; empty when it holds or goes on.
+    [[nodiscard]] const Sentence& help() const { return m_help; }
     [[nodiscard]] const std::vector<Trial>& trials() const { return m_trials; }
     [[nodiscard]] const tapping::TunerStep& proposal() const { return m_step; }
     /// Settings in force when Done.
@@ -76,11 +79,20 @@ class TuningSession {
     void failed(const Sentence& why);
     void learn(const TapRecord& record);
     void repeat(const TapRecord& record);
+    void airTapped(const TapRecord& record);
+    void airTap(double probeSign);
+    void judge(const TapRecord& record);
     [[nodiscard]] bool commandsDone();
 
     EngineApi& m_engine;
     TapExchange& m_exchange;
     tapping::TunerSetup m_setup;
+    TappingJob m_job;
+    std::vector<double> m_probe_mm{};
+    std::vector<std::vector<double>> m_probed_mm{};  ///< Z of the air taps with the probe
+    double m_probeSign{0.0};                         ///< of the running air tap
+    tapping::RampReach m_reach{};
+    Sentence m_help{};
     std::unique_ptr<tapping::Tuner> m_tuner;
     bool m_automatic;
     State m_state{State::Air};

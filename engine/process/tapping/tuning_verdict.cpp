@@ -76,23 +76,37 @@ BySpeed speedingUp(const Motion& motion, std::size_t begin, double sign, double 
     return out;
 }
 
-double leastShare(const BySpeed& measured, const BySpeed& ideal) {
-    double share = 1.0;
+/// Of the acceleration: the least at any speed, and the mean.
+struct Share {
+    double least{1.0};
+    double mean{1.0};
+};
+
+Share shareAt(const BySpeed& measured, const BySpeed& ideal) {
+    Share share;
+    double sum = 0.0;
+    double count = 0.0;
     for (std::size_t bin = kFirstBin; bin <= kLastBin; ++bin) {
-        if (measured[bin] && ideal[bin] && *ideal[bin] > 0.0) share = std::min(share, *measured[bin] / *ideal[bin]);
+        if (!measured[bin] || !ideal[bin] || !(*ideal[bin] > 0.0)) continue;
+        const double here = std::max(*measured[bin] / *ideal[bin], 0.0);
+        share.least = std::min(share.least, here);
+        sum += here;
+        count += 1.0;
     }
-    return std::max(share, 0.0);
+    if (count > 0.0) share.mean = std::min(sum / count, 1.0);
+    return share;
 }
 
-double shareOf(std::span<const double> measured, std::span<const double> ideal, double peakSpeed, double tick_s) {
+Share shareOf(std::span<const double> measured, std::span<const double> ideal, double peakSpeed, double tick_s) {
     const auto deepest = [](std::span<const double> position) {
         return static_cast<std::size_t>(std::ranges::max_element(position) - position.begin());
     };
     const Motion is = motionOf(measured, tick_s);
     const Motion might = motionOf(ideal, tick_s);
-    return std::min(leastShare(speedingUp(is, 0, 1.0, peakSpeed), speedingUp(might, 0, 1.0, peakSpeed)),
-                    leastShare(speedingUp(is, deepest(measured), -1.0, peakSpeed),
-                               speedingUp(might, deepest(ideal), -1.0, peakSpeed)));
+    const Share in = shareAt(speedingUp(is, 0, 1.0, peakSpeed), speedingUp(might, 0, 1.0, peakSpeed));
+    const Share out =
+        shareAt(speedingUp(is, deepest(measured), -1.0, peakSpeed), speedingUp(might, deepest(ideal), -1.0, peakSpeed));
+    return {std::min(in.least, out.least), std::min(in.mean, out.mean)};
 }
 
 }  // namespace
@@ -108,8 +122,8 @@ RampReach rampReach(const DriveParams& known, const TapSettings& settings, const
     if (ideal.slaved > 0.5) z_mm = predictZ(ideal, settings, tap.spindle_rev);  // Z follows the spindle as it was
     const TapTrajectory path(known.depth_rev, known.speed_rpm, known.ramp_revPerS2);
     const double peak_revPerS = path.peakSpeed_revPerS();
-    return {shareOf(tap.spindle_rev, spindle_rev, peak_revPerS, known.tick_s),
-            shareOf(tap.z_mm, z_mm, known.pitch_mm * peak_revPerS, known.tick_s)};
+    return {shareOf(tap.spindle_rev, spindle_rev, peak_revPerS, known.tick_s).least,
+            shareOf(tap.z_mm, z_mm, known.pitch_mm * peak_revPerS, known.tick_s).mean};
 }
 
 double holeTime_s(const DriveParams& programmed, double ramp_revPerS2) {
@@ -153,16 +167,25 @@ double peakTrim_mm(const TapSettings& settings) {
     return peak_mm;
 }
 
+/// The gain could be clearly higher without the resonance.
+bool resonanceBounds(const DriveParams& fitted) {
+    constexpr double kClearly = 1.5;
+    DriveParams rigid = fitted;
+    rigid.zResonance_Hz = 0.0;
+    return fitted.zResonance_Hz > 0.0 && criticalZKp_perS(rigid) > kClearly * criticalZKp_perS(fitted);
+}
+
 LimitedBy limitOf(const TuningEvidence& e) {
     if (e.left_um <= e.allowed_um) return LimitedBy::None;
     if (e.reach && e.reach->spindleSaturates()) return LimitedBy::Torque;
+    if (e.reach && e.reach->zSaturates()) return LimitedBy::ZTorque;
     const bool stability = e.safe.highest_perS < kAtBound * kAuthorityAbove * e.setup.initial.zKp_perS;
     if (stability && e.kept.zKp_perS > kAtBound * e.safe.highest_perS) {
-        const DriveParams& assumed = e.setup.assumed;
+        if (e.setup.measured && resonanceBounds(e.setup.measured->fitted)) return LimitedBy::Resonance;
+        const DriveParams& assumed = e.setup.measured ? e.setup.measured->fitted : e.setup.assumed;
         const double lags_s = assumed.zTorqueLag_s + assumed.zDelay_s + 1.0 / assumed.zBandwidth_perS;
         return 0.5 * assumed.tick_s > lags_s ? LimitedBy::Sampling : LimitedBy::Lag;
     }
-    if (e.reach && e.reach->zSaturates()) return LimitedBy::ZTorque;
     if (kNoisePp * e.noise_um > e.allowed_um) return LimitedBy::Noise;
     if (e.setup.kind != TunerKind::Default) return LimitedBy::Tuner;
     if (e.tapsUsed) return LimitedBy::Taps;

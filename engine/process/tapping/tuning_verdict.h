@@ -12,7 +12,7 @@ namespace kerf::tapping {
 
 /// How far an axis follows the programmed ramp: its acceleration against the one of an ideal axis with the same gains,
 /// no load and no torque limit, at equal speed (20 to 80 % of the programmed one), speeding up into the hole and out of
-/// it; the smallest share counts.
+/// it. The smallest share counts; of Z, which is recorded with more noise and may swing, the mean over the speeds.
 ///
 /// Speeds and accelerations from local parabolas over ±10 ms: 2 µm noise is ±30 mm/s² of Z.
 struct RampReach {
@@ -23,8 +23,8 @@ struct RampReach {
     [[nodiscard]] RampReach lesser(const RampReach& other) const noexcept {
         return {std::min(spindleShare, other.spindleShare), std::min(zShare, other.zShare)};
     }
-    static constexpr double kHeld = 0.95;   ///< a smaller share is a torque limit, not a lag
-    static constexpr double kZHeld = 0.88;  ///< Z is recorded with more noise
+    static constexpr double kHeld = 0.9;  ///< a smaller share is a torque limit, not a lag
+    static constexpr double kZHeld = 0.93;
 };
 /// @pre the tap was made with `settings` on the programmed cycle of `known`
 [[nodiscard]] RampReach rampReach(const DriveParams& known, const TapSettings& settings, const TapSignals& tap);

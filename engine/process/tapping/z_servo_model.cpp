@@ -75,6 +75,7 @@ std::vector<double> predictZ(const DriveParams& assumed, const TapSettings& sett
 std::vector<double> trimResponse(const DriveParams& assumed, std::span<const double> trim_mm) {
     DriveParams linear = assumed;
     linear.zCoulomb_mmPerS2 = 0.0;
+    linear.zBacklash_um = 0.0;
     linear.zAccelMax_mmPerS2 = 1e12;
     ZServo servo(linear);
     std::vector<double> z_mm(trim_mm.size());
@@ -166,37 +167,51 @@ DriveParams fitServo(const DriveParams& assumed, const TapSettings& settings, co
     return fitted;
 }
 
-double criticalZKp_perS(const DriveParams& assumed) {
+std::complex<double> openLoop(const DriveParams& drive, double omega_perS) {
     using Complex = std::complex<double>;
-    const auto loop = [&](double omega_perS) {
-        const Complex s(0.0, omega_perS);
-        const Complex torque = 1.0 / ((1.0 + assumed.zTorqueLag_s * s) * (s + assumed.zViscous_perS));
-        const Complex control = assumed.zBandwidth_perS * (s + assumed.zIntegral_perS) / s;
-        const Complex velocity = control * torque / (1.0 + control * torque);
-        return velocity / s * std::exp(-s * (assumed.zDelay_s + 0.5 * assumed.tick_s));
-    };
-    double last = 0.0;
-    double lastPhase = 0.0;
-    for (double omega_perS = 1.0; omega_perS < std::numbers::pi / assumed.tick_s; omega_perS *= 1.005) {
-        const Complex value = loop(omega_perS);
-        const double phase = std::arg(value);
-        // The phase falls through −π where arg() jumps to +π.
-        if (last > 0.0 && lastPhase < -0.5 * std::numbers::pi && phase > 0.5 * std::numbers::pi) {
-            return 1.0 / std::abs(value);
-        }
-        last = omega_perS;
-        lastPhase = phase;
+    const Complex s(0.0, omega_perS);
+    const Complex torque = 1.0 / ((1.0 + drive.zTorqueLag_s * s) * (s + drive.zViscous_perS));
+    const Complex control = drive.zBandwidth_perS * (s + drive.zIntegral_perS) / s;
+    Complex velocity = control * torque / (1.0 + control * torque);
+    if (drive.zResonance_Hz > 0.0) {
+        const double own_perS = 2.0 * std::numbers::pi * drive.zResonance_Hz;
+        velocity *= 1.0 - drive.zResonanceShare * s * s /
+                              (s * s + 2.0 * drive.zResonanceDamping * own_perS * s + own_perS * own_perS);
     }
-    return 1.0 / std::abs(loop(std::numbers::pi / assumed.tick_s));
+    return velocity / s * std::exp(-s * (drive.zDelay_s + 0.5 * drive.tick_s));
+}
+
+double criticalZKp_perS(const DriveParams& drive) {
+    const double highest_perS = std::numbers::pi / drive.tick_s;
+    double least_perS = 1.0 / std::abs(openLoop(drive, highest_perS));
+    bool crossed = false;
+    std::complex<double> last{};
+    for (double omega_perS = 1.0; omega_perS < highest_perS; omega_perS *= 1.005) {
+        const std::complex<double> value = openLoop(drive, omega_perS);
+        // The locus crosses the negative real axis.
+        if (last != std::complex<double>{} && value.real() < 0.0 && last.real() < 0.0 &&
+            last.imag() * value.imag() <= 0.0) {
+            const double here_perS = 1.0 / std::abs(value);
+            least_perS = crossed ? std::min(least_perS, here_perS) : here_perS;
+            crossed = true;
+        }
+        last = value;
+    }
+    return least_perS;
+}
+
+SafeGains safeGains(double critical_perS, double stable_perS, double pitch_mm, double initialZKp_perS) {
+    SafeGains safe;
+    safe.critical_perS = critical_perS;
+    safe.highest_perS = std::min(kAuthorityAbove * initialZKp_perS, stable_perS);
+    safe.lowest_perS = std::min(kAuthorityBelow * initialZKp_perS, safe.highest_perS);
+    safe.highestTrim_mm = kTrimOfPitch * pitch_mm;
+    return safe;
 }
 
 SafeGains safeGains(const DriveParams& assumed, const DriveParams& fitted, double initialZKp_perS) {
-    SafeGains safe;
-    safe.critical_perS = std::min(criticalZKp_perS(assumed), criticalZKp_perS(fitted));
-    safe.highest_perS = std::min(kAuthorityAbove * initialZKp_perS, safe.critical_perS / kGainMargin);
-    safe.lowest_perS = std::min(kAuthorityBelow * initialZKp_perS, safe.highest_perS);
-    safe.highestTrim_mm = kTrimOfPitch * fitted.pitch_mm;
-    return safe;
+    const double critical_perS = std::min(criticalZKp_perS(assumed), criticalZKp_perS(fitted));
+    return safeGains(critical_perS, critical_perS / kGainMargin, fitted.pitch_mm, initialZKp_perS);
 }
 
 }  // namespace kerf::tapping

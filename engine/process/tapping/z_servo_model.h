@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,9 +41,12 @@ struct TapSignals {
 /// assumption as prior (standard deviations of the logarithms .5, .5 and 1). Levenberg-Marquardt, at most ten steps.
 [[nodiscard]] DriveParams fitServo(const DriveParams& assumed, const TapSettings& settings, const TapSignals& tap);
 
-/// Position gain at which the loop would just oscillate: phase −180° of velocity loop, lag, dead time, integration and
-/// the sample-and-hold of the tick. Structural resonances are unknown and not in it.
-[[nodiscard]] double criticalZKp_perS(const DriveParams& assumed);
+/// Open position loop at gain 1, s = jω: velocity loop, lag, dead time, resonance, integration and the sample-and-hold
+/// of the tick.
+[[nodiscard]] std::complex<double> openLoop(const DriveParams& drive, double omega_perS);
+
+/// Position gain at which the loop would just oscillate: the least where its phase crosses −180°, a resonance included.
+[[nodiscard]] double criticalZKp_perS(const DriveParams& drive);
 
 /// Gains a proposal may have: 50 to 160 % of the initial gain, and at most the critical gain over 2.5 (8 dB), where the
 /// assumed and the fitted servo's smaller critical gain counts: a record tells the sum of the lags, not how they split.
@@ -53,5 +57,7 @@ struct SafeGains {
     double highestTrim_mm{0.0};
 };
 [[nodiscard]] SafeGains safeGains(const DriveParams& assumed, const DriveParams& fitted, double initialZKp_perS);
+/// The same with a highest gain that stability allows, and the critical gain it was taken from.
+[[nodiscard]] SafeGains safeGains(double critical_perS, double stable_perS, double pitch_mm, double initialZKp_perS);
 
 }  // namespace kerf::tapping

@@ -16,7 +16,8 @@ namespace {
 /// 2 µm noise, encoder steps, load ±20 %, friction ±10 %.
 constexpr TrialScatter kShopFloor{2.0, 4096.0, 1.0, 0.2, 0.1};
 
-TunerSetup setupFor(const DriveParams& drive, TunerKind kind, int maxTaps, const DriveParams& assumed = {}) {
+TunerSetup setupFor(const DriveParams& drive, TunerKind kind, int maxTaps,
+                    const DriveParams& assumed = middlingDrive()) {
     TunerSetup setup;
     setup.kind = kind;
     setup.assumed = knownTo(drive, assumed);
@@ -266,7 +267,7 @@ class TestTappingTuners : public QObject {
         for (const std::uint64_t seed : {1, 2, 3}) {
             const TunerSetup setup = setupFor(drive, TunerKind::Default, 8);
             const Tuning tuning = runTuning(setup, drive, kShopFloor, seed);
-            const TuningVerdict verdict = judgeTuning(setup, tuning, allowed_um);
+            const TuningVerdict verdict = judgeTuning(tuning, allowed_um);
             QVERIFY(!verdict.within);
             QCOMPARE(verdict.limitedBy, LimitedBy::Torque);
             QVERIFY(!verdict.why.empty() && !verdict.help.empty());
@@ -277,7 +278,7 @@ class TestTappingTuners : public QObject {
             eased.ramp_revPerS2 = *verdict.proposedRamp_revPerS2;
             const TunerSetup again = setupFor(eased, TunerKind::Default, 8);
             const Tuning mended = runTuning(again, eased, kShopFloor, seed);
-            const TuningVerdict now = judgeTuning(again, mended, allowed_um);
+            const TuningVerdict now = judgeTuning(mended, allowed_um);
             QVERIFY2(mended.after.engagedPp_um < 20.0, qPrintable(QString::number(mended.after.engagedPp_um)));
             QVERIFY(now.within && !now.proposedRamp_revPerS2);
             QCOMPARE(now.programmedHole_s, *verdict.proposedHole_s);
@@ -292,7 +293,7 @@ class TestTappingTuners : public QObject {
         QTest::addColumn<double>("ramp_revPerS2");
         QTest::newRow("one tap") << "taps" << 1 << 6000.0 << 0.0008 << 500.0;
         QTest::newRow("Z too weak") << "z_torque" << 8 << 500.0 << 0.0008 << 500.0;
-        QTest::newRow("Z too slow") << "lag" << 8 << 6000.0 << 0.02 << 500.0;
+        QTest::newRow("Z swings in itself") << "resonance" << 8 << 6000.0 << 0.02 << 500.0;
         QTest::newRow("a ramp of 2000") << "torque" << 8 << 6000.0 << 0.0008 << 2000.0;
         QTest::newRow("nothing") << "none" << 8 << 6000.0 << 0.0008 << 500.0;
     }
@@ -308,7 +309,7 @@ class TestTappingTuners : public QObject {
         drive.ramp_revPerS2 = ramp_revPerS2;
         const TunerSetup setup = setupFor(drive, TunerKind::Default, taps);
         const TuningVerdict verdict =
-            judgeTuning(setup, runTuning(setup, drive, kShopFloor, 4), findThread("M8")->allowedPp_um());
+            judgeTuning(runTuning(setup, drive, kShopFloor, 4), findThread("M8")->allowedPp_um());
         QCOMPARE(QString(limitKey(verdict.limitedBy)), limit);
         QCOMPARE(verdict.within, limit == QStringLiteral("none"));
         QCOMPARE(verdict.why.empty(), verdict.within);
@@ -323,6 +324,57 @@ class TestTappingTuners : public QObject {
             QVERIFY2(tuning.after.saec_mm <= tuning.before.saec_mm, qPrintable(QString::number(tuning.after.saec_mm)));
             QVERIFY2(tuning.after.engagedPp_um <= tuning.before.engagedPp_um,
                      qPrintable(QString::number(tuning.after.engagedPp_um)));
+        }
+    }
+
+    void theProbeMeasuresTheCriticalGain_data() {
+        QTest::addColumn<double>("resonance_Hz");
+        QTest::addColumn<double>("damping");
+        QTest::addColumn<double>("share");
+        QTest::addColumn<double>("delay_s");
+        QTest::addColumn<bool>("noisy");
+        QTest::newRow("rigid") << 0.0 << 0.05 << 0.2 << 0.0 << false;
+        QTest::newRow("dead time") << 0.0 << 0.05 << 0.2 << 0.003 << false;
+        for (const bool noisy : {false, true}) {
+            QTest::addRow("30 Hz, noisy %d", noisy) << 30.0 << 0.02 << 0.05 << 0.0 << noisy;
+            QTest::addRow("60 Hz, noisy %d", noisy) << 60.0 << 0.03 << 0.2 << 0.0 << noisy;
+            QTest::addRow("120 Hz, noisy %d", noisy) << 120.0 << 0.02 << 0.3 << 0.001 << noisy;
+        }
+    }
+    void theProbeMeasuresTheCriticalGain() {
+        QFETCH(double, resonance_Hz);
+        QFETCH(double, damping);
+        QFETCH(double, share);
+        QFETCH(double, delay_s);
+        QFETCH(bool, noisy);
+        DriveParams drive;
+        drive.zResonance_Hz = resonance_Hz;
+        drive.zResonanceDamping = damping;
+        drive.zResonanceShare = share;
+        drive.zDelay_s = delay_s;
+        const Tuning tuning =
+            runTuning(setupFor(drive, TunerKind::Default, 8), drive, noisy ? kShopFloor : TrialScatter{}, 3);
+        QVERIFY(tuning.setup.measured.has_value());
+        const double found = tuning.setup.measured->critical_perS / criticalZKp_perS(drive);
+        QVERIFY2(found > (noisy ? 0.4 : 0.7) && found < 1.2,
+                 qPrintable(QString::number(found)));  // noise counts against
+        if (resonance_Hz > 0.0) {
+            QVERIFY(std::abs(tuning.setup.measured->resonance_Hz / resonance_Hz - 1.0) < 0.02);
+        }
+        QVERIFY2(tuning.after.engagedPp_um < 10.0, qPrintable(QString::number(tuning.after.engagedPp_um)));
+    }
+
+    void hardMachinesAreNeverMadeWorseNorUnstable() {
+        for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+            const DriveParams drive = hardDrive(seed);
+            QVERIFY(!oscillates(drive, settingsOf(drive)));
+            const Tuning tuning = runTuning(setupFor(drive, TunerKind::Default, 8), drive, kShopFloor, seed);
+            const TuningVerdict verdict = judgeTuning(tuning, findThread("M8")->allowedPp_um());
+            QVERIFY2(!oscillates(drive, tuning.final), qPrintable(QString::number(seed)));
+            for (const Trial& trial : tuning.trials)
+                QVERIFY2(trial.settings.zKp_perS < criticalZKp_perS(drive), qPrintable(QString::number(seed)));
+            QVERIFY2(tuning.after.engagedPp_um <= tuning.before.engagedPp_um, qPrintable(QString::number(seed)));
+            QVERIFY2(verdict.within || !verdict.help.empty(), qPrintable(QString::number(seed)));
         }
     }
 

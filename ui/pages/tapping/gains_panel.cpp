@@ -206,7 +206,8 @@ void GainsPanel::showView() {
                          UnitSystem::fixed(m_view.criticalZKp_perS, 0), UnitSystem::fixed(margin_dB(m_view), 1))
               : tr("The safe set of gains is estimated with the first trial tap."));
     const bool decided = m_view.state == TuningState::Done;
-    const QString reason = decided ? QString() : sentenceText(m_view.reason, units);
+    QString reason = decided && m_view.help.empty() ? QString() : sentenceText(m_view.reason, units);
+    if (!m_view.help.empty()) reason += QLatin1Char(' ') + sentenceText(m_view.help, units);
     m_reason->setText(reason.isEmpty() ? sourceText(m_view) : reason);
 }
 
