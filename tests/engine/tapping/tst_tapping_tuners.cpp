@@ -293,7 +293,7 @@ class TestTappingTuners : public QObject {
         QTest::addColumn<double>("ramp_revPerS2");
         QTest::newRow("one tap") << "taps" << 1 << 6000.0 << 0.0008 << 500.0;
         QTest::newRow("Z too weak") << "z_torque" << 8 << 500.0 << 0.0008 << 500.0;
-        QTest::newRow("Z swings in itself") << "resonance" << 8 << 6000.0 << 0.02 << 500.0;
+        QTest::newRow("Z too slow") << "lag" << 8 << 6000.0 << 0.02 << 500.0;
         QTest::newRow("a ramp of 2000") << "torque" << 8 << 6000.0 << 0.0008 << 2000.0;
         QTest::newRow("nothing") << "none" << 8 << 6000.0 << 0.0008 << 500.0;
     }
