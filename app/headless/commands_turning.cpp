@@ -11,8 +11,10 @@
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/read_options.h"
+#include "app/headless/turning_robust.h"
 #include "app/headless/turning_table.h"
 #include "engine/process/turning/blind.h"
+#include "engine/process/turning/hard_lathe.h"
 #include "engine/process/turning/identifier.h"
 #include "engine/process/turning/margins.h"
 #include "engine/process/turning/overlap.h"
@@ -108,6 +110,7 @@ struct SimulateOptions {
     double toneShift_Hz{0.0};
     double spindle_rps{17.2};
     std::string disturbanceFile;
+    std::uint64_t machineSeed{0};
     bool csv{false};
     bool summary{false};
     std::shared_ptr<files::ReadOptions> read{};
@@ -122,6 +125,10 @@ std::vector<double> disturbanceOf(const SimulateOptions& options) {
     }
     if (!(options.seconds > 0.0 && options.seconds <= 3600.0)) {
         throw BadInput(fmt::format("--seconds is {}; expected above 0, at most 3600.", options.seconds));
+    }
+    if (options.machineSeed != 0) {
+        return disturbanceOf(hardLathe(options.machineSeed),
+                             static_cast<std::size_t>(std::llround(options.seconds * kSampleRate_Hz)));
     }
     const bool reproduction = options.params.plant == PlantKind::R0 || options.params.plant == PlantKind::R1;
     double white_um = reproduction ? 0.02 : 0.05;
@@ -140,11 +147,14 @@ void runSimulate(SimulateOptions options) {
     if (!std::isfinite(options.params.depth_um) || std::abs(options.params.depth_um) > 1e4) {
         throw BadInput(fmt::format("--step-um is {}; expected -10000 to 10000.", options.params.depth_um));
     }
+    const HardLathe lathe = hardLathe(options.machineSeed);
+    options.params.process = lathe.process;
+    options.params.slidePole = lathe.slidePole;
     options.params.revolutionSamples = samplesPerRevolution(options.spindle_rps, kSampleRate_Hz);
     if (options.params.plant == PlantKind::B1) {
-        options.params.positionNoise_um = options.noise_um >= 0.0 ? options.noise_um : 0.02;
+        options.params.positionNoise_um = options.noise_um >= 0.0 ? options.noise_um : lathe.positionNoise_um;
     } else if (options.params.plant == PlantKind::B2) {
-        options.params.forceNoise_N = 0.005;
+        options.params.forceNoise_N = lathe.forceNoise_N;
     }
     const std::vector<double> disturbance_um = disturbanceOf(options);
     const SimulationResult result = valueOrThrow(simulate(options.params, disturbance_um));
@@ -205,12 +215,25 @@ void addSimulate(CLI::App& turning) {
     command->add_option("--spindle-rps", options->spindle_rps, "Spindle speed in rev/s")->capture_default_str();
     command->add_option("--disturbance", options->disturbanceFile, "CSV k,d_um instead of the built-in disturbance");
     command->add_option("--seed", options->params.seed, "Seed of disturbance and sensors")->capture_default_str();
+    command
+        ->add_option("--machine-seed", options->machineSeed,
+                     "A hard lathe with its own disturbance, drawn from this seed (docs/turning.md); options given "
+                     "count before it; 0: the reference lathe")
+        ->capture_default_str();
     auto* format = command->add_option_group("output", "What to print");
     format->add_flag("--csv", options->csv, "Every sample");
     format->add_flag("--summary", options->summary, "JSON summary; *_steady and the mean force are of the second half");
     format->require_option(1);
     options->read = addReadOptions(*command);
-    command->callback([options] { runSimulate(*options); });
+    command->callback([options, command] {
+        if (options->machineSeed != 0) {  // what is not said is the machine's
+            const HardLathe lathe = hardLathe(options->machineSeed);
+            if (command->count("--spindle-rps") == 0) options->spindle_rps = lathe.spindle_rps;
+            if (command->count("--extra-delay") == 0) options->params.extraDelay = lathe.extraDelay;
+            if (command->count("--step-um") == 0) options->params.depth_um = lathe.depth_um;
+        }
+        runSimulate(*options);
+    });
 }
 
 // ── blind, limits, table ────────────────────────────────────────────────────────────────────────────────────────────
@@ -298,6 +321,7 @@ void addTurningCommands(CLI::App& kerf) {
     addBlind(*turning);
     addLimits(*turning);
     addTable(*turning);
+    addTurningRobust(*turning);
 }
 
 }  // namespace kerf::headless

@@ -80,6 +80,8 @@ Result<SimulationResult> simulate(const SimulationParams& params, std::span<cons
     plantParams.depth_um = params.depth_um;
     plantParams.extraDelay = reproduction ? 0 : params.extraDelay;
     plantParams.revolutionSamples = params.revolutionSamples;
+    plantParams.process = params.process;
+    plantParams.slidePole = params.slidePole;
     plantParams.process.b0 *= params.gainError;
     plantParams.process.b1 *= params.gainError;
     Plant plant(plantParams);

@@ -24,6 +24,8 @@ struct SimulationParams {
     double depth_um{0.0};
     double positionNoise_um{0.0};  ///< of the sensor of x_i (R0, R1, B1)
     double forceNoise_N{0.0};      ///< of the force sensor
+    ProcessParams process{};       ///< the plant's P; the law is tuned to the reference one
+    double slidePole{0.994};       ///< the plant's; the law's is the reference one
     double gainError{1.0};         ///< factor on the plant's P that the law does not know
     int extraDelay{0};
     std::uint64_t seed{1};  ///< of the sensors: seed + 1000
