@@ -30,14 +30,27 @@ std::string leaf(const std::string& path) {
     return utf8Of(std::filesystem::path(path).filename().string());
 }
 
-/// Three columns, or none at all. A cell without a value stays without one.
-Eigen::MatrixXd threeColumns(const Table& table, const std::array<const char*, 3>& names) {
+/// Three columns, or none at all; that of an axis without a single value is 0 and not `present`. A cell without a value
+/// stays without one.
+Eigen::MatrixXd threeColumns(const Table& table, const std::array<const char*, 3>& names,
+                             std::array<bool, 3>& present) {
     Eigen::MatrixXd out;
-    if (!table.has(names[0]) && !table.has(names[1]) && !table.has(names[2])) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        present[axis] = false;
+        if (table.has(names[axis])) {
+            const auto column = table.columnWithGaps(names[axis]);
+            present[axis] = std::ranges::any_of(column, [](const auto& value) { return value.has_value(); });
+        }
+    }
+    if (std::ranges::none_of(present, [](bool there) { return there; })) {
+        present = {true, true, true};
         return out;
     }
-    out.resize(static_cast<Eigen::Index>(table.rows()), 3);
+    out.setZero(static_cast<Eigen::Index>(table.rows()), 3);
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!present[axis]) {
+            continue;
+        }
         const auto column = table.columnWithGaps(names[axis]);
         for (std::size_t row = 0; row < column.size(); ++row) {
             out(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(axis)) = column[row].value_or(kNoValue);
@@ -253,8 +266,12 @@ HistoryFile historyOf(Table table, const std::string& path, const HistoryOptions
     if (options.use == HistoryUse::Prediction && options.onlySensors) {
         tellOthers(table, sensors.columns);
     }
-    history.drift_um = threeColumns(table, kMeasured);
-    history.trueDrift_um = threeColumns(table, kTrue);
+    history.drift_um = threeColumns(table, kMeasured, history.axes);
+    std::array<bool, 3> known{};
+    history.trueDrift_um = threeColumns(table, kTrue, known);
+    if (history.drift_um.size() == 0) {
+        history.axes = known;
+    }
     const bool training = options.use == HistoryUse::Training;
     const auto fault = training ? thermal::whyNotTrainable(history) : thermal::whyNotUsable(history);
     if (fault) {

@@ -128,6 +128,53 @@ NormalEquations equationsFrom(const Json& value, std::size_t sensors, bool withS
     return out;
 }
 
+/// Name, value and range of a between-day law's numbers.
+struct LawField {
+    const char* key;
+    double DayLaw::*value;
+    double low;
+    double high;
+};
+constexpr std::array<LawField, 7> kLawFields{{{"gain", &DayLaw::gain, 0.0, 1e3},
+                                              {"slope_um", &DayLaw::slope_um, 0.0, 1e6},
+                                              {"offset_um", &DayLaw::offset_um, 0.0, 1e6},
+                                              {"wander_um", &DayLaw::wander_um, 0.0, 1e6},
+                                              {"wander_min", &DayLaw::wander_min, 1e-3, 1e6},
+                                              {"noise_um", &DayLaw::noise_um, 1e-3, 1e4},
+                                              {"widening", &DayLaw::widening, 0.1, 1e3}}};
+
+Json toJson(const DayLayer& layer) {
+    Json laws = Json::array();
+    for (const DayLaw& law : layer.axis) {
+        Json one;
+        for (const LawField& f : kLawFields) {
+            one[f.key] = law.*f.value;
+        }
+        laws.push_back(std::move(one));
+    }
+    return {{"laws", std::move(laws)}, {"term_scale_K", layer.termScale_K}};
+}
+DayLayer daysFrom(const Json& value, std::size_t sensors) {
+    DayLayer layer;
+    const Json& laws = list(field(value, "laws"), "laws", kAxes);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        for (const LawField& f : kLawFields) {
+            const double read = number(field(laws[axis], f.key), f.key);
+            if (read < f.low || read > f.high) {
+                refuse(KERF_TEXT("Field %1 of the model file is out of range."), f.key);
+            }
+            layer.axis[axis].*f.value = read;
+        }
+    }
+    for (const Json& scale : list(field(value, "term_scale_K"), "term_scale_K", sensors * kTermsPerSensor)) {
+        layer.termScale_K.push_back(number(scale, "term_scale_K"));
+        if (layer.termScale_K.back() < 0.0) {
+            refuse(KERF_TEXT("Field %1 of the model file is out of range."), "term_scale_K");
+        }
+    }
+    return layer;
+}
+
 constexpr std::array<const char*, 3> kInputKinds{"term", "now", "before"};
 
 Json toJson(const GmdhModel& network, const std::vector<GmdhInput>& inputs) {
@@ -248,7 +295,8 @@ ThermalModel read(const Json& file) {
     ThermalModel model;
     const std::string kind = text(field(file, "kind"), "kind");
     bool known = false;
-    for (const ModelKind candidate : {ModelKind::GmdhPaper, ModelKind::Gmdh, ModelKind::Regression}) {
+    for (const ModelKind candidate :
+         {ModelKind::GmdhPaper, ModelKind::Gmdh, ModelKind::Regression, ModelKind::Hierarchical}) {
         if (kind == modelKindKey(candidate)) {
             model.kind = candidate;
             known = true;
@@ -289,7 +337,8 @@ ThermalModel read(const Json& file) {
     }
 
     const Json& sensors = field(file, "sensors");
-    const std::size_t most = kind == "regression" ? kMaxRegressionSensors : kMaxModelSensors;
+    const bool regressed = model.kind == ModelKind::Regression || model.kind == ModelKind::Hierarchical;
+    const std::size_t most = regressed ? kMaxRegressionSensors : kMaxModelSensors;
     if (!sensors.is_array() || sensors.empty() || sensors.size() > most) {
         refuse(KERF_TEXT("Field %1 of the model file has the wrong length."), "sensors");
     }
@@ -311,7 +360,16 @@ ThermalModel read(const Json& file) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         model.drift_um[axis] = rangeFrom(drift[axis], "drift_range_um");
     }
-    if (model.kind == ModelKind::Regression) {
+    if (file.contains("axes")) {
+        const std::string axes = text(file["axes"], "axes");
+        if (axes.empty() || axes.find_first_not_of("xyz") != std::string::npos) {
+            refuse(KERF_TEXT("Field %1 of the model file has an unknown value."), "axes");
+        }
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            model.axes[axis] = axes.find("xyz"[axis]) != std::string::npos;
+        }
+    }
+    if (regressed) {
         const Json& regression = field(file, "regression");
         RegressionPart part;
         part.temperatures = equationsFrom(field(regression, "temperatures"), count, false);
@@ -319,6 +377,9 @@ ThermalModel read(const Json& file) {
             part.withSpeed = equationsFrom(regression["with_speed"], count, true);
         }
         model.regression = std::move(part);
+        if (model.kind == ModelKind::Hierarchical) {
+            model.days = daysFrom(field(file, "between_days"), count);
+        }
     } else {
         const Json& networks = list(field(file, "networks"), "networks", kAxes);
         GmdhPart part;
@@ -364,6 +425,11 @@ std::string thermalModelToJson(const ThermalModel& model) {
     }
     file["sensors"] = std::move(sensors);
     file["rise_moment_K2"] = toJson(model.riseMoment_K2);
+    std::string axes;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        axes += model.axes[axis] ? std::string(1, "xyz"[axis]) : "";
+    }
+    file["axes"] = axes;
     Json drift = Json::array();
     for (const Range& range : model.drift_um) {
         drift.push_back(toJson(range));
@@ -375,6 +441,9 @@ std::string thermalModelToJson(const ThermalModel& model) {
             regression["with_speed"] = toJson(*model.regression->withSpeed);
         }
         file["regression"] = std::move(regression);
+    }
+    if (model.days) {
+        file["between_days"] = toJson(*model.days);
     }
     if (model.gmdh) {
         Json networks = Json::array();

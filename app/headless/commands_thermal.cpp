@@ -21,8 +21,23 @@ namespace {
 using namespace thermal;
 using Json = nlohmann::ordered_json;
 
-Json axes(const PerAxis& values) {
-    return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
+/// An axis that is not known is null.
+Json axes(const PerAxis& values, const std::array<bool, kAxes>& known = {true, true, true}) {
+    Json out;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        out[std::string(1, "xyz"[axis])] = known[axis] ? Json(values[axis]) : Json();
+    }
+    return out;
+}
+
+/// Three fields; an axis that is not known stays empty.
+std::string cells(const PerAxis& values, const std::array<bool, kAxes>& known) {
+    std::string out;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        out += axis > 0 ? "," : "";
+        out += known[axis] ? fmt::format("{}", values[axis]) : "";
+    }
+    return out;
 }
 
 /// "240-359": minutes from … to, both included.
@@ -94,6 +109,8 @@ void train(const TrainArguments& arguments) {
         model = std::move(trained->best);
     } else if (arguments.kind == "regression") {
         model = checked(trainRegression(days, options));
+    } else if (arguments.kind == "hierarchical") {
+        model = checked(trainHierarchical(days, options));
     } else {
         model = checked(trainNetwork(arguments.kind == "gmdh" ? ModelKind::Gmdh : ModelKind::GmdhPaper, days, options));
     }
@@ -115,16 +132,16 @@ void train(const TrainArguments& arguments) {
     }
     report["sensors"] = std::move(sensors);
     report["held_out"] = model.judgement.heldOut;
-    report["rms_um"] = axes(model.judgement.rms_um);
-    report["worst_um"] = axes(model.judgement.worst_um);
+    report["rms_um"] = axes(model.judgement.rms_um, model.axes);
+    report["worst_um"] = axes(model.judgement.worst_um, model.axes);
     if (!compared.empty()) {
         Json table = Json::array();
         for (const Candidate& candidate : compared) {
             table.push_back({{"model", modelKindKey(candidate.kind)},
                              {"sensors", candidate.sensors},
                              {"held_out", candidate.judgement.heldOut},
-                             {"rms_um", axes(candidate.judgement.rms_um)},
-                             {"worst_um", axes(candidate.judgement.worst_um)}});
+                             {"rms_um", axes(candidate.judgement.rms_um, model.axes)},
+                             {"worst_um", axes(candidate.judgement.worst_um, model.axes)}});
         }
         report["compared"] = std::move(table);
     }
@@ -165,21 +182,56 @@ void tellSensors(const ThermalModel& model, const Replay& replay) {
     }
 }
 
+/// Measurements need a model that can learn from them, and their columns.
+void requireMeasurements(const ThermalModel& model, const ThermalHistory& history, const std::string& path) {
+    if (!model.days) {
+        throw BadInput(
+            fmt::format("--measure-every-min: a {} model learns nothing from a measurement; expected a "
+                        "hierarchical one (kerf thermal train).",
+                        modelKindKey(model.kind)));
+    }
+    bool any = false;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        any = any || (model.axes[axis] && history.axes[axis]);
+    }
+    if (history.drift_um.size() == 0 || !any) {
+        throw BadInput(
+            fmt::format("{}, line 1: columns yx_meas, yy_meas, yz_meas of the model's axes are missing; "
+                        "needed as measurements.",
+                        path));
+    }
+}
+
+void tellChange(const Replay& replay) {
+    const auto first =
+        std::ranges::find_if(replay.minutes, [](const auto& m) { return m.prediction.changed >= kDayDiffers; });
+    if (first != replay.minutes.end()) {
+        fmt::print(stderr, "kerf: today differs from the days trained on (from minute {}): measure.\n",
+                   first->time_min);
+    }
+}
+
 struct ReplayedDay {
     HistoryFile day{};
     Replay replay{};
+    std::array<bool, kAxes> axes{};
 };
 
-ReplayedDay replayedDay(const std::string& modelPath, const std::string& historyPath, const files::ReadOptions& read) {
+ReplayedDay replayedDay(const std::string& modelPath, const std::string& historyPath, const files::ReadOptions& read,
+                        double measureEvery_min) {
     const ThermalModel model = readThermalModel(modelPath);
     HistoryOptions options{HistoryUse::Prediction, {}, true, read};
     for (const ModelSensor& sensor : model.sensors) {
         options.sensors.push_back(sensor.name);
     }
-    ReplayedDay out{readHistoryFile(historyPath, options), {}};
+    ReplayedDay out{readHistoryFile(historyPath, options), {}, model.axes};
     requireSensors(model, out.day.history, files::utf8Of(historyPath));
-    out.replay = replay(model, out.day.history);
+    if (measureEvery_min > 0.0) {
+        requireMeasurements(model, out.day.history, files::utf8Of(historyPath));
+    }
+    out.replay = replay(model, out.day.history, measureEvery_min);
     tellSensors(model, out.replay);
+    tellChange(out.replay);
     return out;
 }
 
@@ -187,16 +239,18 @@ struct PredictArguments {
     std::string model{};
     std::string history{};
     std::shared_ptr<files::ReadOptions> read{};
-    std::string sensors{};  ///< not empty: instead of a history
+    double measureEvery_min{0.0};  ///< 0: nothing is measured
+    std::string sensors{};         ///< not empty: instead of a history
     double seconds{60.0};
 };
 
 void predict(const PredictArguments& arguments) {
-    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read);
+    const ReplayedDay day =
+        replayedDay(arguments.model, arguments.history, *arguments.read, arguments.measureEvery_min);
     CsvOutput out("t_min,x_um,y_um,z_um,x_half_um,y_half_um,z_half_um");
     for (const ReplayedMinute& minute : day.replay.minutes) {
         const ThermalPrediction& p = minute.prediction;
-        out.row(minute.time_min, p.drift_um[0], p.drift_um[1], p.drift_um[2], p.half_um[0], p.half_um[1], p.half_um[2]);
+        out.row(minute.time_min, cells(p.drift_um, day.axes), cells(p.half_um, day.axes));
     }
     out.flush();
     tell(day.day.notes);
@@ -206,12 +260,14 @@ struct CompensateArguments {
     std::string model{};
     std::string history{};
     CompensationOptions options{};
+    double measureEvery_min{0.0};
     bool summary{false};
     std::shared_ptr<files::ReadOptions> read{};
 };
 
 void compensateHistory(const CompensateArguments& arguments) {
-    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read);
+    const ReplayedDay day =
+        replayedDay(arguments.model, arguments.history, *arguments.read, arguments.measureEvery_min);
     const ThermalHistory& history = day.day.history;
     if (history.trueDrift_um.size() == 0 && history.drift_um.size() == 0) {
         throw BadInput(
@@ -223,6 +279,10 @@ void compensateHistory(const CompensateArguments& arguments) {
         throw BadInput("--max-shift-um and --max-step-um must be at least --quantum-um.");
     }
     requireMicrometres(history, arguments.history);
+    std::array<bool, kAxes> known{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        known[axis] = day.axes[axis] && history.axes[axis];
+    }
     const std::vector<CompensatedMinute> minutes = compensate(day.replay, history, arguments.options);
     tell(day.day.notes);
     if (arguments.summary) {
@@ -234,15 +294,14 @@ void compensateHistory(const CompensateArguments& arguments) {
         printJson({{"period_min", arguments.options.period_min},
                    {"minutes", minutes.size()},
                    {"limited_minutes", std::ranges::count_if(minutes, [](const auto& m) { return m.limited; })},
-                   {"max_um", axes(summary.worst_um)},
-                   {"p95_um", axes(summary.p95_um)},
-                   {"rms_um", axes(summary.rms_um)}});
+                   {"max_um", axes(summary.worst_um, known)},
+                   {"p95_um", axes(summary.p95_um, known)},
+                   {"rms_um", axes(summary.rms_um, known)}});
         return;
     }
     CsvOutput out("t_min,shift_x_um,shift_y_um,shift_z_um,residual_x_um,residual_y_um,residual_z_um");
     for (const CompensatedMinute& m : minutes) {
-        out.row(m.time_min, m.shift_um[0], m.shift_um[1], m.shift_um[2], m.residual_um[0], m.residual_um[1],
-                m.residual_um[2]);
+        out.row(m.time_min, cells(m.shift_um, day.axes), cells(m.residual_um, known));
     }
     out.flush();
 }
@@ -251,8 +310,8 @@ void addTrain(CLI::App& thermal) {
     auto* command = thermal.add_subcommand("train", "Train a model from recorded days and write it as JSON.");
     auto arguments = std::make_shared<TrainArguments>();
     command->add_option("--history", arguments->histories, "CSV of one day; repeat for more days")->required();
-    command->add_option("--model", arguments->kind, "auto compares all on days left out")
-        ->check(CLI::IsMember({"gmdh-paper", "gmdh", "regression", "auto"}))
+    command->add_option("--model", arguments->kind, "auto: hierarchical, compared with all on days left out")
+        ->check(CLI::IsMember({"gmdh-paper", "gmdh", "regression", "hierarchical", "auto"}))
         ->capture_default_str();
     command->add_option("--criterion", arguments->criterion, "What a network is grown by")
         ->check(CLI::IsMember({"combined", "regularity", "unbiased"}))
@@ -284,6 +343,12 @@ void addPredict(CLI::App& thermal) {
         ->needs(live)
         ->excludes(history)
         ->capture_default_str();
+    command
+        ->add_option("--measure-every-min", arguments->measureEvery_min,
+                     "With --history: its y?_meas every so many minutes are measurements of the origin made then, "
+                     "used from the next minute on")
+        ->check(CLI::Range(1.0, 1440.0))
+        ->excludes(live);
     arguments->read = addReadOptions(*command);
     command->callback([arguments] {
         if (arguments->sensors.empty()) {
@@ -312,6 +377,10 @@ void addCompensate(CLI::App& thermal) {
     command->add_option("--max-step-um", arguments->options.limits.maxStep_um, "Largest change in one update, um")
         ->check(CLI::Range(1.0, 4095.0))
         ->capture_default_str();
+    command
+        ->add_option("--measure-every-min", arguments->measureEvery_min,
+                     "The y?_meas every so many minutes are measurements of the origin made then")
+        ->check(CLI::Range(1.0, 1440.0));
     command->add_flag("--summary", arguments->summary, "Only the residuals' max, 95 % and rms, as JSON");
     arguments->read = addReadOptions(*command);
     command->callback([arguments] { compensateHistory(*arguments); });

@@ -156,8 +156,13 @@ void predictLive(const std::string& modelPath, const std::string& sensorPath, do
                        time_min);
         }
         told = !p.usable;
-        fmt::print("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", time_min, held_um[0], held_um[1],
-                   held_um[2], half_um[0], half_um[1], half_um[2]);
+        fmt::print("{:.17g}", time_min);
+        for (const PerAxis* three : {&held_um, &half_um}) {
+            for (std::size_t axis = 0; axis < kAxes; ++axis) {
+                fmt::print("{}", model.axes[axis] ? fmt::format(",{:.17g}", (*three)[axis]) : ",");
+            }
+        }
+        fmt::print("\n");
         std::fflush(stdout);
     }
 }

@@ -161,8 +161,10 @@ void printTable(const TableArguments& arguments) {
     report.row("guarded network, one day", &guarded);
     const ThermalModel guardedAll = need(trainNetwork(ModelKind::Gmdh, days, options));
     report.row(fmt::format("guarded network, {} days", days.size()), &guardedAll);
-    const ThermalModel best = need(trainRegression(days, options));
-    report.row(fmt::format("default (regression), {} days", days.size()), &best);
+    const ThermalModel regression = need(trainRegression(days, options));
+    report.row(fmt::format("regression, {} days", days.size()), &regression);
+    const ThermalModel best = need(trainHierarchical(days, options));
+    report.row(fmt::format("default (hierarchical), {} days", days.size()), &best);
     report.row("perfect predictor", nullptr, true);
     report.compensation(best);
 }

@@ -982,6 +982,10 @@
             <source>Drift, %1</source>
             <translation>Drift, %1</translation>
         </message>
+        <message>
+            <source>hierarchical over days</source>
+            <translation>hierarchical over days</translation>
+        </message>
     </context>
     <context>
         <name>TurningTexts</name>
@@ -1895,10 +1899,6 @@
         <message>
             <source>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</source>
             <translation>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</translation>
-        </message>
-        <message>
-            <source>no measured drift; training needs yx_meas, yy_meas and yz_meas.</source>
-            <translation>no measured drift; training needs yx_meas, yy_meas and yz_meas.</translation>
         </message>
         <message>
             <source>no reading; training data must be without gaps.</source>
@@ -4163,6 +4163,18 @@
         <message>
             <source>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</source>
             <translation>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</translation>
+        </message>
+        <message>
+            <source>%1 has the drift of other axes than %2; train with days of the same axes.</source>
+            <translation>%1 has the drift of other axes than %2; train with days of the same axes.</translation>
+        </message>
+        <message>
+            <source>A hierarchical model needs at least two days; train a network, or record another day.</source>
+            <translation>A hierarchical model needs at least two days; train a network, or record another day.</translation>
+        </message>
+        <message>
+            <source>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</source>
+            <translation>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</translation>
         </message>
     </context>
     <context>

@@ -981,6 +981,10 @@
             <source>Drift, %1</source>
             <translation>열변위, %1</translation>
         </message>
+        <message>
+            <source>hierarchical over days</source>
+            <translation>일별 계층 모델</translation>
+        </message>
     </context>
     <context>
         <name>TurningTexts</name>
@@ -1894,10 +1898,6 @@
         <message>
             <source>largest drift is %1 while the machine warms by %2 K; expected um, not mm.</source>
             <translation>기계가 %2 K 데워지는 동안 최대 변위가 %1입니다. mm가 아니라 um이어야 합니다.</translation>
-        </message>
-        <message>
-            <source>no measured drift; training needs yx_meas, yy_meas and yz_meas.</source>
-            <translation>측정된 변위가 없습니다. 학습에는 yx_meas, yy_meas, yz_meas가 필요합니다.</translation>
         </message>
         <message>
             <source>no reading; training data must be without gaps.</source>
@@ -4162,6 +4162,18 @@
         <message>
             <source>Tool, blank, clamping or gauge: the charts of the Quality page say whether it stands alone.</source>
             <translation>공구, 소재, 클램핑 또는 게이지: 이 공작물만의 문제인지 품질 화면의 관리도가 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>%1 has the drift of other axes than %2; train with days of the same axes.</source>
+            <translation>%1의 드리프트 축이 %2와 다릅니다. 같은 축의 날들로 학습하십시오.</translation>
+        </message>
+        <message>
+            <source>A hierarchical model needs at least two days; train a network, or record another day.</source>
+            <translation>계층 모델에는 최소 이틀의 데이터가 필요합니다. 네트워크를 학습하거나 하루를 더 기록하십시오.</translation>
+        </message>
+        <message>
+            <source>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</source>
+            <translation>측정된 드리프트가 없습니다. 학습에는 yx_meas, yy_meas, yz_meas 중 하나 이상이 필요합니다.</translation>
         </message>
     </context>
     <context>

@@ -120,7 +120,7 @@ class TestConsoleThermal : public QObject {
         for (int row = 0; row < 3; ++row)
             emit table("thermalDays")->cellClicked(row, 0);
         pressWhenReady("thermalTrainAuto");
-        QTRY_VERIFY_WITH_TIMEOUT(table("thermalCompared") != nullptr && table("thermalCompared")->rowCount() == 3,
+        QTRY_VERIFY_WITH_TIMEOUT(table("thermalCompared") != nullptr && table("thermalCompared")->rowCount() == 4,
                                  120'000);
         QCOMPARE(thermal().model, 1U);
         pressWhenReady("thermalGoLive");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/golden.h"
@@ -56,6 +57,7 @@ class TestThermalCommands : public QObject {
     void badOptionsAreRefused_data();
     void badOptionsAreRefused();
     void missingReadingsAndColumnsAreLostSensors();
+    void oneDisplacementAndSixSensorsTrainAndLearn();
 
  private:
     QString m_model;
@@ -299,6 +301,69 @@ void TestThermalCommands::missingReadingsAndColumnsAreLostSensors() {
         runKerf(thermal({"predict", "--model", m_model, "--history", scratchFile("renamed.csv", renamed)}));
     QCOMPARE(without.exitCode, 0);
     QVERIFY(without.err.contains(sensor));
+}
+
+namespace {
+/// Only these columns of a day of the fixtures.
+QString columnsOf(const char* name, const QStringList& kept, const QString& to) {
+    QStringList lines = readText(day(name)).split(u'\n', Qt::SkipEmptyParts);
+    const QStringList names = lines[0].split(u',');
+    for (QString& line : lines) {
+        const QStringList cells = line.split(u',');
+        QStringList out;
+        for (const QString& column : kept) {
+            out << cells[names.indexOf(column)];
+        }
+        line = out.join(u',');
+    }
+    return scratchFile(to, lines.join(u'\n') + u'\n');
+}
+}  // namespace
+
+void TestThermalCommands::oneDisplacementAndSixSensorsTrainAndLearn() {
+    const QStringList kept{"t_min", "T00", "T05", "T12", "T20", "T33", "T50", "yy_meas"};
+    QStringList train = thermal({"train"});
+    for (const char* name : {"H0_train", "H1_train", "H2_train"}) {
+        train << "--history" << columnsOf(name, kept, QString::fromLatin1(name) + "_one.csv");
+    }
+    const KerfRun trained = runKerf(train + QStringList{"-o", "one.json", "--report"});
+    QVERIFY2(trained.exitCode == 0, qPrintable(trained.err));
+    const json report = json::parse(trained.out.toStdString());
+    QCOMPARE(QString::fromStdString(report["model"].get<std::string>()), QStringLiteral("hierarchical"));
+    QVERIFY(report["rms_um"]["x"].is_null() && report["rms_um"]["y"].is_number());
+
+    const QString unseen = columnsOf("T1_rand", kept, "T1_one.csv");
+    const QStringList predict = thermal({"predict", "--model", "one.json", "--history", unseen});
+    const KerfRun plainRun = runKerf(predict);
+    QVERIFY2(plainRun.exitCode == 0, qPrintable(plainRun.err));
+    const auto plain = csvRows(plainRun.out);
+    const KerfRun learntRun = runKerf(predict + QStringList{"--measure-every-min", "60"});
+    QVERIFY2(learntRun.exitCode == 0, qPrintable(learntRun.err));
+    const auto learnt = csvRows(learntRun.out);
+    QCOMPARE(plain.size(), 361);
+    QCOMPARE(learnt.size(), 361);
+    const auto truth = csvRows(readText(unseen));
+    double plain_um2 = 0.0;
+    double learnt_um2 = 0.0;
+    for (int k = 1; k < plain.size(); ++k) {
+        QVERIFY(plain[k][1].isEmpty() && plain[k][3].isEmpty() && plain[k][4].isEmpty());
+        QVERIFY(plain[k][5].toDouble() > 0.0);
+        if (k <= 61) {  // row k is minute k - 1; used from minute 61 on
+            QCOMPARE(learnt[k], plain[k]);
+        }
+        const double measured_um = truth[k + 5].last().toDouble();
+        plain_um2 += std::pow(plain[k][2].toDouble() - measured_um, 2);
+        learnt_um2 += std::pow(learnt[k][2].toDouble() - measured_um, 2);
+    }
+    QVERIFY(learnt[62] != plain[62]);
+    QVERIFY2(std::sqrt(plain_um2 / 360) <= 4.0, qPrintable(QString::number(std::sqrt(plain_um2 / 360))));
+    QVERIFY2(learnt_um2 <= plain_um2,
+             qPrintable(QStringLiteral("%1 %2").arg(std::sqrt(plain_um2 / 360)).arg(std::sqrt(learnt_um2 / 360))));
+    // The regression of before learns nothing from a measurement, and says so.
+    const KerfRun refused =
+        runKerf(thermal({"predict", "--model", m_model, "--history", day("T1_rand"), "--measure-every-min", "60"}));
+    QCOMPARE(refused.exitCode, 3);
+    QVERIFY(refused.err.contains(QStringLiteral("hierarchical")));
 }
 
 QTEST_GUILESS_MAIN(TestThermalCommands)

@@ -37,7 +37,7 @@ struct ThermalCoursePoint {
 
 /// How well a model does on days it has not seen.
 struct ThermalJudgementView {
-    std::string kind{};  ///< "gmdh-paper", "gmdh", "regression"
+    std::string kind{};  ///< "gmdh-paper", "gmdh", "regression", "hierarchical"
     std::uint32_t sensors{0};
     bool heldOut{false};  ///< false: one day only, nothing could be left out
     std::array<double, kAxisCount> rms_um{};
@@ -133,7 +133,7 @@ class ThermalService {
 
     /// Look again for days to train on.
     virtual void findDays() = 0;
-    /// On a worker; `kind` is "auto", "regression" or "gmdh". Refused while one runs or without a day.
+    /// On a worker; `kind` is "auto", "hierarchical", "regression" or "gmdh". Refused while one runs or without a day.
     [[nodiscard]] virtual Result<void> train(const std::string& kind, const std::vector<std::string>& dayIds) = 0;
     virtual void cancelTraining() = 0;
     /// The trained candidate is stored, then takes the live one's place between two cycles.

@@ -74,7 +74,7 @@ StoredThermalService::StoredThermalService(const Links& links, RoomRecordReader&
         for (const ThermalDayView& day : m_view.days) {
             if (day.id.starts_with(kBuiltInDays)) days.push_back(day.id);
         }
-        (void)train("regression", days);
+        (void)train("hierarchical", days);
     }
     changed();
 }

@@ -12,8 +12,9 @@ Result<thermal::AutoTraining> trainOne(const std::string& kind, const std::vecto
     if (kind == "auto") {
         return thermal::trainAuto(days, {}, progress);
     }
-    auto model = kind == "gmdh" ? thermal::trainNetwork(thermal::ModelKind::Gmdh, days, {}, progress)
-                                : thermal::trainRegression(days, {}, progress);
+    auto model = kind == "gmdh"           ? thermal::trainNetwork(thermal::ModelKind::Gmdh, days, {}, progress)
+                 : kind == "hierarchical" ? thermal::trainHierarchical(days, {}, progress)
+                                          : thermal::trainRegression(days, {}, progress);
     if (!model) {
         return tl::unexpected(model.error());
     }

@@ -34,7 +34,7 @@ class ThermalTrainer {
     ThermalTrainer& operator=(const ThermalTrainer&) = delete;
     ~ThermalTrainer();
 
-    /// @param kind "auto", "regression" or "gmdh". @pre !running()
+    /// @param kind "auto", "hierarchical", "regression" or "gmdh". @pre !running()
     void start(const std::string& kind, Days days);
     void cancel() { m_cancel = true; }
     [[nodiscard]] bool running() const { return m_running; }

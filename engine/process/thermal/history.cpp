@@ -81,9 +81,10 @@ std::optional<HistoryFault> temperatureFault(const ThermalHistory& h) {
 
 std::optional<HistoryFault> driftFault(const ThermalHistory& h) {
     static const std::array<const char*, 3> names{"yx_meas", "yy_meas", "yz_meas"};
-    if (h.drift_um.cols() != 3) {
-        return HistoryFault{0, "yx_meas",
-                            Sentence(KERF_TEXT("no measured drift; training needs yx_meas, yy_meas and yz_meas."))};
+    if (h.drift_um.cols() != 3 || std::ranges::none_of(h.axes, [](bool axis) { return axis; })) {
+        return HistoryFault{
+            0, "yx_meas",
+            Sentence(KERF_TEXT("no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas."))};
     }
     const Eigen::Index first = h.baselineRows();
     double largest_um = 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@ struct ThermalHistory {
     Eigen::MatrixXd temp_degC{};         ///< rows × sensors; a missing reading is 0 and not present
     PresentMask present{};               ///< rows × sensors
     Eigen::MatrixXd drift_um{};          ///< rows × 3, measured; empty: not measured. Baseline rows are not used
-    Eigen::MatrixXd trueDrift_um{};      ///< rows × 3, of a simulator; may be empty
+    std::array<bool, 3> axes{true, true, true};  ///< X, Y, Z: measured at all; the column of one that is not is 0
+    Eigen::MatrixXd trueDrift_um{};              ///< rows × 3, of a simulator; may be empty
 
     [[nodiscard]] Eigen::Index rows() const noexcept { return static_cast<Eigen::Index>(time_min.size()); }
     [[nodiscard]] Eigen::Index baselineRows() const noexcept;

@@ -164,27 +164,38 @@ Result<ThermalModel> trainNetwork(ModelKind kind, const std::vector<ThermalHisto
 
 Result<AutoTraining> trainAuto(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
                                const TrainingProgress& progress) {
-    constexpr std::array<ModelKind, 3> kKinds{ModelKind::GmdhPaper, ModelKind::Gmdh, ModelKind::Regression};
-    constexpr std::array<double, 3> kShareBefore{0.0, 0.1, 0.2};
+    constexpr std::array<ModelKind, 4> kKinds{ModelKind::GmdhPaper, ModelKind::Gmdh, ModelKind::Regression,
+                                              ModelKind::Hierarchical};
+    constexpr std::array<double, 4> kShareBefore{0.0, 0.1, 0.2, 0.8};
     AutoTraining out;
-    double bestScore = std::numeric_limits<double>::max();
+    std::optional<detail::JudgedRegression> regression;
+    const auto trained = [&](ModelKind kind, const TrainingProgress& part) -> Result<ThermalModel> {
+        if (kind == ModelKind::Hierarchical) {
+            return detail::hierarchicalOn(*regression, days, options, part);
+        }
+        if (kind != ModelKind::Regression) {
+            return trainNetwork(kind, days, options, part);
+        }
+        auto judged = detail::trainJudgedRegression(days, options, part);
+        if (!judged) {
+            return tl::unexpected(judged.error());
+        }
+        regression = std::move(*judged);
+        return regression->model;
+    };
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
         const double from = kShareBefore[k];
         const double to = k + 1 < kKinds.size() ? kShareBefore[k + 1] : 1.0;
         const TrainingProgress part = [&](double share) { return !progress || progress(from + share * (to - from)); };
-        auto model = kKinds[k] == ModelKind::Regression ? trainRegression(days, options, part)
-                                                        : trainNetwork(kKinds[k], days, options, part);
+        if (days.size() == 1 && kKinds[k] == ModelKind::Hierarchical) {
+            break;
+        }
+        auto model = trained(kKinds[k], part);
         if (!model) {
             return tl::unexpected(model.error());
         }
-        double score = 0.0;
-        for (const double rms_um : model->judgement.rms_um) {
-            score += std::log(rms_um);
-        }
         out.compared.push_back({kKinds[k], model->judgement, model->sensors.size()});
-        const bool only = days.size() == 1;
-        if (only ? kKinds[k] == ModelKind::Gmdh : score < bestScore) {
-            bestScore = score;
+        if (kKinds[k] == (days.size() == 1 ? ModelKind::Gmdh : ModelKind::Hierarchical)) {
             out.best = std::move(*model);
         }
     }

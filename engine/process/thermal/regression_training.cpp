@@ -326,9 +326,12 @@ void fillIntervals(const Variant& variant, const std::vector<Index>& sensors, co
 /// Errors of a variant on folds that took no part, one entry per uninterrupted series.
 using Errors = std::vector<Eigen::MatrixXd>;
 void collect(const Fold& fold, const Variant& variant, const std::vector<Index>& sensors, const PerAxis& ridge,
-             Errors& errors) {
+             Errors& errors, std::size_t day, std::vector<detail::LeftOutDay>& leftOut) {
     const Eigen::MatrixXd w = solveWithout(variant.equations(sensors, ridge), {});
-    const Eigen::MatrixXd all = fold.y - fold.x(Eigen::all, variant.terms(sensors)) * w;
+    const Eigen::MatrixXd predicted = fold.x(Eigen::all, variant.terms(sensors)) * w;
+    const Eigen::MatrixXd all = fold.y - predicted;
+    const Index first = fold.seriesBegin.size() > 1 ? fold.seriesBegin[1] : all.rows();
+    leftOut.push_back({day, predicted.topRows(first), all.topRows(first)});
     for (std::size_t k = 0; k < fold.seriesBegin.size(); ++k) {
         const Index end = k + 1 < fold.seriesBegin.size() ? fold.seriesBegin[k + 1] : all.rows();
         errors.push_back(all.middleRows(fold.seriesBegin[k], end - fold.seriesBegin[k]));
@@ -338,6 +341,8 @@ void collect(const Fold& fold, const Variant& variant, const std::vector<Index>&
 struct Honest {
     Errors temperatures{};
     Errors withSpeed{};
+    std::vector<detail::LeftOutDay> daysByTemperatures{};
+    std::vector<detail::LeftOutDay> daysBySpeed{};
 };
 
 /// Leave each fold out of everything, choose and train on the rest, and collect the errors on it.
@@ -348,10 +353,11 @@ Honest nestedErrors(const AllFolds& folds, Index available, bool hasSpeed, const
         const Variants variants = variantsOf(folds, left, available, hasSpeed);
         const std::vector<Index> sensors = chooseSensors(variants, available, options, noise_um2, work);
         collect(folds.anyStart[left], variants.temperatures, sensors,
-                fineRidge(variants.temperatures, sensors, noise_um2).ridge, out.temperatures);
+                fineRidge(variants.temperatures, sensors, noise_um2).ridge, out.temperatures, left,
+                out.daysByTemperatures);
         if (variants.withSpeed && folds.asRecorded[left].atRest) {
             collect(folds.asRecorded[left], *variants.withSpeed, sensors,
-                    fineRidge(*variants.withSpeed, sensors, noise_um2).ridge, out.withSpeed);
+                    fineRidge(*variants.withSpeed, sensors, noise_um2).ridge, out.withSpeed, left, out.daysBySpeed);
         }
     }
     return out;
@@ -360,26 +366,29 @@ Honest nestedErrors(const AllFolds& folds, Index available, bool hasSpeed, const
 /// With two folds nothing is left to choose by: errors of the chosen sensors, trained on the other fold.
 Honest plainErrors(const Variants& variants, const std::vector<Index>& sensors, const PerAxis& noise_um2) {
     Honest out;
-    const auto judge = [&](const Variant& variant, Errors& errors, bool speed) {
+    const auto judge = [&](const Variant& variant, Errors& errors, bool speed,
+                           std::vector<detail::LeftOutDay>& leftOut) {
+        std::size_t day = 0;
         const PerAxis ridge = fineRidge(variant, sensors, noise_um2).ridge;
         for (const Fold* left : variant.folds()) {
             FoldSet rest = variant.folds();
             std::erase(rest, left);
             const Index available = (left->x.cols() - kSpeedTerms) / kTermsPerSensor;
-            collect(*left, Variant(rest, available, speed), sensors, ridge, errors);
+            collect(*left, Variant(rest, available, speed), sensors, ridge, errors, day++, leftOut);
         }
     };
-    judge(variants.temperatures, out.temperatures, false);
+    judge(variants.temperatures, out.temperatures, false, out.daysByTemperatures);
     if (variants.withSpeed) {
-        judge(*variants.withSpeed, out.withSpeed, true);
+        judge(*variants.withSpeed, out.withSpeed, true, out.daysBySpeed);
     }
     return out;
 }
 
 }  // namespace
 
-Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
-                                     const TrainingProgress& progress) {
+Result<detail::JudgedRegression> detail::trainJudgedRegression(const std::vector<ThermalHistory>& days,
+                                                               const TrainingOptions& options,
+                                                               const TrainingProgress& progress) {
     if (const auto why = detail::whyNotTogether(days)) {
         return tl::unexpected(*why);
     }
@@ -419,10 +428,23 @@ Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, co
         }
         model.judgement = {days.size() > 1, rmsOf(*judged), detail::worstOf(*judged)};
         model.regression = std::move(part);
-        return model;
+        std::vector<detail::LeftOutDay> leftOut;
+        if (days.size() > 1) {
+            leftOut = model.regression->withSpeed ? honest.daysBySpeed : honest.daysByTemperatures;
+        }
+        return detail::JudgedRegression{std::move(model), sensors, std::move(leftOut)};
     } catch (const Cancelled&) {
         return fail(KERF_TEXT("Training was cancelled."));
     }
+}
+
+Result<ThermalModel> trainRegression(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
+                                     const TrainingProgress& progress) {
+    auto judged = detail::trainJudgedRegression(days, options, progress);
+    if (!judged) {
+        return tl::unexpected(judged.error());
+    }
+    return std::move(judged->model);
 }
 
 }  // namespace kerf::thermal

@@ -11,9 +11,20 @@ const Eigen::MatrixXd& referenceDrift(const ThermalHistory& history) {
     return history.trueDrift_um.size() > 0 ? history.trueDrift_um : history.drift_um;
 }
 
+void measure(ThermalEstimator& estimator, const ThermalModel& model, const ThermalHistory& history, Eigen::Index row) {
+    PerAxis drift_um{};
+    std::array<bool, kAxes> known{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const double value_um = history.drift_um(row, static_cast<Eigen::Index>(axis));
+        known[axis] = model.axes[axis] && history.axes[axis] && std::isfinite(value_um);
+        drift_um[axis] = known[axis] ? value_um : 0.0;
+    }
+    estimator.measured(drift_um, known);
+}
+
 }  // namespace
 
-Replay replay(const ThermalModel& model, const ThermalHistory& history) {
+Replay replay(const ThermalModel& model, const ThermalHistory& history, double measureEvery_min) {
     ThermalEstimator estimator(model);
     std::vector<std::optional<Eigen::Index>> columns;
     for (const ModelSensor& sensor : model.sensors) {
@@ -23,6 +34,7 @@ Replay replay(const ThermalModel& model, const ThermalHistory& history) {
     Replay out;
     PerAxis held_um{};
     PerAxis heldHalf_um{};
+    double nextMeasurement_min = measureEvery_min;
     for (Eigen::Index row = 0; row < history.rows(); ++row) {
         const auto k = static_cast<std::size_t>(row);
         for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -49,6 +61,12 @@ Replay replay(const ThermalModel& model, const ThermalHistory& history) {
             }
         }
         out.minutes.push_back(minute);
+        if (measureEvery_min > 0.0 && minute.time_min >= nextMeasurement_min - 1e-9) {
+            nextMeasurement_min = (std::floor(minute.time_min / measureEvery_min + 1e-9) + 1.0) * measureEvery_min;
+            if (history.drift_um.size() > 0) {
+                measure(estimator, model, history, row);
+            }
+        }
     }
     for (std::size_t i = 0; i < estimator.sensors(); ++i) {
         out.sensors.push_back(estimator.health().state(i));

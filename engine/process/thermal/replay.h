@@ -23,7 +23,9 @@ struct Replay {
 };
 
 /// A sensor of the model that the history has no column for counts as open.
-[[nodiscard]] Replay replay(const ThermalModel& model, const ThermalHistory& history);
+/// @param measureEvery_min > 0: the measured drift of every such minute (the first one at that, not at the reference
+/// itself) is taken as a measurement of the origin made then, and used from the next row on
+[[nodiscard]] Replay replay(const ThermalModel& model, const ThermalHistory& history, double measureEvery_min = 0.0);
 
 /// Predictions of a perfect predictor, for comparison: the true (or measured) drift itself.
 [[nodiscard]] Replay perfectReplay(const ThermalHistory& history);

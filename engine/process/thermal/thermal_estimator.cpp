@@ -8,8 +8,9 @@
 namespace kerf::thermal {
 namespace {
 
-constexpr double kAtRest_K = 0.5;         // deviation up to which the heat terms count fully
-constexpr double kWarm_K = 1.5;           // and from which they do not count
+constexpr double kAtRest_K = 0.5;  // deviation up to which the heat terms count fully
+constexpr double kWarm_K = 1.5;    // and from which they do not count
+constexpr double kSmallestHalf_um = 0.1;
 constexpr double kShareLossPerMin = 0.1;  // heat terms leave slowly when the speed signal is lost
 
 }  // namespace
@@ -45,6 +46,8 @@ ThermalEstimator::ThermalEstimator(const ThermalModel& model, const HealthParams
       m_driftRange(model.drift_um),
       m_sensors(model.sensors),
       m_gmdh(model.gmdh),
+      m_day(model.days ? DayPosterior(*model.days) : DayPosterior()),
+      m_axes(model.axes),
       m_health(model, health) {
     assert(m_count <= kMaxModelSensors);
     if (model.regression) {
@@ -67,6 +70,47 @@ void ThermalEstimator::reset() noexcept {
     m_restDeviation_K = 0.0;
     m_speedShare = 0.0;
     m_speedKnown = true;
+    m_nowKnown = false;
+    ++m_now.reference;
+    m_measuredRange = {};
+}
+
+void ThermalEstimator::measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known) noexcept {
+    if (!m_nowKnown || !m_day.present()) {
+        return;
+    }
+    m_day.add({m_now, drift_um, known});
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (known[axis] && std::isfinite(drift_um[axis])) {
+            Range& range = m_measuredRange[axis];
+            range.low = std::min(range.low, drift_um[axis]);
+            range.high = std::max(range.high, drift_um[axis]);
+        }
+    }
+}
+
+void ThermalEstimator::recall(const DayMeasurement& measurement) noexcept {
+    m_now.reference = std::max(m_now.reference, measurement.at.reference + 1);
+    m_day.add(measurement);
+}
+
+void ThermalEstimator::applyDay(double time_min, ThermalPrediction& out) noexcept {
+    m_now.time_min = time_min;
+    for (std::size_t k = 0; k < m_day.terms(); ++k) {
+        const double scale_K = m_day.termScale_K(k);
+        bool bounded = false;
+        m_now.term[k] = scale_K > 0.0 ? clampedTerm(k / kTermsPerSensor, k % kTermsPerSensor, bounded) / scale_K : 0.0;
+    }
+    const Solved& reference = m_withSpeed ? *m_withSpeed : m_plain;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        m_now.mean_um[axis] = out.drift_um[axis];
+        m_now.spread[axis] = out.half_um[axis] / reference.half_um[lostSetIndex(m_count)][axis];
+        const DayPosterior::Correction correction = m_day.at(m_now, axis);
+        out.drift_um[axis] += correction.shift_um;
+        out.half_um[axis] = std::max(correction.half_um, kSmallestHalf_um);
+    }
+    out.changed = m_day.changed();
+    m_nowKnown = true;
 }
 
 void ThermalEstimator::baseline(double time_min, std::span<const Reading> readings) noexcept {
@@ -191,6 +235,7 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
                                            std::span<const Reading> readings) noexcept {
     assert(readings.size() == m_count);
     ThermalPrediction out;
+    m_nowKnown = false;
     if (m_baselineReadings == 0) {
         return out;
     }
@@ -248,12 +293,15 @@ ThermalPrediction ThermalEstimator::update(double time_min, std::optional<double
                                 : out.lostSensors == 1 ? lostSetIndex(m_count, lost[0])
                                                        : lostSetIndex(m_count, lost[0], lost[1]);
         predictRegression(set, out);
+        if (m_day.present()) {
+            applyDay(time_min, out);
+        }
     }
     out.outside = outside();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const Range& range = m_driftRange[axis];
-        const double low = range.low - range.span();
-        const double high = range.high + range.span();
+        const double low = std::min(range.low, m_measuredRange[axis].low) - range.span();
+        const double high = std::max(range.high, m_measuredRange[axis].high) + range.span();
         // A network as printed has no bound of its own; what is not a number counts as out of bounds.
         const double inside = std::isfinite(out.drift_um[axis]) ? std::clamp(out.drift_um[axis], low, high) : 0.0;
         out.bounded = out.bounded || inside != out.drift_um[axis];

@@ -20,7 +20,10 @@
 /// temperature pattern is that of a cold machine) and not at all after a warm start, where the coefficients from
 /// temperatures alone take over; between 0.5 and 1.5 K of deviation both are mixed.
 ///
-/// baseline() and update() run in the cycle: no allocation, lock, throw or I/O. Construction does not.
+/// With a between-day law (see day_layer.h) the interval carries what a day may differ by, and a measurement of the
+/// origin updates the day's coefficients.
+///
+/// baseline(), update() and measured() run in the cycle: no allocation, lock, throw or I/O. Construction does not.
 namespace kerf::thermal {
 
 struct ThermalPrediction {
@@ -29,6 +32,7 @@ struct ThermalPrediction {
     double outside{0.0};     ///< spans beyond the training range, 0 inside
     double speedShare{0.0};  ///< 0…1: share of the coefficients with heat terms
     int lostSensors{0};      ///< of the model's own
+    double changed{0.0};     ///< probability that today differs from the days trained on, by today's measurements
     bool usable{false};      ///< false: no baseline, or more than two sensors lost
     bool bounded{false};     ///< a clamp was in force
 };
@@ -39,13 +43,22 @@ class ThermalEstimator {
 
     explicit ThermalEstimator(const ThermalModel& model, const HealthParams& health = {});
 
-    /// Forget baseline, terms and health: a new reference for the drift begins.
+    /// Forget baseline, terms and health: a new reference for the drift begins. What was measured of the day stays.
     void reset() noexcept;
     /// One reading of the machine as it stands while the origin is measured. `readings` in the model's sensor order.
     void baseline(double time_min, std::span<const Reading> readings) noexcept;
     /// One step. @pre readings.size() == sensors()
     ThermalPrediction update(double time_min, std::optional<double> speed_rpm,
                              std::span<const Reading> readings) noexcept;
+
+    /// The origin was measured in the state of the last update(): `drift_um` since the reference. Used from the next
+    /// update on. Without a between-day law, or before the first update, it changes nothing.
+    void measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known) noexcept;
+    /// A measurement of this day made before a new reference; its coefficients still hold, its offset does not.
+    void recall(const DayMeasurement& measurement) noexcept;
+    [[nodiscard]] const DayPosterior& day() const noexcept { return m_day; }
+    /// The day is over: what was measured says nothing about the next.
+    void newDay() noexcept { m_day.clear(); }
 
     [[nodiscard]] std::size_t sensors() const noexcept { return m_count; }
     [[nodiscard]] const SensorHealth& health() const noexcept { return m_health; }
@@ -67,6 +80,7 @@ class ThermalEstimator {
     void predictRegression(std::size_t lostSet, ThermalPrediction& out) const noexcept;
     void predictNetworks(ThermalPrediction& out) const noexcept;
     [[nodiscard]] double outside() const noexcept;
+    void applyDay(double time_min, ThermalPrediction& out) noexcept;
 
     std::size_t m_count;
     FeatureSpec m_spec;
@@ -76,6 +90,11 @@ class ThermalEstimator {
     Solved m_plain{};
     std::optional<Solved> m_withSpeed{};
     std::optional<GmdhPart> m_gmdh;
+    DayPosterior m_day{};
+    DayInstant m_now{};
+    bool m_nowKnown{false};
+    std::array<bool, kAxes> m_axes{};
+    std::array<Range, kAxes> m_measuredRange{};  ///< what today's measurements add to the drift's range
 
     SensorHealth m_health;
     std::array<double, kMaxModelSensors> m_baselineSum_degC{};

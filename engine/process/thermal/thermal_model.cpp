@@ -144,6 +144,8 @@ const char* modelKindKey(ModelKind kind) noexcept {
             return "gmdh-paper";
         case ModelKind::Gmdh:
             return "gmdh";
+        case ModelKind::Hierarchical:
+            return "hierarchical";
         case ModelKind::Regression:
             break;
     }

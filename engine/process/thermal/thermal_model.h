@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "engine/process/thermal/compensation.h"
+#include "engine/process/thermal/day_layer.h"
 #include "engine/process/thermal/features.h"
 #include "engine/process/thermal/gmdh.h"
 
 /// A trained thermal model as data: what a model file holds, what the estimator is built from.
 namespace kerf::thermal {
 
-enum class ModelKind : std::uint8_t { GmdhPaper, Gmdh, Regression };
+enum class ModelKind : std::uint8_t { GmdhPaper, Gmdh, Regression, Hierarchical };
 inline constexpr int kModelVersion = 1;
 inline constexpr std::size_t kMaxRegressionSensors = 14;
 inline constexpr std::size_t kMaxModelSensors = 64;
@@ -105,6 +106,9 @@ struct ThermalModel {
     std::array<Range, kAxes> drift_um{};  ///< over the training days
     std::optional<RegressionPart> regression{};
     std::optional<GmdhPart> gmdh{};
+    std::optional<DayLayer> days{};  ///< of a hierarchical model, on the regression as its mean law
+    std::array<bool, kAxes> axes{true, true,
+                                 true};  ///< axes that were measured in training; the others are not predicted
     Judgement judgement{};
     std::uint64_t fingerprint{0};
     std::vector<std::string> trainedOn{};
@@ -112,7 +116,8 @@ struct ThermalModel {
     double period_min{1.0};
 };
 
-[[nodiscard]] const char* modelKindKey(ModelKind kind) noexcept;  ///< "gmdh-paper", "gmdh", "regression"
+[[nodiscard]] const char* modelKindKey(
+    ModelKind kind) noexcept;  ///< "gmdh-paper", "gmdh", "regression", "hierarchical"
 
 /// One line per axis a person can read, all sensors healthy. Not for the cycle.
 [[nodiscard]] std::vector<std::string> formulaLines(const ThermalModel& model);

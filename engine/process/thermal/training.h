@@ -38,6 +38,19 @@ struct TrainingOptions {
                                                    const TrainingOptions& options,
                                                    const TrainingProgress& progress = {});
 
+/// The default: a mean law, and what a day may differ from it by (see day_layer.h).
+///
+/// The mean law is the regression above, or one of the same form fitted by generalised least squares on block means,
+/// (Σ_d X_dᵀ S_d⁻¹ X_d + λ·diag)·w = Σ_d X_dᵀ S_d⁻¹ y_d, S_d the covariance of a whole day under the between-day law:
+/// minutes of a day are no independent samples, and a direction in which days differ pulls less. Terms, leaks and λ are
+/// those with the smallest error on days left out; a simpler law within .3 standard errors of it is preferred, down to
+/// no law at all, so that a correction is never larger than its evidence. The between-day law is fitted to the errors
+/// on days left out and scaled until the 95 % interval holds there, wider by Student's t for few days.
+/// Needs two days.
+[[nodiscard]] Result<ThermalModel> trainHierarchical(const std::vector<ThermalHistory>& days,
+                                                     const TrainingOptions& options,
+                                                     const TrainingProgress& progress = {});
+
 /// The paper's network (GmdhPaper: absolute temperatures now and one step before, as printed) or the guarded one (Gmdh:
 /// rises and leaky means, bilinear, ridge, clamps, at most 3 layers). Training rows are cut into two contiguous halves.
 [[nodiscard]] Result<ThermalModel> trainNetwork(ModelKind kind, const std::vector<ThermalHistory>& days,
@@ -53,9 +66,10 @@ struct AutoTraining {
     ThermalModel best{};
     std::vector<Candidate> compared{};
 };
-/// Trains the network as printed, the guarded one and the regression, and keeps the one with the smallest
-/// Σ_axes log(rms on days it has not seen). With a single day no day can be left out: the guarded network, the most
-/// cautious of them outside its range, is kept.
+/// Trains the network as printed, the guarded one, the regression and the hierarchical model, for comparison, and keeps
+/// the hierarchical one: no worse than the regression on days left out, and the only one that learns from a measurement
+/// of the day. With a single day no day can be left out: the guarded network, the most cautious of them outside its
+/// range, is kept.
 [[nodiscard]] Result<AutoTraining> trainAuto(const std::vector<ThermalHistory>& days, const TrainingOptions& options,
                                              const TrainingProgress& progress = {});
 

@@ -35,6 +35,10 @@ std::optional<Sentence> whyNotTogether(const std::vector<ThermalHistory>& days) 
             return Sentence(KERF_TEXT("%1 has other temperature columns than %2; train with days of one machine."),
                             SentenceArg(day.label), SentenceArg(days.front().label));
         }
+        if (day.axes != days.front().axes) {
+            return Sentence(KERF_TEXT("%1 has the drift of other axes than %2; train with days of the same axes."),
+                            SentenceArg(day.label), SentenceArg(days.front().label));
+        }
         if (const auto fault = whyNotTrainable(day)) {
             return fault->reason;
         }
@@ -79,6 +83,7 @@ ThermalModel modelFrame(ModelKind kind, const std::vector<ThermalHistory>& days,
     model.kind = kind;
     model.features = spec;
     model.fingerprint = fingerprintOf(days);
+    model.axes = days.front().axes;
     const auto count = static_cast<Eigen::Index>(sensors.size());
     model.riseMoment_K2 = Eigen::MatrixXd::Zero(count, count);
     model.sensors.resize(sensors.size());

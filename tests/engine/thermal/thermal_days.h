@@ -39,7 +39,7 @@ inline const char* const kWarmDay = "T7_warmstart";
 
 /// The default model, trained once per test program.
 inline const thermal::ThermalModel& defaultModel() {
-    static const thermal::ThermalModel model = *thermal::trainRegression(trainingDays(), {});
+    static const thermal::ThermalModel model = *thermal::trainHierarchical(trainingDays(), {});
     return model;
 }
 

@@ -92,7 +92,7 @@ class TestThermalModels : public QObject {
     void compensationHoldsAtOneMinute();
     void compensationHoldsAtFiveMinutes();
     void compensationHoldsWhenFarOutside();
-    void autoChoosesTheBestOnDaysLeftOut();
+    void autoKeepsTheHierarchicalModel();
     void sameDaysGiveTheSameModel();
     void otherDaysGiveAnotherFingerprint();
     void oneDayTrainsButIsNotHeldOut();
@@ -140,7 +140,7 @@ void TestThermalModels::eachTrainingDayIsPredictedFromTheOthers() {
         std::vector<ThermalHistory> others = trainingDays();
         const ThermalHistory judge = others[left];
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
-        const auto model = trainRegression(others, {});
+        const auto model = trainHierarchical(others, {});
         QVERIFY(model.has_value());
         const ErrorSummary s = summaryOf(errorsOn(*model, judge));
         QVERIFY2(within(s.worst_um, {1.5, 3.0, 5.0}), shown(s.worst_um));
@@ -179,7 +179,7 @@ void TestThermalModels::boundedUnderInputFuzz_data() {
     QTest::addColumn<int>("kind");
     QTest::newRow("printed") << 0;
     QTest::newRow("guarded") << 1;
-    QTest::newRow("regression") << 2;
+    QTest::newRow("default") << 2;
 }
 
 void TestThermalModels::boundedUnderInputFuzz() {
@@ -259,16 +259,16 @@ void TestThermalModels::compensationHoldsWhenFarOutside() {
     }
 }
 
-void TestThermalModels::autoChoosesTheBestOnDaysLeftOut() {
+void TestThermalModels::autoKeepsTheHierarchicalModel() {
     const auto trained = trainAuto(trainingDays(), {});
     QVERIFY(trained.has_value());
-    QCOMPARE(trained->compared.size(), std::size_t{3});
-    QCOMPARE(trained->best.kind, ModelKind::Regression);
+    QCOMPARE(trained->compared.size(), std::size_t{4});
+    QCOMPARE(trained->best.kind, ModelKind::Hierarchical);
     QVERIFY(trained->best.judgement.heldOut);
 }
 
 void TestThermalModels::sameDaysGiveTheSameModel() {
-    const auto again = trainRegression(trainingDays(), {});
+    const auto again = trainHierarchical(trainingDays(), {});
     QVERIFY(again.has_value());
     QCOMPARE(again->fingerprint, defaultModel().fingerprint);
     QVERIFY(again->regression->temperatures.gram == defaultModel().regression->temperatures.gram);

@@ -46,6 +46,9 @@ QString modelKindName(const std::string& kind) {
     if (kind == "regression") {
         return ThermalTexts::tr("regression on few sensors");
     }
+    if (kind == "hierarchical") {
+        return ThermalTexts::tr("hierarchical over days");
+    }
     if (kind == "gmdh") {
         return ThermalTexts::tr("network, guarded");
     }
