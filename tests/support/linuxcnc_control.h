@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <QFile>
@@ -12,6 +13,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+
+#include "engine/machine/linuxcnc/link_memory.h"
 
 namespace kerf::test {
 
@@ -38,6 +41,7 @@ class LinuxCncControl {
     }
     /// Returns when the machine is ready; false, with log() saying why, when it does not get there.
     [[nodiscard]] bool start(const QStringList& options = {}) {
+        (void)shm_unlink(linuxcnc::kStopsName);   // a machine where nothing has happened yet
         (void)setpriority(PRIO_PROCESS, 0, -10);  // where that is allowed: a console does not wait for other work
         const QString ready = m_folder.filePath(QStringLiteral("ready"));
         QFile::remove(ready);
