@@ -5008,6 +5008,57 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::HeldBand</name>
+        <message>
+            <source>HELD: all loops</source>
+            <translation>HELD: all loops</translation>
+        </message>
+        <message>
+            <source>STOPPED: a tap stands in the hole</source>
+            <translation>STOPPED: a tap stands in the hole</translation>
+        </message>
+        <message>
+            <source>STOPPED: %1</source>
+            <translation>STOPPED: %1</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>Emergency stop is pressed.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>No link to the machine.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>The machine is off.</translation>
+        </message>
+        <message>
+            <source>HOLD ALL was pressed by %1.</source>
+            <translation>HOLD ALL was pressed by %1.</translation>
+        </message>
+        <message>
+            <source>HOLD ALL was pressed, or the machine was stopped or lost: look at it.</source>
+            <translation>HOLD ALL was pressed, or the machine was stopped or lost: look at it.</translation>
+        </message>
+        <message>
+            <source>since %1</source>
+            <translation>since %1</translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>Show</translation>
+        </message>
+        <message>
+            <source>Release stop</source>
+            <translation>Release stop</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>Release hold</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
@@ -5343,6 +5394,14 @@
         <message>
             <source>End Kerf</source>
             <translation>End Kerf</translation>
+        </message>
+        <message>
+            <source>A part is being cut</source>
+            <translation>A part is being cut</translation>
+        </message>
+        <message>
+            <source>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</source>
+            <translation>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</translation>
         </message>
     </context>
     <context>

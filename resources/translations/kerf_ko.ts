@@ -5006,6 +5006,57 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::HeldBand</name>
+        <message>
+            <source>HELD: all loops</source>
+            <translation>홀드: 모든 루프</translation>
+        </message>
+        <message>
+            <source>STOPPED: a tap stands in the hole</source>
+            <translation>정지: 탭이 구멍 안에 서 있음</translation>
+        </message>
+        <message>
+            <source>STOPPED: %1</source>
+            <translation>정지: %1</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>비상 정지가 눌려 있습니다.</translation>
+        </message>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>기계와 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>기계가 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>HOLD ALL was pressed by %1.</source>
+            <translation>%1 님이 전체 홀드를 눌렀습니다.</translation>
+        </message>
+        <message>
+            <source>HOLD ALL was pressed, or the machine was stopped or lost: look at it.</source>
+            <translation>전체 홀드가 눌렸거나 기계가 정지 또는 연결이 끊겼습니다. 기계를 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>since %1</source>
+            <translation>%1부터</translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>보기</translation>
+        </message>
+        <message>
+            <source>Release stop</source>
+            <translation>정지 해제</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>홀드 해제</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
@@ -5341,6 +5392,14 @@
         <message>
             <source>End Kerf</source>
             <translation>Kerf 끝내기</translation>
+        </message>
+        <message>
+            <source>A part is being cut</source>
+            <translation>공작물을 가공하고 있습니다</translation>
+        </message>
+        <message>
+            <source>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</source>
+            <translation>Kerf를 끝내면 손을 뗍니다. 기계는 계획된 이송 이하로 마지막 보정을 유지한 채 계속 가공하며, 이후의 가공은 기록되지 않습니다.</translation>
         </message>
     </context>
     <context>

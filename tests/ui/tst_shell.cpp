@@ -168,6 +168,60 @@ class TestShell : public QObject {
         QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("language")), Qt::LeftButton);
         QCOMPARE(bench.look.preferences().language, Language::English);
     }
+    void whatIsHeldIsSaidOnEveryPageWithTheWayOut() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.window->session().signOn(QStringLiteral("Kim Minji"));
+        bench.window->client().tick();
+        auto* band = bench.window->findChild<QWidget*>(QStringLiteral("heldBand"));
+        const auto text = [&](const char* name) {
+            return bench.window->findChild<QLabel*>(QLatin1String(name))->text();
+        };
+        auto* release = bench.window->findChild<QPushButton*>(QStringLiteral("heldRelease"));
+        QVERIFY(!band->isVisible());
+        QTest::mousePress(bench.window->findChild<QPushButton*>(QStringLiteral("holdAll")), Qt::LeftButton);
+        bench.engine.fake.held = true;
+        bench.window->client().tick();
+        for (const auto& page : bench.window->pages()) {
+            bench.window->showPage(page.key);
+            QVERIFY(band->isVisible() && band->width() == bench.window->width());
+        }
+        QVERIFY(bench.window->grab().save(QStringLiteral("held.png")));
+        QVERIFY(text("heldWhat").contains(QStringLiteral("HELD")));
+        QVERIFY2(text("heldWhy").contains(QStringLiteral("Kim Minji")), qPrintable(text("heldWhy")));
+        QVERIFY(text("heldWhy").contains(QStringLiteral("since")));
+        QTest::mouseClick(release, Qt::LeftButton);
+        QVERIFY(std::holds_alternative<ReleaseHold>(bench.engine.commands.back().action));
+        // The stop of a loop, behind the hold.
+        StopStatus& stop = bench.engine.fake.stops[static_cast<std::size_t>(ProcessId::Milling)];
+        stop.slot.number = 7;
+        stop.slot.kind = StopKind::FeedHold;
+        stop.slot.cause = test::kToolAlarm.code;
+        bench.engine.fake.held = false;
+        bench.window->client().tick();
+        QVERIFY(band->isVisible());
+        QVERIFY2(text("heldWhy").contains(QStringLiteral("Tool broken")), qPrintable(text("heldWhy")));
+        QTest::mouseClick(release, Qt::LeftButton);
+        const auto* sent = std::get_if<ReleaseStop>(&bench.engine.commands.back().action);
+        QVERIFY(sent != nullptr && sent->number == 7 && sent->process == ProcessId::Milling);
+        stop.slot.released = 7;
+        bench.window->client().tick();
+        QVERIFY(!band->isVisible());
+    }
+    void closingAsksWhileAPartIsCut() {
+        ShellBench bench;
+        bench.window->show();
+        bench.window->client().tick();
+        bench.window->close();
+        QVERIFY(bench.window->isVisible());
+        QVERIFY(bench.window->sheets().current() != nullptr);
+        bench.window->sheets().current()->close();
+        bench.engine.fake.program = ProgramState::Finished;
+        bench.window->client().tick();
+        bench.window->close();
+        QVERIFY(!bench.window->isVisible());
+    }
     void everyPageIsRendered() {
         ShellBench bench;
         bench.window->resize(1280, 800);

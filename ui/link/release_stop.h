@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "engine/api/status.h"
@@ -14,6 +16,24 @@ namespace kerf::ui {
     release.number = status.stops[static_cast<std::size_t>(process)].slot.number;
     release.person.set(person);
     return release;
+}
+
+/// The first process whose stop satisfies `wanted`.
+template <class Wanted>
+[[nodiscard]] std::optional<ProcessId> firstStopped(const Status& status, const Wanted& wanted) {
+    const auto found = std::ranges::find_if(
+        status.stops, [&](const StopStatus& stop) { return stop.slot.active() && wanted(stop.slot.kind); });
+    return found == status.stops.end()
+               ? std::nullopt
+               : std::optional(kAllProcesses[static_cast<std::size_t>(found - status.stops.begin())]);
+}
+/// A stop that a person may release after a look.
+[[nodiscard]] inline std::optional<ProcessId> stoppedProcess(const Status& status) {
+    return firstStopped(status, [](StopKind kind) { return kind != StopKind::InWork; });
+}
+/// A tap in the hole is not released: its page turns it out, or asks whether it is gone.
+[[nodiscard]] inline std::optional<ProcessId> processInWork(const Status& status) {
+    return firstStopped(status, [](StopKind kind) { return kind == StopKind::InWork; });
 }
 
 }  // namespace kerf::ui

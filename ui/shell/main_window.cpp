@@ -14,9 +14,11 @@
 #include "ui/dialogs/first_engineer_sheet.h"
 #include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/settings_sheet.h"
+#include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
 #include "ui/shell/header_bar.h"
+#include "ui/shell/held_band.h"
 #include "ui/shell/navigation.h"
 #include "ui/widgets/alarm_bar.h"
 #include "ui/widgets/hold_all_button.h"
@@ -109,11 +111,23 @@ void MainWindow::sayStartFindings() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     const std::size_t waiting = m_services.partsWaiting ? m_services.partsWaiting() : 0;
-    if (waiting == 0 || m_closeAnyway) {
+    const ProgramState program = m_client.status().program;
+    const bool cutting = program == ProgramState::Running || program == ProgramState::Paused;
+    if (m_closeAnyway || (waiting == 0 && !cutting)) {
         QMainWindow::closeEvent(event);
         return;
     }
     event->ignore();
+    if (waiting == 0) {
+        m_sheets->ask(tr("A part is being cut"),
+                      tr("Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last "
+                         "offset, and what is cut from now on is not recorded."),
+                      tr("Stay"), tr("End Kerf"), [this] {
+                          m_closeAnyway = true;
+                          close();
+                      });
+        return;
+    }
     m_sheets->ask(tr("Finished parts wait"),
                   tr("The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next "
                      "start stores them.")
@@ -149,7 +163,7 @@ void MainWindow::buildFrame() {
     leftColumn->setContentsMargins(0, 0, 0, 0);
     m_navigation = new Navigation(m_look, m_pages, left);
     leftColumn->addWidget(m_navigation);
-    grid->addWidget(left, 1, 0);
+    grid->addWidget(left, 2, 0);
 
     m_sheets = new SheetHost(m_look, central);
     auto* pageArea = new QVBoxLayout(m_sheets);
@@ -158,8 +172,8 @@ void MainWindow::buildFrame() {
     m_stack->setSizePolicy(QSizePolicy::Preferred,
                            QSizePolicy::Ignored);  // a page never makes the window larger than the screen
     pageArea->addWidget(m_stack);
-    grid->addWidget(m_sheets, 1, 1);
-    grid->setRowStretch(1, 1);
+    grid->addWidget(m_sheets, 2, 1);
+    grid->setRowStretch(2, 1);
     grid->setColumnStretch(1, 1);
 
     auto* bottom = new QFrame(central);
@@ -171,7 +185,8 @@ void MainWindow::buildFrame() {
     bottomRow->addWidget(m_alarmBar, 1);
     bottomRow->addWidget(m_holdAll);
     m_bottom = bottom;
-    grid->addWidget(bottom, 2, 0, 1, 2);
+    grid->addWidget(bottom, 3, 0, 1, 2);
+    buildHeldBand(grid);
 
     const PageContext context{m_look,
                               m_services,
@@ -201,6 +216,18 @@ void MainWindow::buildFrame() {
     }
     m_sheets->setFocusPolicy(Qt::ClickFocus);
     m_sheets->setFocus();  // no button has the focus before somebody wants it
+}
+
+void MainWindow::buildHeldBand(QGridLayout* grid) {
+    m_heldBand = new HeldBand(m_look, m_client, centralWidget());
+    grid->addWidget(m_heldBand, 1, 0, 1, 2);
+    connect(m_holdAll, &QPushButton::pressed, this, [this] { m_heldBand->pressedBy(m_session.name()); });
+    connect(m_heldBand, &HeldBand::releaseHoldRequested, this, [this] { m_client.sendAction(ReleaseHold{}); });
+    connect(m_heldBand, &HeldBand::releaseStopRequested, this, [this](const Status& shown, ProcessId process) {
+        // As shown: what comes while somebody signs on is looked at anew.
+        withOperator([this, shown, process] { m_client.sendAction(releaseOf(shown, process, m_session.author())); });
+    });
+    connect(m_heldBand, &HeldBand::showRequested, this, [this](ProcessId process) { showPage(processKey(process)); });
 }
 
 void MainWindow::showPage(const char* key) {
@@ -293,6 +320,7 @@ void MainWindow::onStatus(const Status& status) {
     m_header->setWork(m_services.boringService != nullptr ? &m_services.boringService->view() : nullptr, status);
     m_navigation->setStatus(status);
     m_holdAll->setHeld(status.held);
+    m_heldBand->setStatus(status);
 }
 
 void MainWindow::showAlarm() {

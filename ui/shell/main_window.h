@@ -10,10 +10,13 @@
 
 #include "ui/shell/page.h"
 
+class QGridLayout;
+
 namespace kerf::ui {
 
 class AlarmBar;
 class HeaderBar;
+class HeldBand;
 class HoldAllButton;
 class Navigation;
 
@@ -47,12 +50,13 @@ class MainWindow : public QMainWindow {
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// Asks first while finished parts wait for the store.
+    /// Asks first while finished parts wait for the store, or something is being cut.
     void closeEvent(QCloseEvent* event) override;
 
  private:
     void sayStartFindings();
     void buildFrame();
+    void buildHeldBand(QGridLayout* grid);
     void refresh();
     void onStatus(const Status& status);
     void showAlarm();
@@ -77,6 +81,7 @@ class MainWindow : public QMainWindow {
     AlarmBar* m_alarmBar{nullptr};
     HoldAllButton* m_holdAll{nullptr};
     QWidget* m_bottom{nullptr};
+    HeldBand* m_heldBand{nullptr};
     bool m_closeAnyway{false};
     std::vector<Page*> m_made;
 };

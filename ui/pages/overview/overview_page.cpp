@@ -213,13 +213,8 @@ QString OverviewPage::whyNoRelease() const {
     return context().client.status().held || stopped() ? QString() : tr("Nothing is held.");
 }
 
-/// A tap in the hole is not released here: its page turns it out, or asks whether it is gone.
 std::optional<ProcessId> OverviewPage::stopped() const {
-    const auto& stops = context().client.status().stops;
-    const auto first = std::ranges::find_if(
-        stops, [](const StopStatus& stop) { return stop.slot.active() && stop.slot.kind != StopKind::InWork; });
-    return first == stops.end() ? std::nullopt
-                                : std::optional(kAllProcesses[static_cast<std::size_t>(first - stops.begin())]);
+    return stoppedProcess(context().client.status());
 }
 
 void OverviewPage::release() {
