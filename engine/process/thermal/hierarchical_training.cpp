@@ -18,8 +18,8 @@ using detail::LawDay;
 constexpr Index kBlocks = 60;           // at most, of a day: block means keep what a law can see and lose the noise
 constexpr std::size_t kAllSensors = 8;  // up to that many no sensor is chosen: the ridge does it
 constexpr std::array<double, 9> kRidges{1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 1e6};
-constexpr double kSimpler = 0.1;  // standard errors that a simpler law may be worse by
-constexpr double kLuck = 0.8;     // by that over days² the log error of a new law must be smaller, per axis
+constexpr double kSimpler = 0.1;          // standard errors that a simpler law may be worse by
+constexpr double kLuck = 0.8;             // by that over days² the log error of a new law must be smaller, per axis
 constexpr std::size_t kDaysToChoose = 3;  // with fewer the mean law is the regression
 constexpr std::size_t kFinalists = 4;
 constexpr double kSamplesOfADay = 5.0;  // independent ones: minutes of a day are not
