@@ -206,6 +206,7 @@ Result<void> ConsoleApplication::openMachine() {
     }
     Simulator::Params params;
     params.seed = m_options.seed;
+    params.machineSeed = m_options.machineSeed;
     params.changeAtPart = m_options.changeAtPart;
     params.partsSoFar = madeUpTo(*m_reader, bores(m_options) ? ProcessId::Boring : ProcessId::Turning, {});
     params.diamondLathe = !bores(m_options);

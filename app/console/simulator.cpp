@@ -8,6 +8,7 @@
 
 #include "engine/core/random.h"
 #include "engine/process/boring/model.h"
+#include "engine/process/boring/plant.h"
 
 namespace kerf::console {
 namespace {
@@ -16,7 +17,15 @@ constexpr std::size_t kHolesKept = 200;
 constexpr std::int64_t kLatheCycle_ns = 200'000;  // force feedback at 5 kHz
 constexpr double kGaugeStep_mm = 0.001;           // last digit of the gauge
 
-std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
+/// The hard machine's law with its own change, or the reference one with the change asked for.
+std::vector<BoringTruth> truths(std::uint64_t machineSeed, std::uint32_t changeAtPart) {
+    if (machineSeed != 0) {
+        std::vector<BoringTruth> list;
+        for (const auto& change : boring::hardMachine(machineSeed, boring::kTableTargetDeflection_mm).truth.changes) {
+            list.push_back({change.fromPart, change.law.alpha, change.law.beta, std::exp(change.law.lnC)});
+        }
+        return list;
+    }
     std::vector<BoringTruth> list{BoringTruth{}};
     if (changeAtPart > 1) {
         list.push_back({changeAtPart, 0.7, 0.4, 0.15});  // the first change of the published experiment
@@ -27,6 +36,10 @@ std::vector<BoringTruth> truths(std::uint32_t changeAtPart) {
 }  // namespace
 
 Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
+    if (params.machineSeed != 0) {
+        m_params.gaugeSigma_mm *=
+            boring::hardMachine(params.machineSeed, boring::kTableTargetDeflection_mm).sigmaFactor;
+    }
     SimulatedMachine::Params machine;
     machine.partsSoFar = params.partsSoFar;
     if (params.diamondLathe) {
@@ -38,7 +51,7 @@ Simulator::Simulator(const Params& params, Plants plants) : m_params(params) {
         machine.absentProcess =
             Sentence(KERF_TEXT("On the built-in diamond lathe: start the console with --machine diamond-lathe."));
         SimulatedBoring::Params boring;
-        boring.truths = truths(params.changeAtPart);
+        boring.truths = truths(params.machineSeed, params.changeAtPart);
         boring.boredSoFar = params.partsSoFar;
         auto plant = std::make_unique<SimulatedBoring>(boring);
         m_boring = plant.get();
@@ -62,7 +75,7 @@ std::optional<double> Simulator::deflection_mm(const GaugedPart& part, double ov
     if (part.feed.count == 0) {
         return std::nullopt;
     }
-    const std::vector<BoringTruth> all = truths(m_params.changeAtPart);
+    const std::vector<BoringTruth> all = truths(m_params.machineSeed, m_params.changeAtPart);
     const BoringTruth& truth = truthOf(all, part.bored);
     BoredHole again;
     again.count = std::min<std::uint16_t>(part.feed.count, BoredHole::kStations);

@@ -20,6 +20,7 @@ class Simulator {
         std::uint32_t partsSoFar{0};  ///< of what the machine is there for: bored, or turned
         std::uint64_t seed{1};
         double gaugeSigma_mm{0.005};     ///< standard deviation of one gauged deflection
+        std::uint64_t machineSeed{0};    ///< a hard machine (boring::hardMachine); 0: the reference machine
         std::uint32_t changeAtPart{14};  ///< a new insert: the process is another one from here on; 0: never
         bool diamondLathe{false};        ///< the lathe with the .2 ms cycle; it does not bore
     };

@@ -74,6 +74,16 @@ class TestBoringCommands : public QObject {
     }
 
  private slots:
+    void robustDefaultIsNoWorseOnHardMachines() {
+        const auto run = runKerf({"boring", "robust", "--machines", "100", "--seed", "11"});
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        const auto all = nlohmann::json::parse(run.out.toStdString());
+        QCOMPARE(all["share_unstable"].get<double>(), 0.0);
+        QVERIFY(all["share_worse"].get<double>() <= 0.05);
+        QVERIFY(all["worst_ratio"].get<double>() < 1.3);
+        QVERIFY(all["ratio_median"].get<double>() < 0.8);
+        QVERIFY(all["share_wrong_sigma_noticed"].get<double>() >= 0.9);
+    }
     void replayGivesTheReferencesStates() {
         int replayed = 0;
         for (const auto& scenario : m_golden["scenarios"]) {

@@ -85,6 +85,29 @@ class TestTappingCommands : public QObject {
         QCOMPARE(tapping(QStringLiteral("tune --summary --thread M6")).exitCode, 2);
     }
 
+    void robustDrawsHardMachinesThatCanBeHadAgain() {
+        const KerfRun run = tapping(QStringLiteral("robust --machines 4 --seed 3 --csv"));
+        QCOMPARE(run.exitCode, 0);
+        const auto rows = csvRows(run.out);
+        QCOMPARE(rows[0].join(u','),
+                 QStringLiteral("machine_seed,pp_default_um,pp_simple_um,saec_default_mm,saec_simple_mm,ratio,worse,"
+                                "unstable_default,unstable_simple,within_default,within_simple,limited_by,"
+                                "proposed_acc_rev_s2,pp_proposed_um,within_proposed,taps"));
+        QCOMPARE(rows.size(), 5);
+        for (qsizetype i = 1; i < rows.size(); ++i) {
+            QCOMPARE(rows[i][6], QStringLiteral("0"));  // worse
+            QCOMPARE(rows[i][7], QStringLiteral("0"));  // unstable
+            const json same = document(tapping(QStringLiteral("simulate --machine-seed %1 --summary").arg(rows[i][0])));
+            KERF_CLOSE(same["engaged_pp_um"].get<double>(), rows[i][2].toDouble(), 1e-9);
+        }
+        QCOMPARE(tapping(QStringLiteral("robust --machines 4 --seed 3 --csv")).out, run.out);
+        const json all = document(tapping(QStringLiteral("robust --machines 4 --seed 3")));
+        QCOMPARE(all["share_worse"].get<double>(), 0.0);
+        QCOMPARE(all["share_unstable"].get<double>(), 0.0);
+        QCOMPARE(tapping(QStringLiteral("simulate --machine-seed 0 --summary")).out,
+                 tapping(QStringLiteral("simulate --summary")).out);
+    }
+
     void evaluateJudgesARecordAndRefusesAWrongPitch() {
         const QString file = scratchFile(QStringLiteral("record.csv"), tapping(QStringLiteral("simulate --csv")).out);
         const KerfRun run = tapping(QStringLiteral("evaluate %1 --pitch-mm 1.25").arg(file));

@@ -57,6 +57,25 @@ class TestTurningCommands : public QObject {
         }
         QCOMPARE(turning(QStringLiteral("identify %1 --lambda 0.9").arg(file)).exitCode, 0);
     }
+    void robustDrawsHardLathesThatCanBeHadAgain() {
+        const KerfRun run = turning(QStringLiteral("robust --machines 3 --seed 5 --csv"));
+        QCOMPARE(run.exitCode, 0);
+        const auto rows = csvRows(run.out);
+        QCOMPARE(rows[0].join(u','),
+                 QStringLiteral("machine_seed,plant,disturbance,rms_open_um,rms_paper_um,rms_pi_um,rms_default_um,"
+                                "ratio,worse,unstable_default,unstable_simple"));
+        QCOMPARE(rows.size(), 7);
+        for (qsizetype i = 1; i < rows.size(); ++i) {
+            const KerfRun same = turning(QStringLiteral("simulate --machine-seed %1 --plant %2 --controller default "
+                                                        "--seconds 2 --seed 5 --summary")
+                                             .arg(rows[i][0], rows[i][1]));
+            KERF_CLOSE(document(same)["rms_steady_um"].get<double>(), rows[i][6].toDouble(), 1e-9);
+        }
+        QCOMPARE(document(turning(QStringLiteral("robust --machines 3 --seed 5")))["share_unstable"].get<double>(),
+                 0.0);
+        const QString plain = QStringLiteral("simulate --plant b2 --controller pi --seconds 0.2 --summary");
+        QCOMPARE(turning(plain + QStringLiteral(" --machine-seed 0")).out, turning(plain).out);
+    }
     void simulateReproducesTheReferenceFromAFile() {
         const json reference = kerf::test::loadGolden("golden_diamond.json");
         QString text = QStringLiteral("k,d_um\n");

@@ -9,6 +9,7 @@
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated/simulated_tapping.h"
 #include "engine/process/tapping/tapping_loop.h"
+#include "engine/process/tapping/trial_machine.h"
 
 namespace kerf::console {
 namespace {
@@ -45,6 +46,7 @@ bool TappingRoom::fits(const std::string& machineKind) const {
 
 std::unique_ptr<SimulatedProcess> TappingRoom::makePlant(const Options& options) {
     SimulatedTapping::Params params;
+    params.drive = tapping::hardDrive(options.machineSeed);
     params.noise_um = 2.0;
     params.loadSpread = 0.2;
     params.frictionSpread = 0.1;

@@ -2,6 +2,7 @@
 #include "app/console/rooms/turning_room.h"
 
 #include "engine/machine/simulated/simulated_turning.h"
+#include "engine/process/turning/hard_lathe.h"
 #include "engine/process/turning/turning_loop.h"
 
 namespace kerf::console {
@@ -18,6 +19,10 @@ bool TurningRoom::fits(const std::string& machineKind) const {
 std::unique_ptr<SimulatedProcess> TurningRoom::makePlant(const Options& options) {
     SimulatedTurning::Params params;
     params.seed = options.seed;
+    const turning::HardLathe lathe = turning::hardLathe(options.machineSeed);
+    params.process = lathe.process;
+    params.forceNoise_N = lathe.forceNoise_N;
+    params.white_um = lathe.white_um;
     params.motionSensorNoise_um = kMotionSensorNoise_um;
     return std::make_unique<SimulatedTurning>(params);
 }

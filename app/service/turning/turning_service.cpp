@@ -23,6 +23,8 @@ constexpr const char* kSetup = "setup";
 constexpr const char* kController = "controller";
 constexpr const char* kPart = "part";
 constexpr double kHighestShown_Hz = 420.0;
+constexpr double kShareMoved = 0.05;  ///< trust in the tones, weights of the predictions: more are other margins
+constexpr double kWeightMoved = 0.1;
 constexpr double kToneMoved_Hz = 0.5;
 constexpr double kMarginStep = 0.02;  // change of a process parameter or Kalman gain worth another computation
 constexpr double kSecondsPerMinute = 60.0;
@@ -287,9 +289,10 @@ TurningMargins StoredTurningService::computeMargins(const MarginBasis& basis) {
         return turning::defaultMargins({tones, basis.toneShare, basis.plain, basis.underTones}, law, truth,
                                        turning::kSampleRate_Hz);
     };
-    out.known =
-        basis.controller != TurningController::Open &&
-        (basis.controller != TurningController::Tones || !tones.empty() || basis.plain != decltype(basis.plain){});
+    const bool toneActs = basis.toneShare > 0.0 && !tones.empty();
+    const bool predictionActs = basis.plain != decltype(basis.plain){} || basis.underTones != decltype(basis.plain){};
+    out.known = basis.controller != TurningController::Open &&
+                (basis.controller != TurningController::Tones || toneActs || predictionActs);
     if (!out.known) {
         return out;
     }
@@ -327,8 +330,18 @@ bool StoredTurningService::followMargins(const Status& status) {
             return near(x[0], y[0], kMarginStep) && near(x[1], y[1], kMarginStep) && near(x[2], y[2], kMarginStep);
         };
         const auto vector = [](const TurningProcess& p) { return std::array{p.a1, p.b0, p.b1}; };
+        const auto likeWeights = [](const auto& x, const auto& y) {
+            double largest = 0.0;
+            double apart = 0.0;
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                largest = std::max({largest, std::abs(x[i]), std::abs(y[i])});
+                apart = std::max(apart, std::abs(x[i] - y[i]));
+            }
+            return apart <= kWeightMoved * largest;
+        };
         return a.controller == b.controller && a.identified == b.identified && close(vector(a.law), vector(b.law)) &&
-               (!a.identified || close(a.value, b.value)) &&
+               std::abs(a.toneShare - b.toneShare) < kShareMoved && likeWeights(a.plain, b.plain) &&
+               likeWeights(a.underTones, b.underTones) && (!a.identified || close(a.value, b.value)) &&
                std::equal(a.tones.begin(), a.tones.end(), b.tones.begin(), b.tones.end(),
                           [](const auto& x, const auto& y) {
                               return std::abs(x.first - y.first) < kToneMoved_Hz && near(x.second, y.second, 0.3);

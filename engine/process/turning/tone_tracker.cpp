@@ -8,6 +8,8 @@
 namespace kerf::turning {
 namespace {
 
+constexpr double kLastingShare = 0.01;  ///< 20 ms
+constexpr double kLevelHaste = 1e-5;  ///< of the lasting innovation's square, per sample, added to the level's variance
 constexpr double kNoiseMemory = 0.9995;
 constexpr double kMaxFrequencyVariance_rad2 = 2e-6;  ///< (1.1 Hz at 5 kHz)²: the filter is linear no further
 constexpr double kHertz_rad = 2.0 * std::numbers::pi / 5000.0;
@@ -35,6 +37,7 @@ ToneTracker::ToneTracker(const Params& params) noexcept : m_params(params) {
 void ToneTracker::reset(double level_um, double levelVariance_um2) noexcept {
     m_count = 0;
     m_level_um = level_um;
+    m_lasting_um = 0.0;
     m_noise_um2 = m_params.noise_um2;
     m_amplitudeWalk_um2 = m_params.amplitudeWalk_um2;
     for (auto& row : m_p) {
@@ -162,6 +165,9 @@ double ToneTracker::update(double measured_um, double levelShape, bool adaptNois
             std::clamp(tone.rate_radPerSample2 + gain[4 + 4 * j] * step, -kLargestRate_rad2, kLargestRate_rad2);
     }
     if (adaptNoise) {
+        // A level that lags leaves a lasting innovation, which every tone would take for its own.
+        m_lasting_um += kLastingShare * (innovation_um - m_lasting_um);
+        m_p[0][0] += kLevelHaste * m_lasting_um * m_lasting_um;
         const double sample_um2 = std::max(0.0, innovation_um * innovation_um - predictedVariance_um2);
         m_noise_um2 = std::clamp(kNoiseMemory * m_noise_um2 + (1.0 - kNoiseMemory) * sample_um2, m_params.noiseLow_um2,
                                  m_params.noiseHigh_um2);

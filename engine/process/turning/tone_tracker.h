@@ -83,6 +83,7 @@ class ToneTracker {
     std::size_t m_count{0};
     double m_level_um{0.0};
     double m_noise_um2{0.0};
+    double m_lasting_um{0.0};  ///< mean of the innovation over the last 20 ms
     double m_predictedVariance_um2{0.0};
     double m_amplitudeWalk_um2{0.0};
     /// Covariance: level, then a, b, errors of frequency and rate of each tone.
