@@ -16,6 +16,7 @@
 #include "app/files/replay_file.h"
 #include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
+#include "app/service/quality/part_judge.h"
 #include "db/migrator.h"
 #include "engine/process/boring/boring_loop.h"
 #include "ui/link/texts.h"
@@ -66,6 +67,7 @@ ConsoleApplication::~ConsoleApplication() {
         }
     }
     m_serviceChanges.reset();
+    m_quality.reset();
     m_lots.reset();
     m_modes.reset();
     m_stops.reset();
@@ -314,6 +316,7 @@ void ConsoleApplication::openWindow() {
             }};
         m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots ? &m_lots->service() : nullptr);
     }
+    m_quality->start(m_lots ? &m_lots->service() : nullptr);
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);
     poll();
@@ -327,6 +330,7 @@ void ConsoleApplication::poll() {
     for (const auto& room : m_rooms) {
         room->poll();
     }
+    m_quality->poll();
     m_stops->poll();
     m_modes->poll();
     m_shop->poll(live::monotonic_ms());
@@ -416,6 +420,11 @@ ui::Services ConsoleApplication::services() {
     };
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
     serveFiles(services);
+    m_quality = std::make_unique<QualityDesk>(
+        QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
+                           [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
+                           [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
+    services.qualityService = &m_quality->service();
     for (const auto& room : m_rooms) {
         room->serve(services);
     }
@@ -476,7 +485,11 @@ void ConsoleApplication::serveFiles(ui::Services& services) {
                 if (!detail) {
                     return tl::unexpected(detail.error());
                 }
-                return *detail ? writePartReport(**detail, units, file) : fail(KERF_TEXT("There is no such part."));
+                if (!*detail) {
+                    return fail(KERF_TEXT("There is no such part."));
+                }
+                PartJudge judge(**reader, **reader);
+                return writePartReport(**detail, judge.characteristics((*detail)->part), units, file);
             },
             done);
     };

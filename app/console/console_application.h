@@ -10,6 +10,7 @@
 #include "app/console/live_publisher.h"
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
+#include "app/console/quality_desk.h"
 #include "app/console/rooms/room.h"
 #include "app/console/sensor_service.h"
 #include "app/console/sensors.h"
@@ -101,6 +102,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
+    std::unique_ptr<QualityDesk> m_quality;
     std::unique_ptr<Subscription> m_serviceChanges;
     std::unique_ptr<StopKeeper> m_stops;
     std::unique_ptr<LoopModes> m_modes;

@@ -11,8 +11,12 @@
 #include <QSaveFile>
 #include <algorithm>
 
+#include "app/console/report_sheet.h"
+#include "app/service/quality/characteristics.h"
 #include "ui/charts/decimate.h"
 #include "ui/link/texts.h"
+#include "ui/link/verdict_text.h"
+#include "ui/pages/quality/quality_panels.h"
 
 namespace kerf::console {
 namespace {
@@ -21,60 +25,11 @@ struct PartReport {
     Q_DECLARE_TR_FUNCTIONS(PartReport)
 };
 
-constexpr int kResolution_dpi = 300;
-constexpr double kMargin_mm = 18.0;
-constexpr double kLine_mm = 6.0;
 constexpr double kChart_mm = 70.0;
 constexpr int kPointsOfCurve = 64;
 constexpr int kDecimals = 3;
 
-/// A pen that walks down the page; everything in millimetres.
-class Sheet {
- public:
-    explicit Sheet(QPdfWriter& pdf) : m_painter(&pdf), m_perMm(kResolution_dpi / 25.4), m_width(pdf.width()) {}
-
-    [[nodiscard]] QPainter& painter() { return m_painter; }
-    [[nodiscard]] double mm(double length) const { return length * m_perMm; }
-    [[nodiscard]] double width() const { return m_width; }
-    [[nodiscard]] double y() const { return m_y; }
-    void skip(double height_mm) { m_y += mm(height_mm); }
-    void font(double size_pt, bool bold = false) {
-        QFont font(QStringLiteral("Noto Sans"));
-        font.setFamilies({QStringLiteral("Noto Sans"), QStringLiteral("Noto Sans CJK KR")});
-        font.setPointSizeF(size_pt);
-        font.setBold(bold);
-        m_painter.setFont(font);
-    }
-    void line(const QString& text, double height_mm = kLine_mm) {
-        const QRectF wanted(0.0, m_y, m_width, mm(4.0 * height_mm));
-        QRectF used;
-        m_painter.drawText(wanted, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text, &used);
-        m_y += std::max(mm(height_mm), used.height());
-    }
-    void row(const QStringList& cells, const std::vector<double>& shares) {
-        double x = 0.0;
-        double height = mm(kLine_mm);
-        for (qsizetype i = 0; i < cells.size(); ++i) {
-            const double cell = shares[static_cast<std::size_t>(i)] * m_width;
-            QRectF used;
-            m_painter.drawText(QRectF(x, m_y, cell - mm(2.0), mm(4.0 * kLine_mm)),
-                               Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, cells[i], &used);
-            height = std::max(height, used.height() + mm(1.0));
-            x += cell;
-        }
-        m_y += height;
-    }
-    void rule() {
-        m_painter.drawLine(QPointF(0.0, m_y), QPointF(m_width, m_y));
-        m_y += mm(1.5);
-    }
-
- private:
-    QPainter m_painter;
-    double m_perMm;
-    double m_width;
-    double m_y{0.0};
-};
+using Sheet = ReportSheet;
 
 void drawFeed(Sheet& sheet, const PartDetail& part, const ui::UnitSystem& units) {
     const BoringSchedule& schedule = part.schedule->schedule;
@@ -187,7 +142,25 @@ void drawMeasurements(Sheet& sheet, const PartRow& part, const ui::UnitSystem& u
     }
 }
 
-void draw(QPdfWriter& pdf, const PartDetail& detail, const ui::UnitSystem& units) {
+void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Characteristic>& characteristics,
+                  const ui::UnitSystem& units) {
+    const PartJudgement judged = judgePart(part, characteristics);
+    sheet.font(11.0, true);
+    sheet.line(PartReport::tr("Verdict: %1").arg(ui::verdictText(judged.verdict)));
+    sheet.font(10.0);
+    const std::vector<double> shares{0.34, 0.14, 0.32, 0.2};
+    for (std::size_t i = 0; i < characteristics.size(); ++i) {
+        const Characteristic& what = characteristics[i];
+        const auto text = [&](const std::optional<double>& value) { return characteristicValue(what, value, units); };
+        sheet.row({ui::characteristicName(what), text(judged.values[i].value),
+                   PartReport::tr("%1 to %2", "limits").arg(text(what.tolerance.lower), text(what.tolerance.upper)),
+                   ui::verdictText(judged.values[i].verdict)},
+                  shares);
+    }
+}
+
+void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
+          const ui::UnitSystem& units) {
     Sheet sheet(pdf);
     const PartRow& part = detail.part;
     sheet.font(18.0, true);
@@ -208,6 +181,8 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const ui::UnitSystem& units
     if (std::ranges::any_of(detail.states, &EstimatorStateRow::perturbed)) {
         sheet.line(PartReport::tr("The estimator noticed a process change with this part."));
     }
+    sheet.skip(2.0);
+    drawVerdicts(sheet, part, characteristics, units);
     sheet.skip(4.0);
     if (detail.schedule && part.process == ProcessId::Boring) {
         drawFeed(sheet, detail, units);
@@ -223,18 +198,20 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const ui::UnitSystem& units
 
 }  // namespace
 
-Result<void> writePartReport(const PartDetail& part, const ui::UnitSystem& units, const QString& file) {
+Result<void> writePartReport(const PartDetail& part, const std::vector<Characteristic>& characteristics,
+                             const ui::UnitSystem& units, const QString& file) {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     {
         QPdfWriter pdf(&bytes);
-        pdf.setResolution(kResolution_dpi);
+        pdf.setResolution(kReportResolution_dpi);
         pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm), QPageLayout::Millimeter);
+        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
+                           QPageLayout::Millimeter);
         pdf.setTitle(
             PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)));
         pdf.setCreator(QStringLiteral("Kerf"));
-        draw(pdf, part, units);
+        draw(pdf, part, characteristics, units);
     }
     QDir().mkpath(QFileInfo(file).absolutePath());
     QSaveFile target(file);

@@ -35,6 +35,14 @@
             <source>New insert</source>
             <translation>New insert</translation>
         </message>
+        <message>
+            <source>Below %1: %2.</source>
+            <translation>Below %1: %2.</translation>
+        </message>
+        <message>
+            <source>Above %1: %2.</source>
+            <translation>Above %1: %2.</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -65,6 +73,161 @@
         <message>
             <source>Make and sign on</source>
             <translation>Make and sign on</translation>
+        </message>
+    </context>
+    <context>
+        <name>LotReport</name>
+        <message>
+            <source>Nothing to show yet.</source>
+            <translation>Nothing to show yet.</translation>
+        </message>
+        <message>
+            <source>part %1</source>
+            <translation>part %1</translation>
+        </message>
+        <message>
+            <source>%1: newest parts</source>
+            <translation>%1: newest parts</translation>
+        </message>
+        <message>
+            <source>First article of %2, lot %1</source>
+            <translation>First article of %2, lot %1</translation>
+        </message>
+        <message>
+            <source>Lot %1 of %2</source>
+            <translation>Lot %1 of %2</translation>
+        </message>
+        <message>
+            <source>%1 on %2, recipe revision %3, opened %4</source>
+            <translation>%1 on %2, recipe revision %3, opened %4</translation>
+        </message>
+        <message>
+            <source>Drawing, order: ____________________</source>
+            <translation>Drawing, order: ____________________</translation>
+        </message>
+        <message>
+            <source>Parts %1 to %2, %3 to %4</source>
+            <translation>Parts %1 to %2, %3 to %4</translation>
+        </message>
+        <message>
+            <source>%1 parts: %2 good, %3 rework possible, %4 scrap, %5 not judged</source>
+            <translation>%1 parts: %2 good, %3 rework possible, %4 scrap, %5 not judged</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Characteristic</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Found</translation>
+        </message>
+        <message>
+            <source>Tolerance</source>
+            <translation>Tolerance</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Verdict</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 to %2</translation>
+        </message>
+        <message>
+            <source>Tolerance %1 to %2, mean %3, s %4</source>
+            <translation>Tolerance %1 to %2, mean %3, s %4</translation>
+        </message>
+        <message>
+            <source>Measured, with tolerance</source>
+            <translation>Measured, with tolerance</translation>
+        </message>
+        <message>
+            <source>Error against the law, σ</source>
+            <translation>Error against the law, σ</translation>
+        </message>
+        <message>
+            <source>Parts out of tolerance</source>
+            <translation>Parts out of tolerance</translation>
+        </message>
+        <message>
+            <source>no decision yet</source>
+            <translation>no decision yet</translation>
+        </message>
+        <message>
+            <source>None.</source>
+            <translation>None.</translation>
+        </message>
+        <message>
+            <source>Corrections</source>
+            <translation>Corrections</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>taken out</translation>
+        </message>
+        <message>
+            <source>Part %1: %2 → %3, %4, %5: %6</source>
+            <translation>Part %1: %2 → %3, %4, %5: %6</translation>
+        </message>
+        <message>
+            <source>tool reground</source>
+            <translation>tool reground</translation>
+        </message>
+        <message>
+            <source>other material</source>
+            <translation>other material</translation>
+        </message>
+        <message>
+            <source>new insert</source>
+            <translation>new insert</translation>
+        </message>
+        <message>
+            <source>no change after all</source>
+            <translation>no change after all</translation>
+        </message>
+        <message>
+            <source>Signals and changes of the process</source>
+            <translation>Signals and changes of the process</translation>
+        </message>
+        <message>
+            <source>From part %1 on: %2</source>
+            <translation>From part %1 on: %2</translation>
+        </message>
+        <message>
+            <source>Part %1: %2</source>
+            <translation>Part %1: %2</translation>
+        </message>
+        <message>
+            <source>Part %1: the estimator noticed a process change.</source>
+            <translation>Part %1: the estimator noticed a process change.</translation>
+        </message>
+        <message>
+            <source>Alarms during the lot</source>
+            <translation>Alarms during the lot</translation>
+        </message>
+        <message>
+            <source>acknowledged by %1</source>
+            <translation>acknowledged by %1</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>Gauges</translation>
+        </message>
+        <message>
+            <source>σ of the estimator: %1</source>
+            <translation>σ of the estimator: %1</translation>
+        </message>
+        <message>
+            <source>Head of the audit chain: entry %1, %2</source>
+            <translation>Head of the audit chain: entry %1, %2</translation>
+        </message>
+        <message>
+            <source>Date, name, signature</source>
+            <translation>Date, name, signature</translation>
+        </message>
+        <message>
+            <source>Kerf %1, written %2. The data is attached as DFQ and CSV.</source>
+            <translation>Kerf %1, written %2. The data is attached as DFQ and CSV.</translation>
         </message>
     </context>
     <context>
@@ -280,6 +443,10 @@
             <source>Sensors</source>
             <translation>Sensors</translation>
         </message>
+        <message>
+            <source>Quality</source>
+            <translation>Quality</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -364,6 +531,15 @@
             <source>Kerf %1, written %2</source>
             <translation>Kerf %1, written %2</translation>
         </message>
+        <message>
+            <source>Verdict: %1</source>
+            <translation>Verdict: %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <comment>limits</comment>
+            <translation>%1 to %2</translation>
+        </message>
     </context>
     <context>
         <name>People</name>
@@ -417,6 +593,26 @@
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
+        </message>
+    </context>
+    <context>
+        <name>QualityTexts</name>
+        <message>
+            <source>Bore ⌀, %1</source>
+            <translation>Bore ⌀, %1</translation>
+        </message>
+        <message>
+            <source>n %1</source>
+            <translation>n %1</translation>
+        </message>
+        <message>
+            <source>%1 %2 (%3 to %4)</source>
+            <comment>index with its interval</comment>
+            <translation>%1 %2 (%3 to %4)</translation>
+        </message>
+        <message>
+            <source>preliminary</source>
+            <translation>preliminary</translation>
         </message>
     </context>
     <context>
@@ -1033,6 +1229,25 @@
             <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
             <comment>depth, speed, feed, radius</comment>
             <translation>%1 deep, %2, %3 per revolution, tool radius %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>VerdictTexts</name>
+        <message>
+            <source>good</source>
+            <translation>good</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>not judged</translation>
+        </message>
+        <message>
+            <source>rework possible</source>
+            <translation>rework possible</translation>
+        </message>
+        <message>
+            <source>scrap</source>
+            <translation>scrap</translation>
         </message>
     </context>
     <context>
@@ -4176,6 +4391,37 @@
             <source>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</source>
             <translation>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</translation>
         </message>
+        <message>
+            <source>accepted under concession</source>
+            <translation>accepted under concession</translation>
+        </message>
+        <message>
+            <source>reworked</source>
+            <translation>reworked</translation>
+        </message>
+        <message>
+            <source>scrapped</source>
+            <translation>scrapped</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ActionChart</name>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>feed in the middle of the bore</source>
+            <translation>feed in the middle of the bore</translation>
+        </message>
+        <message>
+            <source>What the controller does from part to part appears here.</source>
+            <translation>What the controller does from part to part appears here.</translation>
+        </message>
+        <message>
+            <source>Control action</source>
+            <translation>Control action</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -4942,6 +5188,158 @@
         <message>
             <source>Drift watch: %1 % of what asks for a new tune, after %2 taps.</source>
             <translation>Drift watch: %1 % of what asks for a new tune, after %2 taps.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::GaugeSheets</name>
+        <message>
+            <source>no study yet</source>
+            <translation>no study yet</translation>
+        </message>
+        <message>
+            <source>σ %1 (%2 to %3), from a study: %4</source>
+            <comment>repeatability with its interval, judgement</comment>
+            <translation>σ %1 (%2 to %3), from a study: %4</translation>
+        </message>
+        <message>
+            <source>good enough</source>
+            <translation>good enough</translation>
+        </message>
+        <message>
+            <source>not good enough</source>
+            <translation>not good enough</translation>
+        </message>
+        <message>
+            <source>no due date</source>
+            <translation>no due date</translation>
+        </message>
+        <message>
+            <source>overdue since %1</source>
+            <translation>overdue since %1</translation>
+        </message>
+        <message>
+            <source>due on %1</source>
+            <translation>due on %1</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>Gauges</translation>
+        </message>
+        <message>
+            <source>Choose a gauge, or enter a new one.</source>
+            <translation>Choose a gauge, or enter a new one.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>New gauge</source>
+            <translation>New gauge</translation>
+        </message>
+        <message>
+            <source>Lengths in mm; the due date as 2026-12-31.</source>
+            <translation>Lengths in mm; the due date as 2026-12-31.</translation>
+        </message>
+        <message>
+            <source>Identity</source>
+            <translation>Identity</translation>
+        </message>
+        <message>
+            <source>Range from</source>
+            <translation>Range from</translation>
+        </message>
+        <message>
+            <source>Range to</source>
+            <translation>Range to</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>Resolution</translation>
+        </message>
+        <message>
+            <source>Setting ring</source>
+            <translation>Setting ring</translation>
+        </message>
+        <message>
+            <source>Due date</source>
+            <translation>Due date</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Study with one ring</source>
+            <translation>Study with one ring</translation>
+        </message>
+        <message>
+            <source>Study with parts and persons</source>
+            <translation>Study with parts and persons</translation>
+        </message>
+        <message>
+            <source>Use σ for the lots to come</source>
+            <translation>Use σ for the lots to come</translation>
+        </message>
+        <message>
+            <source>Numbers and a date as 2026-12-31 are needed.</source>
+            <translation>Numbers and a date as 2026-12-31 are needed.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Save</translation>
+        </message>
+        <message>
+            <source>No lot is open, so there is no recipe to take it.</source>
+            <translation>No lot is open, so there is no recipe to take it.</translation>
+        </message>
+        <message>
+            <source>Stored as a new revision of the recipe: it holds for the next lot.</source>
+            <translation>Stored as a new revision of the recipe: it holds for the next lot.</translation>
+        </message>
+        <message>
+            <source>All %1 readings are there. Save the study.</source>
+            <translation>All %1 readings are there. Save the study.</translation>
+        </message>
+        <message>
+            <source>Reading %1 of %2 of the ring</source>
+            <translation>Reading %1 of %2 of the ring</translation>
+        </message>
+        <message>
+            <source>Person %1, trial %2: part %3</source>
+            <translation>Person %1, trial %2: part %3</translation>
+        </message>
+        <message>
+            <source>10 parts, 3 persons, 2 trials each. The person changes when all parts have been read twice.</source>
+            <translation>10 parts, 3 persons, 2 trials each. The person changes when all parts have been read twice.</translation>
+        </message>
+        <message>
+            <source>25 readings of the setting ring, taken out and put back each time.</source>
+            <translation>25 readings of the setting ring, taken out and put back each time.</translation>
+        </message>
+        <message>
+            <source>Width of the tolerance, mm</source>
+            <translation>Width of the tolerance, mm</translation>
+        </message>
+        <message>
+            <source>Reading, mm</source>
+            <translation>Reading, mm</translation>
+        </message>
+        <message>
+            <source>“%1” does not lie in the range of the gauge. Read again.</source>
+            <translation>“%1” does not lie in the range of the gauge. Read again.</translation>
+        </message>
+        <message>
+            <source>Take back the last reading</source>
+            <translation>Take back the last reading</translation>
+        </message>
+        <message>
+            <source>Save the study</source>
+            <translation>Save the study</translation>
+        </message>
+        <message>
+            <source>%1 of %2 readings are there; the tolerance must be a number.</source>
+            <translation>%1 of %2 readings are there; the tolerance must be a number.</translation>
         </message>
     </context>
     <context>
@@ -6390,6 +6788,10 @@
             <source>Changes</source>
             <translation>Changes</translation>
         </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Verdict</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsPage</name>
@@ -6514,6 +6916,18 @@
             <source>Written: %1</source>
             <translation>Written: %1</translation>
         </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Out of tolerance</translation>
+        </message>
+        <message>
+            <source>All processes</source>
+            <translation>All processes</translation>
+        </message>
+        <message>
+            <source>%1 parts out of tolerance among the newest %2</source>
+            <translation>%1 parts out of tolerance among the newest %2</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ProcessPanel</name>
@@ -6551,6 +6965,231 @@
                 <numerusform>The law was tuned anew %n time: the process had moved.</numerusform>
                 <numerusform>The law was tuned anew %n times: the process had moved.</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::QualityPage</name>
+        <message>
+            <source>no part waits for a decision</source>
+            <translation>no part waits for a decision</translation>
+        </message>
+        <message>
+            <source>no lot is shown</source>
+            <translation>no lot is shown</translation>
+        </message>
+        <message>
+            <source>the recipe holds the limits of a bore</source>
+            <translation>the recipe holds the limits of a bore</translation>
+        </message>
+        <message>
+            <source>This console has no database, so there is no quality to show.</source>
+            <translation>This console has no database, so there is no quality to show.</translation>
+        </message>
+        <message>
+            <source>Decide</source>
+            <translation>Decide</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>Gauges</translation>
+        </message>
+        <message>
+            <source>Reports</source>
+            <translation>Reports</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Limits</translation>
+        </message>
+        <message>
+            <source>Error against the law</source>
+            <translation>Error against the law</translation>
+        </message>
+        <message>
+            <source>Measured, with tolerance</source>
+            <translation>Measured, with tolerance</translation>
+        </message>
+        <message>
+            <source>What the controller does</source>
+            <translation>What the controller does</translation>
+        </message>
+        <message>
+            <source>Spread</source>
+            <translation>Spread</translation>
+        </message>
+        <message>
+            <source>%1: lot %2</source>
+            <translation>%1: lot %2</translation>
+        </message>
+        <message>
+            <source>%1: newest parts</source>
+            <translation>%1: newest parts</translation>
+        </message>
+        <message>
+            <source>The lot is being read.</source>
+            <translation>The lot is being read.</translation>
+        </message>
+        <message>
+            <source>Choose a lot.</source>
+            <translation>Choose a lot.</translation>
+        </message>
+        <message>
+            <source>%1 good, %2 rework possible, %3 scrap, %4 not judged</source>
+            <translation>%1 good, %2 rework possible, %3 scrap, %4 not judged</translation>
+        </message>
+        <message>
+            <source>The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.</source>
+            <translation>The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.</translation>
+        </message>
+        <message>
+            <source>The estimator takes σ %1 for the gauge, from the study of %2 (%3 to %4).</source>
+            <translation>The estimator takes σ %1 for the gauge, from the study of %2 (%3 to %4).</translation>
+        </message>
+        <message>
+            <source>Gauge %1 is %2.</source>
+            <translation>Gauge %1 is %2.</translation>
+        </message>
+        <message>
+            <source>Part %1 is out of tolerance: %2</source>
+            <translation>Part %1 is out of tolerance: %2</translation>
+        </message>
+        <message>
+            <source>What was done with it?</source>
+            <translation>What was done with it?</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Not stored: %1</source>
+            <translation>Not stored: %1</translation>
+        </message>
+        <message>
+            <source>Cut again</source>
+            <translation>Cut again</translation>
+        </message>
+        <message>
+            <source>Scrapped</source>
+            <translation>Scrapped</translation>
+        </message>
+        <message>
+            <source>Accepted under concession</source>
+            <translation>Accepted under concession</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::QualitySheets</name>
+        <message>
+            <source>Written: %1</source>
+            <translation>Written: %1</translation>
+        </message>
+        <message>
+            <source>Nothing written: %1</source>
+            <translation>Nothing written: %1</translation>
+        </message>
+        <message>
+            <source>Report and files of the lot</source>
+            <translation>Report and files of the lot</translation>
+        </message>
+        <message>
+            <source>A report is a PDF with the values attached as Q-DAS file and CSV.</source>
+            <translation>A report is a PDF with the values attached as Q-DAS file and CSV.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>Lot report</source>
+            <translation>Lot report</translation>
+        </message>
+        <message>
+            <source>First article</source>
+            <translation>First article</translation>
+        </message>
+        <message>
+            <source>Q-DAS file</source>
+            <translation>Q-DAS file</translation>
+        </message>
+        <message>
+            <source>Automatic files</source>
+            <translation>Automatic files</translation>
+        </message>
+        <message>
+            <source>Q-DAS files by themselves</source>
+            <translation>Q-DAS files by themselves</translation>
+        </message>
+        <message>
+            <source>Each part gets a file in this folder once it is judged. Without a folder there are no files. Names may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}.</source>
+            <translation>Each part gets a file in this folder once it is judged. Without a folder there are no files. Names may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}.</translation>
+        </message>
+        <message>
+            <source>Folder</source>
+            <translation>Folder</translation>
+        </message>
+        <message>
+            <source>File name</source>
+            <translation>File name</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Save</translation>
+        </message>
+        <message>
+            <source>Limits: %1</source>
+            <translation>Limits: %1</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
+            <translation>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Figure</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>Lower limit</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>Upper limit</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>A limit is a number, or empty.</translation>
+        </message>
+        <message>
+            <source>The limits are stored and hold from now on.</source>
+            <translation>The limits are stored and hold from now on.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::RawChart</name>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>The measured values of the lot appear here.</source>
+            <translation>The measured values of the lot appear here.</translation>
+        </message>
+        <message>
+            <source>Measured values with their tolerance</source>
+            <translation>Measured values with their tolerance</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>upper</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>lower</translation>
         </message>
     </context>
     <context>
@@ -6755,6 +7394,37 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ResidualChart</name>
+        <message>
+            <source>part</source>
+            <translation>part</translation>
+        </message>
+        <message>
+            <source>error against the law, σ</source>
+            <translation>error against the law, σ</translation>
+        </message>
+        <message>
+            <source>The error of each part against the law's prediction appears here from the second part on.</source>
+            <translation>The error of each part against the law's prediction appears here from the second part on.</translation>
+        </message>
+        <message>
+            <source>EWMA</source>
+            <translation>EWMA</translation>
+        </message>
+        <message>
+            <source>One-step errors</source>
+            <translation>One-step errors</translation>
+        </message>
+        <message>
+            <source>signal</source>
+            <translation>signal</translation>
+        </message>
+        <message>
+            <source>EWMA limit</source>
+            <translation>EWMA limit</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
@@ -6930,6 +7600,29 @@
         <message>
             <source>%1 rpm</source>
             <translation>%1 rpm</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SpreadChart</name>
+        <message>
+            <source>parts</source>
+            <translation>parts</translation>
+        </message>
+        <message>
+            <source>How the values lie in their tolerance appears here.</source>
+            <translation>How the values lie in their tolerance appears here.</translation>
+        </message>
+        <message>
+            <source>Histogram with tolerance</source>
+            <translation>Histogram with tolerance</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>lower</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>upper</translation>
         </message>
     </context>
     <context>

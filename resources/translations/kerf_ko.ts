@@ -35,6 +35,14 @@
             <source>New insert</source>
             <translation>새 인서트</translation>
         </message>
+        <message>
+            <source>Below %1: %2.</source>
+            <translation>%1 미만: %2.</translation>
+        </message>
+        <message>
+            <source>Above %1: %2.</source>
+            <translation>%1 초과: %2.</translation>
+        </message>
     </context>
     <context>
         <name>FirstEngineer</name>
@@ -65,6 +73,161 @@
         <message>
             <source>Make and sign on</source>
             <translation>만들고 로그인</translation>
+        </message>
+    </context>
+    <context>
+        <name>LotReport</name>
+        <message>
+            <source>Nothing to show yet.</source>
+            <translation>아직 표시할 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>part %1</source>
+            <translation>%1번 공작물</translation>
+        </message>
+        <message>
+            <source>%1: newest parts</source>
+            <translation>%1: 최근 공작물</translation>
+        </message>
+        <message>
+            <source>First article of %2, lot %1</source>
+            <translation>%2 초품 검사, 로트 %1</translation>
+        </message>
+        <message>
+            <source>Lot %1 of %2</source>
+            <translation>%2 로트 %1</translation>
+        </message>
+        <message>
+            <source>%1 on %2, recipe revision %3, opened %4</source>
+            <translation>%2의 %1, 레시피 개정 %3, 개시 %4</translation>
+        </message>
+        <message>
+            <source>Drawing, order: ____________________</source>
+            <translation>도면, 지시 번호: ____________________</translation>
+        </message>
+        <message>
+            <source>Parts %1 to %2, %3 to %4</source>
+            <translation>공작물 %1~%2, %3~%4</translation>
+        </message>
+        <message>
+            <source>%1 parts: %2 good, %3 rework possible, %4 scrap, %5 not judged</source>
+            <translation>공작물 %1개: 양품 %2, 재가공 가능 %3, 폐기 %4, 미판정 %5</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>특성</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>측정값</translation>
+        </message>
+        <message>
+            <source>Tolerance</source>
+            <translation>공차</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>판정</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1~%2</translation>
+        </message>
+        <message>
+            <source>Tolerance %1 to %2, mean %3, s %4</source>
+            <translation>공차 %1 ~ %2, 평균 %3, s %4</translation>
+        </message>
+        <message>
+            <source>Measured, with tolerance</source>
+            <translation>측정값과 공차</translation>
+        </message>
+        <message>
+            <source>Error against the law, σ</source>
+            <translation>법칙 대비 오차, σ</translation>
+        </message>
+        <message>
+            <source>Parts out of tolerance</source>
+            <translation>공차를 벗어난 공작물</translation>
+        </message>
+        <message>
+            <source>no decision yet</source>
+            <translation>아직 조치 없음</translation>
+        </message>
+        <message>
+            <source>None.</source>
+            <translation>없음.</translation>
+        </message>
+        <message>
+            <source>Corrections</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>taken out</source>
+            <translation>제외됨</translation>
+        </message>
+        <message>
+            <source>Part %1: %2 → %3, %4, %5: %6</source>
+            <translation>%1번 공작물: %2 → %3, %4, %5: %6</translation>
+        </message>
+        <message>
+            <source>tool reground</source>
+            <translation>공구 재연삭</translation>
+        </message>
+        <message>
+            <source>other material</source>
+            <translation>다른 소재</translation>
+        </message>
+        <message>
+            <source>new insert</source>
+            <translation>새 인서트</translation>
+        </message>
+        <message>
+            <source>no change after all</source>
+            <translation>변경 없음으로 정정</translation>
+        </message>
+        <message>
+            <source>Signals and changes of the process</source>
+            <translation>신호와 공정 변화</translation>
+        </message>
+        <message>
+            <source>From part %1 on: %2</source>
+            <translation>%1번 공작물부터: %2</translation>
+        </message>
+        <message>
+            <source>Part %1: %2</source>
+            <translation>%1번 공작물: %2</translation>
+        </message>
+        <message>
+            <source>Part %1: the estimator noticed a process change.</source>
+            <translation>%1번 공작물: 추정기가 공정 변화를 감지했습니다.</translation>
+        </message>
+        <message>
+            <source>Alarms during the lot</source>
+            <translation>로트 중 알람</translation>
+        </message>
+        <message>
+            <source>acknowledged by %1</source>
+            <translation>%1 확인</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>σ of the estimator: %1</source>
+            <translation>추정기의 σ: %1</translation>
+        </message>
+        <message>
+            <source>Head of the audit chain: entry %1, %2</source>
+            <translation>감사 기록의 끝: 항목 %1, %2</translation>
+        </message>
+        <message>
+            <source>Date, name, signature</source>
+            <translation>날짜, 이름, 서명</translation>
+        </message>
+        <message>
+            <source>Kerf %1, written %2. The data is attached as DFQ and CSV.</source>
+            <translation>Kerf %1, 작성 %2. 데이터는 DFQ와 CSV로 첨부되어 있습니다.</translation>
         </message>
     </context>
     <context>
@@ -280,6 +443,10 @@
             <source>Sensors</source>
             <translation>센서</translation>
         </message>
+        <message>
+            <source>Quality</source>
+            <translation>품질</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -364,6 +531,15 @@
             <source>Kerf %1, written %2</source>
             <translation>Kerf %1, 작성 %2</translation>
         </message>
+        <message>
+            <source>Verdict: %1</source>
+            <translation>판정: %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <comment>limits</comment>
+            <translation>%1~%2</translation>
+        </message>
     </context>
     <context>
         <name>People</name>
@@ -417,6 +593,26 @@
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
+        </message>
+    </context>
+    <context>
+        <name>QualityTexts</name>
+        <message>
+            <source>Bore ⌀, %1</source>
+            <translation>내경 ⌀, %1</translation>
+        </message>
+        <message>
+            <source>n %1</source>
+            <translation>n %1</translation>
+        </message>
+        <message>
+            <source>%1 %2 (%3 to %4)</source>
+            <comment>index with its interval</comment>
+            <translation>%1 %2 (%3 ~ %4)</translation>
+        </message>
+        <message>
+            <source>preliminary</source>
+            <translation>잠정</translation>
         </message>
     </context>
     <context>
@@ -1032,6 +1228,25 @@
             <source>%1 deep, %2, %3 per revolution, tool radius %4</source>
             <comment>depth, speed, feed, radius</comment>
             <translation>깊이 %1, %2, 회전당 %3, 공구 반경 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>VerdictTexts</name>
+        <message>
+            <source>good</source>
+            <translation>양품</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>미판정</translation>
+        </message>
+        <message>
+            <source>rework possible</source>
+            <translation>재가공 가능</translation>
+        </message>
+        <message>
+            <source>scrap</source>
+            <translation>폐기</translation>
         </message>
     </context>
     <context>
@@ -4175,6 +4390,37 @@
             <source>no measured drift; training needs at least one of yx_meas, yy_meas and yz_meas.</source>
             <translation>측정된 드리프트가 없습니다. 학습에는 yx_meas, yy_meas, yz_meas 중 하나 이상이 필요합니다.</translation>
         </message>
+        <message>
+            <source>accepted under concession</source>
+            <translation>특채</translation>
+        </message>
+        <message>
+            <source>reworked</source>
+            <translation>재가공함</translation>
+        </message>
+        <message>
+            <source>scrapped</source>
+            <translation>폐기함</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ActionChart</name>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>feed in the middle of the bore</source>
+            <translation>내경 중앙의 이송</translation>
+        </message>
+        <message>
+            <source>What the controller does from part to part appears here.</source>
+            <translation>제어기가 공작물마다 하는 일이 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Control action</source>
+            <translation>제어 동작</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::AlarmBar</name>
@@ -4940,6 +5186,158 @@
         <message>
             <source>Drift watch: %1 % of what asks for a new tune, after %2 taps.</source>
             <translation>변화 감시: 재튜닝 기준의 %1 %, 탭 %2회 후.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::GaugeSheets</name>
+        <message>
+            <source>no study yet</source>
+            <translation>아직 연구 없음</translation>
+        </message>
+        <message>
+            <source>σ %1 (%2 to %3), from a study: %4</source>
+            <comment>repeatability with its interval, judgement</comment>
+            <translation>σ %1 (%2~%3), 연구 결과: %4</translation>
+        </message>
+        <message>
+            <source>good enough</source>
+            <translation>충분함</translation>
+        </message>
+        <message>
+            <source>not good enough</source>
+            <translation>부족함</translation>
+        </message>
+        <message>
+            <source>no due date</source>
+            <translation>교정 기한 없음</translation>
+        </message>
+        <message>
+            <source>overdue since %1</source>
+            <translation>%1부터 기한 경과</translation>
+        </message>
+        <message>
+            <source>due on %1</source>
+            <translation>기한 %1</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Choose a gauge, or enter a new one.</source>
+            <translation>게이지를 선택하거나 새로 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>New gauge</source>
+            <translation>새 게이지</translation>
+        </message>
+        <message>
+            <source>Lengths in mm; the due date as 2026-12-31.</source>
+            <translation>길이는 mm, 기한은 2026-12-31 형식입니다.</translation>
+        </message>
+        <message>
+            <source>Identity</source>
+            <translation>식별 번호</translation>
+        </message>
+        <message>
+            <source>Range from</source>
+            <translation>범위 시작</translation>
+        </message>
+        <message>
+            <source>Range to</source>
+            <translation>범위 끝</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>분해능</translation>
+        </message>
+        <message>
+            <source>Setting ring</source>
+            <translation>세팅 링</translation>
+        </message>
+        <message>
+            <source>Due date</source>
+            <translation>교정 기한</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Study with one ring</source>
+            <translation>링 하나로 연구</translation>
+        </message>
+        <message>
+            <source>Study with parts and persons</source>
+            <translation>공작물과 사람으로 연구</translation>
+        </message>
+        <message>
+            <source>Use σ for the lots to come</source>
+            <translation>다음 로트부터 이 σ 사용</translation>
+        </message>
+        <message>
+            <source>Numbers and a date as 2026-12-31 are needed.</source>
+            <translation>숫자와 2026-12-31 형식의 날짜가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>No lot is open, so there is no recipe to take it.</source>
+            <translation>열린 로트가 없어 적용할 레시피가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Stored as a new revision of the recipe: it holds for the next lot.</source>
+            <translation>레시피의 새 개정으로 저장했습니다. 다음 로트부터 적용됩니다.</translation>
+        </message>
+        <message>
+            <source>All %1 readings are there. Save the study.</source>
+            <translation>측정값 %1개가 모두 있습니다. 연구를 저장하십시오.</translation>
+        </message>
+        <message>
+            <source>Reading %1 of %2 of the ring</source>
+            <translation>링 측정 %1/%2</translation>
+        </message>
+        <message>
+            <source>Person %1, trial %2: part %3</source>
+            <translation>사람 %1, 반복 %2: 공작물 %3</translation>
+        </message>
+        <message>
+            <source>10 parts, 3 persons, 2 trials each. The person changes when all parts have been read twice.</source>
+            <translation>공작물 10개, 사람 3명, 각 2회 반복. 모든 공작물을 두 번 측정하면 사람이 바뀝니다.</translation>
+        </message>
+        <message>
+            <source>25 readings of the setting ring, taken out and put back each time.</source>
+            <translation>세팅 링을 매번 뺐다 넣으며 25회 측정합니다.</translation>
+        </message>
+        <message>
+            <source>Width of the tolerance, mm</source>
+            <translation>공차 폭, mm</translation>
+        </message>
+        <message>
+            <source>Reading, mm</source>
+            <translation>측정값, mm</translation>
+        </message>
+        <message>
+            <source>“%1” does not lie in the range of the gauge. Read again.</source>
+            <translation>“%1”은(는) 게이지 범위 밖입니다. 다시 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Take back the last reading</source>
+            <translation>마지막 측정 취소</translation>
+        </message>
+        <message>
+            <source>Save the study</source>
+            <translation>연구 저장</translation>
+        </message>
+        <message>
+            <source>%1 of %2 readings are there; the tolerance must be a number.</source>
+            <translation>측정값 %1/%2개가 있습니다. 공차는 숫자여야 합니다.</translation>
         </message>
     </context>
     <context>
@@ -6387,6 +6785,10 @@
             <source>Changes</source>
             <translation>변경</translation>
         </message>
+        <message>
+            <source>Verdict</source>
+            <translation>판정</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsPage</name>
@@ -6511,6 +6913,18 @@
             <source>Written: %1</source>
             <translation>저장함: %1</translation>
         </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>공차 밖</translation>
+        </message>
+        <message>
+            <source>All processes</source>
+            <translation>모든 공정</translation>
+        </message>
+        <message>
+            <source>%1 parts out of tolerance among the newest %2</source>
+            <translation>최근 %2개 중 공차를 벗어난 공작물 %1개</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ProcessPanel</name>
@@ -6547,6 +6961,231 @@
             <translation>
                 <numerusform>공정이 변해 법칙을 %n번 다시 맞췄습니다.</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::QualityPage</name>
+        <message>
+            <source>no part waits for a decision</source>
+            <translation>조치를 기다리는 공작물이 없습니다</translation>
+        </message>
+        <message>
+            <source>no lot is shown</source>
+            <translation>표시된 로트가 없습니다</translation>
+        </message>
+        <message>
+            <source>the recipe holds the limits of a bore</source>
+            <translation>내경의 한계는 레시피에 있습니다</translation>
+        </message>
+        <message>
+            <source>This console has no database, so there is no quality to show.</source>
+            <translation>이 콘솔에는 데이터베이스가 없어 표시할 품질이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Decide</source>
+            <translation>조치</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Reports</source>
+            <translation>보고서</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>Error against the law</source>
+            <translation>법칙 대비 오차</translation>
+        </message>
+        <message>
+            <source>Measured, with tolerance</source>
+            <translation>측정값과 공차</translation>
+        </message>
+        <message>
+            <source>What the controller does</source>
+            <translation>제어기가 하는 일</translation>
+        </message>
+        <message>
+            <source>Spread</source>
+            <translation>산포</translation>
+        </message>
+        <message>
+            <source>%1: lot %2</source>
+            <translation>%1: 로트 %2</translation>
+        </message>
+        <message>
+            <source>%1: newest parts</source>
+            <translation>%1: 최근 공작물</translation>
+        </message>
+        <message>
+            <source>The lot is being read.</source>
+            <translation>로트를 읽는 중입니다.</translation>
+        </message>
+        <message>
+            <source>Choose a lot.</source>
+            <translation>로트를 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 good, %2 rework possible, %3 scrap, %4 not judged</source>
+            <translation>양품 %1, 재가공 가능 %2, 폐기 %3, 미판정 %4</translation>
+        </message>
+        <message>
+            <source>The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.</source>
+            <translation>추정기는 게이지의 σ로 %1을(를) 씁니다. 연구가 아니라 레시피에 입력된 값입니다.</translation>
+        </message>
+        <message>
+            <source>The estimator takes σ %1 for the gauge, from the study of %2 (%3 to %4).</source>
+            <translation>추정기는 게이지의 σ로 %2의 연구 결과 %1(%3~%4)을 씁니다.</translation>
+        </message>
+        <message>
+            <source>Gauge %1 is %2.</source>
+            <translation>게이지 %1: %2.</translation>
+        </message>
+        <message>
+            <source>Part %1 is out of tolerance: %2</source>
+            <translation>%1번 공작물이 공차를 벗어났습니다: %2</translation>
+        </message>
+        <message>
+            <source>What was done with it?</source>
+            <translation>어떻게 처리했습니까?</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Not stored: %1</source>
+            <translation>저장되지 않음: %1</translation>
+        </message>
+        <message>
+            <source>Cut again</source>
+            <translation>다시 절삭</translation>
+        </message>
+        <message>
+            <source>Scrapped</source>
+            <translation>폐기함</translation>
+        </message>
+        <message>
+            <source>Accepted under concession</source>
+            <translation>특채</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::QualitySheets</name>
+        <message>
+            <source>Written: %1</source>
+            <translation>작성됨: %1</translation>
+        </message>
+        <message>
+            <source>Nothing written: %1</source>
+            <translation>작성되지 않음: %1</translation>
+        </message>
+        <message>
+            <source>Report and files of the lot</source>
+            <translation>로트의 보고서와 파일</translation>
+        </message>
+        <message>
+            <source>A report is a PDF with the values attached as Q-DAS file and CSV.</source>
+            <translation>보고서는 값을 Q-DAS 파일과 CSV로 첨부한 PDF입니다.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Lot report</source>
+            <translation>로트 보고서</translation>
+        </message>
+        <message>
+            <source>First article</source>
+            <translation>초품 검사</translation>
+        </message>
+        <message>
+            <source>Q-DAS file</source>
+            <translation>Q-DAS 파일</translation>
+        </message>
+        <message>
+            <source>Automatic files</source>
+            <translation>자동 파일</translation>
+        </message>
+        <message>
+            <source>Q-DAS files by themselves</source>
+            <translation>자동 Q-DAS 파일</translation>
+        </message>
+        <message>
+            <source>Each part gets a file in this folder once it is judged. Without a folder there are no files. Names may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}.</source>
+            <translation>공작물이 판정되면 이 폴더에 파일이 하나씩 생깁니다. 폴더가 없으면 파일도 없습니다. 이름에는 {type}, {lot}, {part}, {serial}, {machine}, {date}, {time}을 쓸 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Folder</source>
+            <translation>폴더</translation>
+        </message>
+        <message>
+            <source>File name</source>
+            <translation>파일 이름</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Limits: %1</source>
+            <translation>한계: %1</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
+            <translation>한계를 벗어난 값이 있으면 공작물은 불량입니다. 저장 단위로 입력하며 빈 칸은 한계 없음입니다.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>값</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>하한</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>상한</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>한계는 숫자이거나 비워 둡니다.</translation>
+        </message>
+        <message>
+            <source>The limits are stored and hold from now on.</source>
+            <translation>한계를 저장했으며 지금부터 적용됩니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::RawChart</name>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>The measured values of the lot appear here.</source>
+            <translation>로트의 측정값이 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Measured values with their tolerance</source>
+            <translation>측정값과 공차</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>상한</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>하한</translation>
         </message>
     </context>
     <context>
@@ -6751,6 +7390,37 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ResidualChart</name>
+        <message>
+            <source>part</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>error against the law, σ</source>
+            <translation>법칙 대비 오차, σ</translation>
+        </message>
+        <message>
+            <source>The error of each part against the law's prediction appears here from the second part on.</source>
+            <translation>두 번째 공작물부터 법칙의 예측 대비 오차가 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>EWMA</source>
+            <translation>EWMA</translation>
+        </message>
+        <message>
+            <source>One-step errors</source>
+            <translation>1단계 오차</translation>
+        </message>
+        <message>
+            <source>signal</source>
+            <translation>신호</translation>
+        </message>
+        <message>
+            <source>EWMA limit</source>
+            <translation>EWMA 한계</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
@@ -6926,6 +7596,29 @@
         <message>
             <source>%1 rpm</source>
             <translation>%1 rpm</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::SpreadChart</name>
+        <message>
+            <source>parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>How the values lie in their tolerance appears here.</source>
+            <translation>값이 공차 안에 어떻게 놓이는지 여기에 표시됩니다.</translation>
+        </message>
+        <message>
+            <source>Histogram with tolerance</source>
+            <translation>공차가 있는 히스토그램</translation>
+        </message>
+        <message>
+            <source>lower</source>
+            <translation>하한</translation>
+        </message>
+        <message>
+            <source>upper</source>
+            <translation>상한</translation>
         </message>
     </context>
     <context>

@@ -4,8 +4,10 @@
 #include <QDateTime>
 #include <QLocale>
 #include <algorithm>
+#include <utility>
 
 #include "ui/link/texts.h"
+#include "ui/link/verdict_text.h"
 
 namespace kerf::ui {
 namespace {
@@ -31,16 +33,46 @@ void PartsModel::setQuery(const PartQuery& query) {
     wanted.after.reset();
     wanted.oldestFirst = false;
     wanted.limit = kPageSize;
-    std::optional<std::vector<PartRow>> page = read(wanted);
+    const PartQuery before = std::exchange(m_query, wanted);
+    m_oldest.reset();
+    m_lookedAt = 0;
+    std::optional<std::vector<PartRow>> page = readOn();
     if (!page) {
+        m_query = before;
         return;
     }
     beginResetModel();
-    m_query = wanted;
     m_rows = std::move(*page);
-    m_more = m_rows.size() == kPageSize;
     count();
     endResetModel();
+}
+
+std::optional<std::vector<PartRow>> PartsModel::readOn() {
+    std::vector<PartRow> shown;
+    PartQuery next = m_query;
+    for (std::uint32_t looked = 0; looked < kLookedAt && shown.size() < kPageSize;) {
+        next.before = m_oldest;
+        std::optional<std::vector<PartRow>> page = read(next);
+        if (!page) {
+            m_more = false;  // no endless asking; update() or setQuery() begins anew
+            return std::nullopt;
+        }
+        m_more = page->size() == kPageSize;
+        looked += static_cast<std::uint32_t>(page->size());
+        m_lookedAt += page->size();
+        if (!page->empty()) {
+            m_oldest = page->back().id;
+        }
+        for (PartRow& part : *page) {
+            if (!m_onlyBad || isBad(verdict(part))) {
+                shown.push_back(std::move(part));
+            }
+        }
+        if (!m_more || !m_onlyBad) {
+            break;
+        }
+    }
+    return shown;
 }
 
 void PartsModel::setUnits(const UnitSystem& units) {
@@ -59,6 +91,10 @@ void PartsModel::retranslate() {
 }
 
 void PartsModel::update() {
+    if (m_onlyBad) {
+        setQuery(m_query);  // a correction may take a part in or out
+        return;
+    }
     std::optional<std::vector<PartRow>> page = read(m_query);
     if (!page) {
         return;
@@ -169,6 +205,8 @@ QString PartsModel::text(const PartRow& part, int column) const {
             }
             return words.join(QStringLiteral(", "));
         }
+        case Verdict:
+            return verdictText(verdict(part));
         default:
             return {};
     }
@@ -195,6 +233,8 @@ QVariant PartsModel::headerData(int section, Qt::Orientation orientation, int ro
             return tr("Diameters [%1]").arg(m_units.of("mm").symbol);
         case Changes:
             return tr("Changes");
+        case Verdict:
+            return tr("Verdict");
         default:
             return {};
     }
@@ -208,15 +248,8 @@ void PartsModel::fetchMore(const QModelIndex& parent) {
     if (!canFetchMore(parent)) {
         return;
     }
-    PartQuery next = m_query;
-    next.before = m_rows.back().id;
-    std::optional<std::vector<PartRow>> page = read(next);
-    if (!page) {
-        m_more = false;  // no endless asking; update() or setQuery() begins anew
-        return;
-    }
-    m_more = page->size() == kPageSize;
-    if (!page->empty()) {
+    std::optional<std::vector<PartRow>> page = readOn();
+    if (page && !page->empty()) {
         beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(page->size()) - 1);
         m_rows.insert(m_rows.end(), std::make_move_iterator(page->begin()), std::make_move_iterator(page->end()));
         endInsertRows();

@@ -8,6 +8,7 @@
 #include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/overview/overview_page.h"
 #include "ui/pages/parts/parts_page.h"
+#include "ui/pages/quality/quality_page.h"
 #include "ui/pages/sensors/sensors_page.h"
 #include "ui/pages/tapping/tapping_page.h"
 #include "ui/pages/tapping/tapping_texts.h"
@@ -109,6 +110,7 @@ PageList standardPages() {
          thermalFigure},
         {"tapping", [] { return processName(ProcessId::Tapping); }, ProcessId::Tapping, makePage<TappingPage>,
          tappingFigure},
+        {"quality", [] { return Pages::tr("Quality"); }, {}, makePage<QualityPage>, {}},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
         {"sensors", [] { return Pages::tr("Sensors"); }, {}, makePage<SensorsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},

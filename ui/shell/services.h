@@ -19,6 +19,7 @@ class LotReader;
 class MillingService;
 class PartReader;
 class SensorService;
+class QualityService;
 class SettingsReader;
 class TappingService;
 class ThermalService;
@@ -40,6 +41,7 @@ struct Services {
     ThermalService* thermalService{nullptr};
     TappingService* tappingService{nullptr};
     SensorService* sensorService{nullptr};  ///< null: no sensor file
+    QualityService* qualityService{nullptr};
     PartReader* parts{nullptr};
     LotReader* lots{nullptr};
     AlarmReader* alarms{nullptr};

@@ -15,6 +15,7 @@ namespace kerf {
 namespace {
 
 constexpr std::uint32_t kFresh_parts = 25;  // a signal older than this is history, not the state
+constexpr std::size_t kSettling_parts = 3;  // after a change, until the law is known again
 constexpr double kHarder = 0.15;            // a feed that has moved by this share over the lot is worth a word
 
 void judgeParts(const LotHistory& history, LotQuality& quality) {
@@ -153,13 +154,21 @@ Sentence sentenceOf(const LotQuality& quality) {
                         SentenceArg(std::string_view(quality::ruleKey(last.rule))),
                         SentenceArg(static_cast<double>(last.part), 0));
     }
-    const double first = quality.charted.front().action;
+    // Since the process was last taken for another one: what an insert or a material changes is no wear.
+    const auto changed =
+        std::ranges::find_if(quality.charted.rbegin(), quality.charted.rend(), &ChartedPart::perturbed);
+    const auto behind = static_cast<std::size_t>(changed - quality.charted.rbegin());
+    const std::size_t since =
+        changed == quality.charted.rend()
+            ? 0
+            : std::min(quality.charted.size() - 1, quality.charted.size() - behind + kSettling_parts);
+    const double first = quality.charted[since].action;
     const double last = quality.charted.back().action;
     if (first > 0.0 && std::abs(last / first - 1.0) > kHarder) {
         return Sentence(KERF_TEXT("In control: the law predicts the parts. The controller has moved the feed by %1 % "
                                   "since part %2: the tool wears."),
                         SentenceArg(100.0 * (last / first - 1.0), 0),
-                        SentenceArg(static_cast<double>(quality.charted.front().number), 0));
+                        SentenceArg(static_cast<double>(quality.charted[since].number), 0));
     }
     if (!quality.found.empty()) {
         return Sentence(KERF_TEXT("In control: the law predicts the parts. The last signal was %1 at part %2."),

@@ -48,6 +48,7 @@ void BoreChart::rebuildCurves() {
     };
     m_bars.clear();
     m_beyond.clear();
+    m_bad.clear();
     m_changes.clear();
     const double width_mm = m_view.upperTolerance_mm - m_view.lowerTolerance_mm;
     const double lowest_mm = m_view.lowerTolerance_mm - width_mm;
@@ -74,6 +75,9 @@ void BoreChart::rebuildCurves() {
                 include(m->diameter_mm, m->diameter_mm);
                 if (m->diameter_mm < lowest_mm || m->diameter_mm > highest_mm) {
                     m_beyond.push_back({x, m->diameter_mm});
+                }
+                if (const quality::Verdict verdict = boreVerdict(m_view, m->diameter_mm); isBad(verdict)) {
+                    m_bad.push_back({x, std::clamp(m->diameter_mm, lowest_mm, highest_mm), verdict});
                 }
             } else if (depth < part.predicted.size()) {
                 predict(part.number, depth, part.predicted[depth]);
@@ -157,6 +161,21 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
                          below ? plot.bottom() - metrics.height() : plot.top(), side, metrics.height());
         painter->setPen(look().color(Token::Text));
         painter->drawText(box, Qt::AlignCenter, value);
+    }
+    for (const Bad& bad : m_bad) {
+        const QPointF centre = at(bad.part, bad.diameter_mm);
+        painter->setPen(
+            look().pen(bad.verdict == quality::Verdict::Scrap ? Token::Alarm1 : Token::Alarm2, Stroke::Bold));
+        painter->drawLine(centre - QPointF(1.5 * r, 1.5 * r), centre + QPointF(1.5 * r, 1.5 * r));
+        painter->drawLine(centre - QPointF(1.5 * r, -1.5 * r), centre + QPointF(1.5 * r, -1.5 * r));
+        const QString word = verdictText(bad.verdict);
+        const double width = metrics.horizontalAdvance(word);
+        const double x =
+            centre.x() + 2.0 * r + width > plot.right() ? centre.x() - 2.0 * r - width : centre.x() + 2.0 * r;
+        // Beside the mark, towards the middle of the chart: the edge may already hold the value.
+        const double y = bad.diameter_mm > m_view.targetDiameter_mm ? centre.y() : centre.y() - metrics.height();
+        painter->setPen(look().color(Token::Text));
+        painter->drawText(QRectF(x, y, width, metrics.height()), Qt::AlignLeft, word);
     }
     for (const double part : m_changes) {
         const double x = at(part, m_view.targetDiameter_mm).x();

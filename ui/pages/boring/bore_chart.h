@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/quality/verdict.h"
 #include "ui/charts/chart.h"
 #include "ui/services/boring_service.h"
 
@@ -41,6 +42,12 @@ class BoreChart : public Chart {
         double part;
         double diameter_mm;
     };
+    /// A diameter out of tolerance, with the word for what can be done.
+    struct Bad {
+        double part;
+        double diameter_mm;
+        quality::Verdict verdict;
+    };
     [[nodiscard]] QPointF at(double part, double diameter_mm) const;
     void rebuildCurves();
 
@@ -48,6 +55,7 @@ class BoreChart : public Chart {
     std::vector<CurveId> m_depthCurves;
     std::vector<Bar> m_bars;
     std::vector<Beyond> m_beyond;
+    std::vector<Bad> m_bad;
     std::vector<double> m_changes;
 };
 

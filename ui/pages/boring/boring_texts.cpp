@@ -44,6 +44,24 @@ QString diameterText(double diameter_mm, const UnitSystem& units) {
     return units.withUnit(diameter_mm, "mm", kDiameterDecimals);
 }
 
+quality::Verdict boreVerdict(const BoringServiceView& view, double diameter_mm) {
+    if (!(view.lowerTolerance_mm < view.upperTolerance_mm)) {
+        return quality::Verdict::NotJudged;
+    }
+    return quality::judge(diameter_mm, {view.lowerTolerance_mm, view.upperTolerance_mm, quality::ReworkSide::Below});
+}
+
+QString outOfToleranceText(const BoringServiceView& view, double diameter_mm, const UnitSystem& units) {
+    const quality::Verdict verdict = boreVerdict(view, diameter_mm);
+    if (!isBad(verdict)) {
+        return {};
+    }
+    return diameter_mm < view.lowerTolerance_mm
+               ? BoringTexts::tr("Below %1: %2.").arg(diameterText(view.lowerTolerance_mm, units), verdictText(verdict))
+               : BoringTexts::tr("Above %1: %2.")
+                     .arg(diameterText(view.upperTolerance_mm, units), verdictText(verdict));
+}
+
 const BoreMeasurementView* measurementAt(const BorePartView& part, std::uint8_t depth) {
     const auto found = std::find_if(part.measurements.rbegin(), part.measurements.rend(),
                                     [depth](const BoreMeasurementView& m) { return m.depth == depth && !m.voided; });

@@ -4,6 +4,7 @@
 #include <QString>
 #include <vector>
 
+#include "ui/link/verdict_text.h"
 #include "ui/services/boring_service.h"
 #include "ui/units/unit_system.h"
 
@@ -17,6 +18,11 @@ inline constexpr int kFeedDecimals = 3;      ///< of the stored mm/rev
 /// "part 7, top"
 [[nodiscard]] QString placeName(std::uint32_t partNumber, const DepthView& depth);
 [[nodiscard]] QString diameterText(double diameter_mm, const UnitSystem& units);
+
+/// A bore that is too small can be bored again; without a tolerance nothing is judged.
+[[nodiscard]] quality::Verdict boreVerdict(const BoringServiceView& view, double diameter_mm);
+/// "Below 49.985 mm: rework possible." and the like; empty when it is good or not judged.
+[[nodiscard]] QString outOfToleranceText(const BoringServiceView& view, double diameter_mm, const UnitSystem& units);
 
 /// "new insert", "tool reground", "other material".
 [[nodiscard]] QString changeName(BoringChange change);

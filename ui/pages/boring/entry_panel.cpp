@@ -379,8 +379,10 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
     m_target = nextTarget();
     say([this, entry] {
         const QString value = diameterText(entry.diameter_mm, m_look.units());
-        return entry.fromGauge ? tr("%1: %2 from the gauge, stored.").arg(place(entry), value)
-                               : tr("%1: %2 stored.").arg(place(entry), value);
+        const QString said = entry.fromGauge ? tr("%1: %2 from the gauge, stored.").arg(place(entry), value)
+                                             : tr("%1: %2 stored.").arg(place(entry), value);
+        const QString out = outOfToleranceText(m_service.view(), entry.diameter_mm, m_look.units());
+        return out.isEmpty() ? said : said + u' ' + out;
     });
     refreshView();
 }

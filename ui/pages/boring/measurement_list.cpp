@@ -63,7 +63,14 @@ void MeasurementList::refreshView() {
                 cell->setForeground(m_look.color(Token::Dim));
             } else {
                 const QString value = m_look.units().number(m->diameter_mm, "mm", kDiameterDecimals);
-                cell->setText(m->corrected ? tr("%1 (corrected)").arg(value) : value);
+                const quality::Verdict verdict = boreVerdict(view, m->diameter_mm);
+                QString text = m->corrected ? tr("%1 (corrected)").arg(value) : value;
+                if (isBad(verdict)) {
+                    text += QStringLiteral(" · ") + verdictText(verdict);
+                    cell->setForeground(
+                        m_look.color(verdict == quality::Verdict::Scrap ? Token::Alarm1 : Token::Alarm2));
+                }
+                cell->setText(text);
             }
             cell->setData(PartRole, static_cast<qlonglong>(part.id));
             cell->setData(DepthRole, depth);

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/link/texts.h"
+#include "ui/link/verdict_text.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -149,6 +150,10 @@ void PartDetailPanel::showPart() {
         if (!row.complete) {
             facts << tr("aborted");
         }
+        if (m_judge) {
+            m_judgement = m_judge(row);
+            facts << verdictText(m_judgement.verdict);
+        }
         if (std::any_of(m_part->states.begin(), m_part->states.end(), [](const auto& s) { return s.perturbed; })) {
             facts << tr("process change noticed");
         }
@@ -215,6 +220,10 @@ void PartDetailPanel::showHistory() {
         }
         if (row.confirmed) {
             what += QStringLiteral(", ") + tr("confirmed");
+        }
+        const bool judged = counts && row.kind != MeasurementKind::Void && row.station < m_judgement.values.size();
+        if (judged && isBad(m_judgement.values[row.station].verdict)) {
+            what += QStringLiteral(", ") + verdictText(m_judgement.values[row.station].verdict);
         }
         if (!row.reason.empty()) {
             what += QStringLiteral(": ") + QString::fromStdString(row.reason);

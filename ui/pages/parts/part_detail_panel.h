@@ -6,6 +6,7 @@
 
 #include "db/api/rows.h"
 #include "ui/charts/chart.h"
+#include "ui/services/quality_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
@@ -20,6 +21,9 @@ class PartDetailPanel : public Card {
     void show(const std::optional<PartDetail>& part);
     /// Instead of a part: why it could not be read.
     void showProblem(const Sentence& problem);
+    /// Who says whether a part is in its tolerance.
+    void setJudge(std::function<PartJudgement(const PartRow&)> judge) { m_judge = std::move(judge); }
+    void retranslate();
     /// Whether serial numbers and reports can be made here.
     void setFileActions(bool serial, bool report);
     [[nodiscard]] const std::optional<PartDetail>& part() const { return m_part; }
@@ -34,7 +38,6 @@ class PartDetailPanel : public Card {
     void changeEvent(QEvent* event) override;
 
  private:
-    void retranslate();
     void showPart();
     void showHistory();
     [[nodiscard]] const MeasurementRow* chosen() const;
@@ -42,6 +45,8 @@ class PartDetailPanel : public Card {
 
     Look& m_look;
     std::function<QString()> m_whyNoChange;
+    std::function<PartJudgement(const PartRow&)> m_judge{};
+    PartJudgement m_judgement{};
     QLabel* m_facts;
     QLabel* m_feedTitle;
     Chart* m_chart;

@@ -5,13 +5,12 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "db/api/csv_export.h"
-
 namespace kerf::ui {
 namespace {
 
-Result<std::uint64_t> write(const PartExport::OpenReader& open, const PartQuery& query, PartExport::What what,
-                            const QString& name, const std::atomic<bool>& stop) {
+Result<std::uint64_t> write(const PartExport::OpenReader& open, const PartExport::OpenVerdicts& openVerdicts,
+                            const PartQuery& query, PartExport::What what, const QString& name,
+                            const std::atomic<bool>& stop) {
     const std::unique_ptr<PartReader> reader = open();
     if (!reader) {
         return fail(KERF_TEXT("The database cannot be opened for the export."));
@@ -31,13 +30,13 @@ Result<std::uint64_t> write(const PartExport::OpenReader& open, const PartQuery&
     Result<std::uint64_t> rows = 0;
     switch (what) {
         case PartExport::What::Parts:
-            rows = exportParts(*reader, query, sink, format);
+            rows = exportParts(*reader, query, sink, format, openVerdicts ? openVerdicts() : VerdictOf());
             break;
         case PartExport::What::Measurements:
             rows = exportMeasurements(*reader, query, sink, format);
             break;
         case PartExport::What::Figures:
-            rows = exportFigures(*reader, query, sink, format);
+            rows = exportFigures(*reader, query, sink, format, openVerdicts ? openVerdicts() : VerdictOf());
             break;
         case PartExport::What::Feed:
             rows = exportFeed(*reader, query, sink, format);
@@ -61,12 +60,12 @@ PartExport::~PartExport() {
     }
 }
 
-void PartExport::start(OpenReader open, const PartQuery& query, What what, const QString& file) {
+void PartExport::start(OpenReader open, OpenVerdicts openVerdicts, const PartQuery& query, What what,
+                       const QString& file) {
     Q_ASSERT(m_thread == nullptr);
     auto result = std::make_shared<Result<std::uint64_t>>(0);
-    m_thread = QThread::create([this, open = std::move(open), query, what, file, result] {
-        *result = write(open, query, what, file, m_stop);
-    });
+    m_thread = QThread::create([this, open = std::move(open), openVerdicts = std::move(openVerdicts), query, what, file,
+                                result] { *result = write(open, openVerdicts, query, what, file, m_stop); });
     connect(m_thread, &QThread::finished, this, [this, file, result] {
         m_thread->deleteLater();
         m_thread = nullptr;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "db/api/csv_export.h"
 #include "db/api/part_reader.h"
 
 namespace kerf::ui {
@@ -18,12 +19,14 @@ class PartExport : public QObject {
  public:
     enum class What { Parts, Measurements, Figures, Feed };
     using OpenReader = std::function<std::unique_ptr<PartReader>()>;
+    /// Makes, on the worker, who judges the parts for the file; may be empty.
+    using OpenVerdicts = std::function<VerdictOf()>;
 
     explicit PartExport(QObject* parent = nullptr);
     ~PartExport() override;
 
     /// @pre !running()
-    void start(OpenReader open, const PartQuery& query, What what, const QString& file);
+    void start(OpenReader open, OpenVerdicts openVerdicts, const PartQuery& query, What what, const QString& file);
     [[nodiscard]] bool running() const { return m_thread != nullptr; }
 
  signals:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/parts/parts_page.h"
 
+#include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -8,6 +9,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QScroller>
+#include <QSignalBlocker>
 #include <QStandardPaths>
 #include <algorithm>
 #include <array>
@@ -16,6 +18,7 @@
 #include "db/api/lot_reader.h"
 #include "ui/dialogs/measurement_sheet.h"
 #include "ui/link/texts.h"
+#include "ui/services/quality_service.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -44,7 +47,9 @@ PartsPage::~PartsPage() = default;
 
 void PartsPage::build() {
     m_search = new QLineEdit(this);
+    m_process = new QComboBox(this);
     m_thisLot = new QPushButton(this);
+    m_bad = new QPushButton(this);
     m_export = new ActionButton(look(), this);
     m_count = makeLabel(TextRole::Dim, this);
     m_table = new QTableView(this);
@@ -55,10 +60,20 @@ void PartsPage::build() {
     m_tools = new QHBoxLayout;
     m_search->setObjectName(QStringLiteral("partsSearch"));
     m_thisLot->setObjectName(QStringLiteral("partsThisLot"));
+    m_process->setObjectName(QStringLiteral("partsProcess"));
+    m_bad->setObjectName(QStringLiteral("partsBad"));
     m_export->setObjectName(QStringLiteral("partsExport"));
     m_count->setObjectName(QStringLiteral("partsCount"));
     m_table->setObjectName(QStringLiteral("partsTable"));
     m_thisLot->setCheckable(true);
+    m_bad->setCheckable(true);
+    QualityService* quality = context().services.qualityService;
+    m_bad->setVisible(quality != nullptr);
+    if (quality != nullptr) {
+        m_model->setVerdicts([quality](const PartRow& part) { return quality->judge(part).verdict; });
+        m_detail->setJudge([quality](const PartRow& part) { return quality->judge(part); });
+        quality->onChanged([this] { m_detail->retranslate(); });
+    }
     m_search->setClearButtonEnabled(true);
 
     m_table->setModel(m_model);
@@ -72,15 +87,18 @@ void PartsPage::build() {
     // What is looked for first stands left; the rest is there for those who scroll.
     QHeaderView* header = m_table->horizontalHeader();
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    const std::array order{PartsModel::Part,    PartsModel::Lot,      PartsModel::Ended,  PartsModel::Diameters,
-                           PartsModel::Changes, PartsModel::PartType, PartsModel::Serial, PartsModel::Result};
+    const std::array order{PartsModel::Part,     PartsModel::Lot,       PartsModel::Ended,
+                           PartsModel::Verdict,  PartsModel::Diameters, PartsModel::Changes,
+                           PartsModel::PartType, PartsModel::Serial,    PartsModel::Result};
     for (int place = 0; place < static_cast<int>(order.size()); ++place) {
         header->moveSection(header->visualIndex(order[static_cast<std::size_t>(place)]), place);
     }
     QScroller::grabGesture(m_table->viewport(), QScroller::TouchGesture);
 
     m_tools->addWidget(m_search, 1);
+    m_tools->addWidget(m_process);
     m_tools->addWidget(m_thisLot);
+    m_tools->addWidget(m_bad);
     m_tools->addWidget(m_export);
     auto* left = new QVBoxLayout;
     left->addLayout(m_tools);
@@ -96,6 +114,8 @@ void PartsPage::build() {
     connect(m_search, &QLineEdit::textChanged, this, [this] { m_typing.start(); });
     connect(m_search, &QLineEdit::returnPressed, this, &PartsPage::search);
     connect(m_thisLot, &QPushButton::clicked, this, &PartsPage::search);
+    connect(m_process, &QComboBox::activated, this, &PartsPage::search);
+    connect(m_bad, &QPushButton::clicked, this, &PartsPage::search);
     connect(m_export, &QPushButton::clicked, this, &PartsPage::openExport);
     m_export->setPredicate([this] { return whyNoExport(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
@@ -140,6 +160,17 @@ void PartsPage::refresh() {
     } else {
         m_search->setPlaceholderText(tr("Search: lot, part type, serial number"));
         m_thisLot->setText(tr("This lot"));
+        m_bad->setText(tr("Out of tolerance"));
+        const QSignalBlocker quietly(m_process);
+        const int chosen = std::max(0, m_process->currentIndex());
+        m_process->clear();
+        m_process->addItem(tr("All processes"));
+        for (const ProcessId process : kAllProcesses) {
+            if (process != ProcessId::Thermal) {  // makes no parts
+                m_process->addItem(processName(process), static_cast<int>(process));
+            }
+        }
+        m_process->setCurrentIndex(chosen);
         m_export->setText(tr("Export"));
         m_tools->setSpacing(look().metrics().touchGap());
         m_table->verticalHeader()->setDefaultSectionSize(look().metrics().touch());
@@ -163,15 +194,19 @@ void PartsPage::search() {
     m_typing.stop();
     m_behind = false;
     PartQuery query;
-    query.process = ProcessId::Boring;
+    if (m_process->currentData().isValid()) {
+        query.process = static_cast<ProcessId>(m_process->currentData().toInt());
+    }
     query.text = m_search->text().trimmed().toStdString();
     if (m_thisLot->isChecked() && context().services.lots != nullptr) {
-        if (const auto lot = context().services.lots->activeLot(ProcessId::Boring); lot && *lot) {
+        const ProcessId process = query.process.value_or(ProcessId::Boring);
+        if (const auto lot = context().services.lots->activeLot(process); lot && *lot) {
             query.lot = **lot;
         }
     }
     m_problem = {};
     m_searched = true;
+    m_model->setOnlyBad(m_bad->isChecked());
     m_model->setQuery(query);
     afterReading();
 }
@@ -302,7 +337,7 @@ void PartsPage::openReport() {
                 PartQuery only;
                 only.after = id - 1;
                 only.before = id + 1;
-                m_exporter->start(context().services.openParts, only, PartExport::What::Measurements,
+                m_exporter->start(context().services.openParts, {}, only, PartExport::What::Measurements,
                                   file->text().trimmed() + QStringLiteral(".csv"));
                 sheet->close();
             }
@@ -325,6 +360,9 @@ void PartsPage::showCount() {
     const std::uint64_t matches = m_model->matches();
     if (!m_problem.empty()) {
         m_count->setText(sentenceText(m_problem, look().units()));
+    } else if (m_model->onlyBad()) {
+        m_count->setText(
+            tr("%1 parts out of tolerance among the newest %2").arg(m_model->rowCount()).arg(m_model->lookedAt()));
     } else if (matches >= PartsModel::kCountedAtMost) {
         m_count->setText(tr("More than %1 parts, newest first").arg(PartsModel::kCountedAtMost));
     } else if (matches == 0) {
@@ -385,8 +423,11 @@ void PartsPage::openExport() {
             ->addButton(text,
                         [this, file = QPointer<QLineEdit>(file), what] {
                             if (const QLineEdit* edit = file.data(); edit != nullptr && !m_exporter->running()) {
-                                m_exporter->start(context().services.openParts, m_model->query(), what,
-                                                  edit->text().trimmed());
+                                QualityService* quality = context().services.qualityService;
+                                m_exporter->start(
+                                    context().services.openParts,
+                                    quality != nullptr ? quality->openVerdicts() : PartExport::OpenVerdicts(),
+                                    m_model->query(), what, edit->text().trimmed());
                                 m_export->reconsider();
                             }
                         })

@@ -11,14 +11,15 @@
 #include "ui/services/boring_service.h"
 #include "ui/shell/page.h"
 
+class QComboBox;
 class QLineEdit;
 
 namespace kerf::ui {
 
-/// Every part ever bored: search, look, correct, export.
+/// Every part of every process: search, look, correct, export.
 ///
 /// Object names, stable for tests:
-///   partsPage, partsSearch, partsThisLot (switch), partsExport, partsCount, partsTable
+///   partsPage, partsSearch, partsThisLot, partsBad (switches), partsProcess, partsExport, partsCount, partsTable
 ///   partDetail: partFacts, partFeedChart, partMeasurements (one row per accepted row), partCorrect, partVoid,
 ///     partSerial, partReport
 ///   sheet of partSerial: serialNumber, serialSave; of partReport: reportFile, reportPdf, reportCsv, reportClose
@@ -56,7 +57,9 @@ class PartsPage : public Page {
     std::unique_ptr<Subscription> m_subscription;
     QLabel* m_missing{nullptr};
     QLineEdit* m_search{nullptr};
+    QComboBox* m_process{nullptr};
     QPushButton* m_thisLot{nullptr};
+    QPushButton* m_bad{nullptr};
     ActionButton* m_export{nullptr};
     QLabel* m_count{nullptr};
     QTableView* m_table{nullptr};

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/quality/quality_sheets.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPointer>
+#include <QStandardPaths>
+#include <QTimer>
+#include <algorithm>
+
+#include "engine/api/part_results.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/link/texts.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+namespace {
+
+/// Empty text: no limit. False: no number.
+bool takeLimit(const QString& text, std::optional<double>& limit) {
+    limit.reset();
+    const QString plain = text.trimmed().replace(u',', u'.');
+    if (plain.isEmpty()) {
+        return true;
+    }
+    bool good = false;
+    limit = QLocale::c().toDouble(plain, &good);
+    return good;
+}
+
+QString limitText(const std::optional<double>& limit) {
+    return limit ? QLocale::c().toString(*limit, 'g', 12) : QString();
+}
+
+}  // namespace
+
+QualitySheets::QualitySheets(const PageContext& context, QualityService& service, QObject* parent)
+    : QObject(parent), m_context(context), m_service(service) {}
+
+void QualitySheets::tell(const QString& file, const Result<void>& written) {
+    m_context.notify(written ? tr("Written: %1").arg(file)
+                             : tr("Nothing written: %1").arg(sentenceText(written.error(), m_context.look.units())));
+}
+
+void QualitySheets::openFiles() {
+    const LotQuality& lot = *m_service.shown();
+    QString name = lot.lot.id > 0 ? QString::fromStdString(lot.lot.partTypeName + "_" + lot.lot.name)
+                                  : QString::fromLatin1(processKey(lot.lot.process));
+    for (QChar& letter : name) {
+        if (!letter.isLetterOrNumber()) {
+            letter = u'_';
+        }
+    }
+    Sheet* sheet = m_context.sheets.open(tr("Report and files of the lot"),
+                                         tr("A report is a PDF with the values attached as Q-DAS file and CSV."));
+    auto* file = new QLineEdit(
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/kerf_") + name, sheet);
+    file->setObjectName(QStringLiteral("fileName"));
+    sheet->body()->addWidget(file);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto add = [this, sheet, file](const QString& text, const char* key, auto write) {
+        sheet
+            ->addButton(text,
+                        [file = QPointer<QLineEdit>(file), write] {
+                            if (file) {
+                                write(file->text().trimmed());
+                            }
+                        })
+            ->setObjectName(QLatin1String(key));
+    };
+    const auto report = [this, id = lot.lot.id](bool firstArticle, const QString& target) {
+        m_service.writeReport(id, firstArticle, target.toStdString(),
+                              [self = QPointer<QualitySheets>(this), target](const Result<void>& written) {
+                                  if (self) {
+                                      self->tell(target, written);
+                                  }
+                              });
+    };
+    add(tr("Lot report"), "fileLotReport",
+        [report](const QString& base) { report(false, base + QStringLiteral(".pdf")); });
+    add(tr("First article"), "fileFirstArticle",
+        [report](const QString& base) { report(true, base + QStringLiteral("_first.pdf")); });
+    add(tr("Q-DAS file"), "fileDfq", [this, id = lot.lot.id](const QString& base) {
+        const QString target = base + QStringLiteral(".dfq");
+        m_service.writeDfq(id, target.toStdString(),
+                           [self = QPointer<QualitySheets>(this), target](const Result<void>& written) {
+                               if (self) {
+                                   self->tell(target, written);
+                               }
+                           });
+    });
+    sheet->addButton(tr("Automatic files"), [this] { openAutomaticFiles(); })
+        ->setObjectName(QStringLiteral("fileAutomatic"));
+}
+
+void QualitySheets::openAutomaticFiles() {
+    const DfqFiles now = m_service.dfqFiles();
+    Sheet* sheet = m_context.sheets.open(
+        tr("Q-DAS files by themselves"),
+        tr("Each part gets a file in this folder once it is judged. Without a folder there are no files. "
+           "Names may hold {type}, {lot}, {part}, {serial}, {machine}, {date} and {time}."));
+    auto* form = new QFormLayout;
+    auto* folder = new QLineEdit(QString::fromStdString(now.folder), sheet);
+    auto* pattern = new QLineEdit(QString::fromStdString(now.pattern), sheet);
+    auto* why = makeLabel(TextRole::Body, sheet, true);
+    folder->setObjectName(QStringLiteral("dfqFolder"));
+    pattern->setObjectName(QStringLiteral("dfqPattern"));
+    why->setObjectName(QStringLiteral("dfqWhy"));
+    form->addRow(tr("Folder"), folder);
+    form->addRow(tr("File name"), pattern);
+    sheet->body()->addLayout(form);
+    sheet->body()->addWidget(why);
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto save = [this, folder, pattern, why, open = QPointer<Sheet>(sheet)] {
+        const DfqFiles files{folder->text().trimmed().toStdString(), pattern->text().trimmed().toStdString()};
+        m_context.withRole(Role::Setter, [this, files, why = QPointer<QLabel>(why), open] {
+            m_service.setDfqFiles(files, m_context.session.name().toStdString(),
+                                  [this, why, open](const Result<void>& stored) {
+                                      if (!stored && why) {
+                                          why->setText(sentenceText(stored.error(), m_context.look.units()));
+                                      } else if (stored && open) {
+                                          open->close();
+                                      }
+                                  });
+        });
+    };
+    sheet->addButton(tr("Save"), save, false)->setObjectName(QStringLiteral("dfqSave"));
+    QTimer::singleShot(0, folder, qOverload<>(&QWidget::setFocus));
+}
+
+void QualitySheets::openLimits(ProcessId process) {
+    Sheet* sheet = m_context.sheets.open(
+        tr("Limits: %1").arg(processName(process)),
+        tr("A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit."));
+    auto* form = new QFormLayout;
+    auto* figure = new QComboBox(sheet);
+    auto* lower = new QLineEdit(sheet);
+    auto* upper = new QLineEdit(sheet);
+    auto* why = makeLabel(TextRole::Body, sheet, true);
+    figure->setObjectName(QStringLiteral("limitFigure"));
+    lower->setObjectName(QStringLiteral("limitLower"));
+    upper->setObjectName(QStringLiteral("limitUpper"));
+    why->setObjectName(QStringLiteral("limitWhy"));
+    for (const PartResultSpec& spec : partResultSpecs(process)) {
+        QString label = engineText(spec.label);
+        if (spec.unit[0] != '\0') {
+            label += QStringLiteral(" [%1]").arg(QString::fromUtf8(spec.unit));
+        }
+        figure->addItem(label, QString::fromLatin1(spec.key));
+    }
+    form->addRow(tr("Figure"), figure);
+    form->addRow(tr("Lower limit"), lower);
+    form->addRow(tr("Upper limit"), upper);
+    sheet->body()->addLayout(form);
+    sheet->body()->addWidget(why);
+    const auto show = [this, process, figure, lower, upper] {
+        const std::vector<FigureLimit> limits = m_service.limits(process);
+        const auto found = std::ranges::find(limits, figure->currentData().toString().toStdString(), &FigureLimit::key);
+        lower->setText(found == limits.end() ? QString() : limitText(found->tolerance.lower));
+        upper->setText(found == limits.end() ? QString() : limitText(found->tolerance.upper));
+    };
+    connect(figure, &QComboBox::currentIndexChanged, sheet, show);
+    show();
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto save = [this, process, figure, lower, upper, why] {
+        FigureLimit limit{figure->currentData().toString().toStdString(), {}};
+        if (!takeLimit(lower->text(), limit.tolerance.lower) || !takeLimit(upper->text(), limit.tolerance.upper)) {
+            why->setText(tr("A limit is a number, or empty."));
+            return;
+        }
+        std::vector<FigureLimit> limits;
+        if (limit.tolerance.given()) {
+            limits.push_back(limit);
+        }
+        for (const FigureLimit& other : m_service.limits(process)) {
+            if (other.key != limit.key) {
+                limits.push_back(other);
+            }
+        }
+        m_context.withRole(Role::Setter, [this, process, limits, why = QPointer<QLabel>(why)] {
+            m_service.setLimits(process, limits, m_context.session.name().toStdString(),
+                                [this, why](const Result<void>& stored) {
+                                    if (why) {
+                                        why->setText(stored ? tr("The limits are stored and hold from now on.")
+                                                            : sentenceText(stored.error(), m_context.look.units()));
+                                    }
+                                });
+        });
+    };
+    sheet->addButton(tr("Save"), save, false)->setObjectName(QStringLiteral("limitSave"));
+    QTimer::singleShot(0, figure, qOverload<>(&QWidget::setFocus));
+}
+
+}  // namespace kerf::ui
