@@ -6,6 +6,9 @@
 #include "app/console/rooms/turning_room.h"
 
 namespace kerf::console {
+namespace {
+constexpr double kSpeedForCurves = 40.0;
+}
 
 std::vector<std::unique_ptr<Room>> standardRooms() {
     std::vector<std::unique_ptr<Room>> rooms;
@@ -23,6 +26,9 @@ bool cutBeforehand(EngineApi& engine, ProcessId process, std::uint32_t cut, std:
         return !busy;
     }
     if (!busy && !status.held) {
+        Command speed;  // the last one slowly enough for the curves on its page
+        speed.action = SetSimulationSpeed{cut + 1 == wanted ? kSpeedForCurves : 0.0};
+        (void)engine.send(speed);
         Command start;
         start.action = StartPart{process};
         (void)engine.send(start);

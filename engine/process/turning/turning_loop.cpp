@@ -401,7 +401,9 @@ void TurningLoop::showTones(EventSink& events) noexcept {
         shown.share = variance_um2 / (variance_um2 + tracker.noise_um2());
         blind = blind || shown.blind;
     }
-    events.set(turning_alarm::kBlindTone, blind);
+    if (blind) {  // once a part: a tone that comes and goes in the tracker is no news
+        events.set(turning_alarm::kBlindTone, true);
+    }
     m_status.toneShare = law.toneShare();
     m_status.plainWeights = law.plain().weights();
     m_status.underToneWeights = law.underTones().weights();

@@ -132,6 +132,11 @@ void MillingLivePanel::setStatus(const Status& status) {
     } else {
         m_forceNow->setNothing();
         m_feedNow->setNothing();
+        if (m_lastSample_s > m_shownTo_s) {  // the cut that has ended stays, whole
+            m_shownTo_s = m_lastSample_s;
+            m_force->advance(m_lastSample_s);
+            m_feed->advance(m_lastSample_s);
+        }
     }
     m_feedNow->setLimited(milling.cutting && status.feedScaleLimited);
 }
@@ -139,6 +144,7 @@ void MillingLivePanel::setStatus(const Status& status) {
 void MillingLivePanel::addSamples(std::span<const Sample> samples, bool blind) {
     for (const Sample& sample : samples) {
         const double time_s = static_cast<double>(sample.machineTime_ns) * 1e-9;
+        m_lastSample_s = sample.cutting ? time_s : m_lastSample_s;
         if (!blind) {
             m_force->append(m_average, time_s, static_cast<double>(sample.force_N));
             if (m_raw->isChecked()) {  // both in one curve: a column is drawn from its lowest to its highest value

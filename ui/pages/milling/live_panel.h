@@ -52,6 +52,8 @@ class MillingLivePanel : public Card {
     double m_reference_N{0.0};
     double m_overload_N{0.0};
     QElapsedTimer m_sinceChart;
+    double m_lastSample_s{0.0};  ///< of a cut
+    double m_shownTo_s{0.0};     ///< while nothing is cut
 };
 
 }  // namespace kerf::ui

@@ -81,7 +81,8 @@ void ForcePanel::setStatus(const Status& status) {
     const TurningStatus& turning = status.turning;
     const double now_s = static_cast<double>(status.machineTime_ns) / kNanosecondPerSecond;
     const bool inCut = turning.stage == TurningStage::Entry || turning.stage == TurningStage::Cutting;
-    if (inCut && std::abs(now_s - m_lastChart_s) >= kChartPeriod_s) {
+    if (inCut && std::abs(now_s - m_lastSample_s) >= kChartPeriod_s) {
+        m_lastSample_s = now_s;
         m_force->append(m_mean, now_s, turning.forceMean_N);
         m_depth->append(m_estimate, now_s, turning.depthEstimate_um);
     }
@@ -98,10 +99,12 @@ void ForcePanel::setStatus(const Status& status) {
     if (!isVisible()) {
         return;
     }
-    if (std::abs(now_s - m_lastChart_s) >= kChartPeriod_s) {
-        m_lastChart_s = now_s;
-        m_force->advance(now_s);
-        m_depth->advance(now_s);
+    // The cut that has ended stays, whole.
+    const double to_s = inCut ? now_s : m_lastSample_s;
+    if (std::abs(to_s - m_lastChart_s) >= kChartPeriod_s) {
+        m_lastChart_s = to_s;
+        m_force->advance(to_s);
+        m_depth->advance(to_s);
     }
     if (m_lastText_s < 0.0 || std::abs(now_s - m_lastText_s) >= kTextPeriod_s) {
         m_lastText_s = now_s;

@@ -36,6 +36,7 @@ class ForcePanel : public QWidget {
     double m_target_N{0.0};
     double m_depth_um{0.0};
     double m_lastChart_s{-1.0};
+    double m_lastSample_s{0.0};
     double m_lastText_s{-1.0};
     bool m_limitsShown{false};
 };

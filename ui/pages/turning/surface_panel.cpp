@@ -106,7 +106,7 @@ void SurfacePanel::setStatus(const Status& status) {
         if (!same) {
             m_spectrum->setTones({turning.tones.begin(), turning.tones.begin() + turning.toneCount});
         }
-    } else {
+    } else if (turning.partsCut == 0) {  // figures of the last cut stay as its spectrum does
         for (NumberDisplay* number : {m_rms, m_pv, m_without}) {
             number->setNothing();
         }
