@@ -94,6 +94,9 @@ class NoWriter final : public StoreWriter {
     void submit(StoreCommand, Done) override {}
     [[nodiscard]] const Sentence& problem() const override { return m_none; }
     [[nodiscard]] std::unique_ptr<Subscription> onProblemChanged(std::function<void()>) override { return {}; }
+    [[nodiscard]] std::unique_ptr<Subscription> onPartStored(std::function<void(const StoredPart&)>) override {
+        return {};
+    }
 
  private:
     Sentence m_none{};
