@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -13,8 +14,10 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/commands_milling.h"
 #include "app/headless/read_options.h"
 #include "engine/process/milling/cut_simulation.h"
+#include "engine/process/milling/hard_machine.h"
 #include "engine/process/milling/recorded_angle.h"
 #include "engine/process/milling/revolution_averager.h"
 
@@ -127,12 +130,16 @@ void printCsv(const CutResult& result) {
 
 struct SimulateOptions {
     LawOptions law{};
-    std::vector<double> blank_mm{1, 2, 3, 2, 1};
+    std::optional<std::vector<double>> blank_mm{};
     double segment_mm{20.0};
     std::string blankFile{};
+    std::uint64_t machineSeed{0};
     bool quantize{false};
-    double noise_N{0.0};
-    int lag_revs{0};
+    std::optional<double> noise_N{};
+    std::optional<int> lag_revs{};
+    int forceLate_rev{0};
+    std::optional<double> axisLag_s{};
+    std::optional<double> drift_NPerS{};
     double fromAir_mm{0.0};
     double previewShift_mm{0.0};
     double previewError_percent{0.0};
@@ -144,12 +151,24 @@ struct SimulateOptions {
 
 void simulate(const SimulateOptions& options) {
     CutCase cut = caseOf(options.law);
-    cut.blank = options.blankFile.empty()
-                    ? checked("--blank", milling::BlankProfile::ofSegments(options.blank_mm, options.segment_mm))
-                    : readBlank(options.blankFile, *options.read);
+    const milling::HardMachine machine = milling::hardMachine(options.machineSeed);
+    if (options.machineSeed != 0) {
+        milling::putOn(machine, cut);
+    }
+    if (!options.blankFile.empty()) {
+        cut.blank = readBlank(options.blankFile, *options.read);
+    } else if (options.blank_mm) {
+        cut.blank = checked("--blank", milling::BlankProfile::ofSegments(*options.blank_mm, options.segment_mm));
+    } else if (options.machineSeed == 0) {
+        constexpr std::array kPublished_mm{1.0, 2.0, 3.0, 2.0, 1.0};
+        cut.blank = checked("--segment-mm", milling::BlankProfile::ofSegments(kPublished_mm, options.segment_mm));
+    }
     cut.wholePulses = options.quantize;
-    cut.forceNoise_N = options.noise_N;
-    cut.lag = options.lag_revs == 1;
+    cut.forceNoise_N = options.noise_N.value_or(cut.forceNoise_N);
+    cut.lag = options.lag_revs ? *options.lag_revs == 1 : cut.lag;
+    cut.forceLate_rev = options.forceLate_rev;
+    cut.axisLag_s = options.axisLag_s.value_or(cut.axisLag_s);
+    cut.drift_NPerS = options.drift_NPerS.value_or(cut.drift_NPerS);
     cut.fromAir_mm = options.fromAir_mm;
     cut.controller.entryGuard = options.fromAir_mm > 0.0;
     cut.seed = options.seed;
@@ -177,6 +196,21 @@ void addSimulate(CLI::App& parent) {
         ->check(inRange(0.0, 1e4));
     command->add_option("--lag-revs", options->lag_revs, "measurement reaches the law this many revolutions late")
         ->check(CLI::IsMember({0, 1}));
+    command
+        ->add_option("--force-late-revs", options->forceLate_rev,
+                     "the force alone, not the feed measured with it, comes this many revolutions late")
+        ->check(CLI::IsMember({0, 1, 2}));
+    command->add_option("--axis-lag-s", options->axisLag_s, "time constant with which the axis reaches a feed")
+        ->check(inRange(0.0, 5.0));
+    command->add_option("--drift-n-s", options->drift_NPerS, "drift of the force sensor's zero in N/s")
+        ->check(inRange(-100.0, 100.0));
+    command
+        ->add_option(
+            "--machine-seed", options->machineSeed,
+            "a hard machine with its blank (docs/milling.md); 0: the reference machine. Options given beside it "
+            "count")
+        ->check(inRange(0.0, 1.8e19))
+        ->excludes("--plant");
     command->add_option("--revs-from-air", options->fromAir_mm, "start this many mm before the blank, in air")
         ->check(inRange(0.0, 1000.0));
     command->add_option("--preview-shift-mm", options->previewShift_mm, "preview: the profile is wrong by this shift")
@@ -275,7 +309,9 @@ void replay(const std::string& path, const LawOptions& law, const files::ReadOpt
             travel.at_mm(end_s) - travel.at_mm(static_cast<double>(revolution->begin_ns) * 1e-9);
         const bool trusted = revolution->quality == Quality::Good;
         const auto force = trusted ? std::optional(std::max(0.0, revolution->mean_N)) : std::nullopt;
-        const auto decision = controller.update({force, feed_mmPerRev, travel.at_mm(end_s), revolution->duration_s()});
+        milling::RevolutionInput input{force, feed_mmPerRev, travel.at_mm(end_s), revolution->duration_s()};
+        input.advised = true;  // the recorded feed was not ours
+        const auto decision = controller.update(input);
         const auto& stiffness = controller.stiffness();
         csv.row(revolution->revolution, end_s, revolution->duration_s(), revolution->mean_N, revolution->peak_N,
                 feed_mmPerRev / revolution->duration_s(), decision.feed_mmPerS,
@@ -355,6 +391,7 @@ void addMillingCommands(CLI::App& kerf) {
     milling->require_subcommand(1);
     addSimulate(*milling);
     addReplay(*milling);
+    addMillingRobust(*milling);
     auto seeds = std::make_shared<int>(10);
     CLI::App* table =
         milling->add_subcommand("table", "The laws compared on B0, whole pulses and .5 kgf of noise, at 40 kgf");

@@ -75,6 +75,21 @@ class TestMillingCommands : public QObject {
         QCOMPARE(milling(arguments + u'4').out, milling(arguments + u'4').out);
         QVERIFY(milling(arguments + u'4').out != milling(arguments + u'5').out);
     }
+    void machineSeedZeroIsTheReferenceMachine() {
+        QCOMPARE(milling(QStringLiteral("simulate --machine-seed 0")).out, milling(QStringLiteral("simulate")).out);
+        QVERIFY(milling(QStringLiteral("simulate --machine-seed 5")).out != milling(QStringLiteral("simulate")).out);
+    }
+    void robustComparesWithThePapersLaw() {
+        const KerfRun run = milling(QStringLiteral("robust --machines 3 --seed 2 --csv"));
+        QCOMPARE(run.exitCode, 0);
+        const auto rows = csvRows(run.out);
+        QCOMPARE(rows.size(), 4);
+        QCOMPARE(rows.first().first(), QStringLiteral("machine_seed"));
+        const json all = json::parse(milling(QStringLiteral("robust --machines 3 --seed 2")).out.toStdString());
+        for (const char* key : {"share_worse", "worst_ratio", "share_unstable"}) {
+            QVERIFY2(all.contains(key), key);
+        }
+    }
     void replayAdvisesOncePerRevolution() {
         const KerfRun run = milling(QStringLiteral("replay ") + recording(0.5));
         QCOMPARE(run.exitCode, 0);
@@ -88,8 +103,9 @@ class TestMillingCommands : public QObject {
     void wrongUsageIsRefused_data() {
         QTest::addColumn<QString>("arguments");
         for (const char* arguments : {"", "simulate --law fuzzy", "simulate --reference-n 0", "simulate --noise-n -1",
-                                      "simulate --lag-revs 2", "simulate --csv --summary", "simulate --kp nan",
-                                      "replay", "simulate --seed -3", "simulate --unknown 1"}) {
+                                      "simulate --lag-revs 2", "simulate --force-late-revs 3",
+                                      "simulate --axis-lag-s -1", "robust --machines 0", "simulate --csv --summary",
+                                      "simulate --kp nan", "replay", "simulate --seed -3", "simulate --unknown 1"}) {
             QTest::newRow(arguments) << QString::fromLatin1(arguments);
         }
     }

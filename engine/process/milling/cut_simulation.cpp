@@ -2,6 +2,7 @@
 #include "engine/process/milling/cut_simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/core/random.h"
@@ -36,6 +37,26 @@ CutSummary summarise(const CutCase& cut, const std::vector<CutRow>& rows) {
     return summary;
 }
 
+/// The axis over one revolution: mean feed on the way to the one commanded.
+class Axis {
+ public:
+    Axis(double lag_s, double revolution_s) {
+        if (lag_s > 0.0) {
+            m_decay = std::exp(-revolution_s / lag_s);
+            m_share = lag_s / revolution_s * (1.0 - m_decay);
+        }
+    }
+    double feed_mmPerS(double command_mmPerS) {
+        const double off_mmPerS = m_feed_mmPerS - command_mmPerS;
+        m_feed_mmPerS = command_mmPerS + off_mmPerS * m_decay;
+        return command_mmPerS + off_mmPerS * m_share;
+    }
+
+ private:
+    double m_feed_mmPerS{0.0};  ///< at the end of the revolution
+    double m_decay{0.0}, m_share{0.0};
+};
+
 }  // namespace
 
 CutResult simulateCut(const CutCase& cut) {
@@ -50,12 +71,14 @@ CutResult simulateCut(const CutCase& cut) {
     RevolutionInput measured{0.0, 0.0, -cut.fromAir_mm, revolution_s};  // nothing cut yet
     RevolutionInput late = measured;
     RevolutionState tool;
+    std::array<double, 3> forces_N{};  // newest first
+    Axis axis(cut.axisLag_s, revolution_s);
     double x_mm = -cut.fromAir_mm;
     double pulseRest = 0.0;
     while (x_mm < blank.end_mm() && result.rows.size() < kMostRevolutions) {
         const FeedDecision decision = controller.update(cut.lag ? late : measured);
         late = measured;
-        double feed_mmPerRev = decision.feed_mmPerS * revolution_s;
+        double feed_mmPerRev = axis.feed_mmPerS(decision.feed_mmPerS) * revolution_s;
         if (cut.wholePulses) {
             const double pulses = feed_mmPerRev / cut.pulse_mm + pulseRest;
             pulseRest = pulses - std::floor(pulses);
@@ -64,7 +87,10 @@ CutResult simulateCut(const CutCase& cut) {
         const double depth_mm = blank.engagedDepth_mm(x_mm, cut.plant.toolRadius_mm);
         tool = stepRevolution(cut.plant, depth_mm, tool.deflectionX_mm, feed_mmPerRev);
         x_mm += tool.cutFeed_mmPerRev;
-        measured.force_N = std::max(0.0, tool.forceY_N + cut.forceNoise_N * noise.gauss());
+        const double zero_N = cut.drift_NPerS * revolution_s * static_cast<double>(result.rows.size());
+        std::shift_right(forces_N.begin(), forces_N.end(), 1);
+        forces_N[0] = std::max(0.0, tool.forceY_N + zero_N + cut.forceNoise_N * noise.gauss());
+        measured.force_N = forces_N[static_cast<std::size_t>(cut.forceLate_rev)];
         measured.feed_mmPerRev = feed_mmPerRev;
         measured.position_mm += feed_mmPerRev;
         result.rows.push_back({static_cast<int>(result.rows.size()), x_mm, depth_mm, decision.feed_mmPerS,

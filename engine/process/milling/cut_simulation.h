@@ -22,7 +22,10 @@ struct CutCase {
     double pulse_mm{0.0254};
     bool wholePulses{false};   ///< the axis moves whole pulses per revolution, the rest is carried
     double forceNoise_N{0.0};  ///< standard deviation of one averaged force
-    bool lag{false};           ///< each revolution's measurement reaches the law one revolution late
+    bool lag{false};           ///< each revolution's measurement, force and feed, reaches the law one revolution late
+    int forceLate_rev{0};      ///< revolutions by which the force alone arrives late, 0…2
+    double axisLag_s{0.0};     ///< time constant with which the axis reaches the feed commanded, ≥ 0
+    double drift_NPerS{0.0};   ///< of the force sensor's zero
     double fromAir_mm{0.0};    ///< the tool starts this far before the blank, in air
     std::uint64_t seed{1};
     WallScan scan{};  ///< length_mm is taken from the blank

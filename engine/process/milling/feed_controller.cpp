@@ -8,10 +8,18 @@
 namespace kerf::milling {
 namespace {
 constexpr double kThinnest_mm = 0.02;  // a depth the preview may take the logarithm of
+constexpr double kAbove = 1.02;        // of the reference: from here on a change of law does not feed faster
+constexpr double kQuietShare = 0.019;  // of the reference: noise at which a force is neither clean nor noisy
+
+StiffnessEstimator::Params stiffnessParams(const FeedController::Params& params) {
+    StiffnessEstimator::Params stiffness = params.stiffness;
+    stiffness.quietNoise_N = kQuietShare * params.reference_N;
+    return stiffness;
 }
+}  // namespace
 
 FeedController::FeedController(const Params& params, LawKind law) noexcept
-    : m_params(params), m_law(law), m_estimator(params.stiffness), m_pi(params.pi) {}
+    : m_params(params), m_law(law), m_estimator(stiffnessParams(params)), m_pi(params.pi) {}
 
 void FeedController::select(LawKind law) noexcept {
     m_changed = m_changed || law != m_law;
@@ -19,6 +27,7 @@ void FeedController::select(LawKind law) noexcept {
 }
 
 void FeedController::follow(double feed_mmPerS) noexcept {
+    m_axis.forget();
     m_feed_mmPerS = feed_mmPerS;
     m_changed = true;
 }
@@ -32,6 +41,7 @@ void FeedController::resumeAfterPause() noexcept {
 void FeedController::setPeriod(int revolutions) noexcept {
     if (revolutions != m_period) {
         m_estimator.shift(-m_params.stiffness.assume.exponent * std::log(static_cast<double>(revolutions) / m_period));
+        m_axis.reset();
         m_period = revolutions;
     }
 }
@@ -43,6 +53,10 @@ void FeedController::beginCut() noexcept {
     m_blend_mmPerS = 0.0;
     m_changed = false;
     m_revolutionsInWork = 0;
+}
+
+void FeedController::newTool() noexcept {
+    m_estimator = StiffnessEstimator(stiffnessParams(m_params));
 }
 
 double FeedController::lnDepthAt(double position_mm) const noexcept {
@@ -57,6 +71,7 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
     if (!input.force_N) {
         m_estimator.coast(input.feed_mmPerRev);
     } else if (*input.force_N < m_estimator.airForce_N()) {
+        m_estimator.air(*input.force_N);
         m_estimator.leaveWork();
         m_revolutionsInWork = 0;
     } else {
@@ -88,12 +103,34 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
     }
     const InversionModel model{m_params.stiffness.assume.exponent, m_params.stiffness.assume.forceAngle_deg,
                                m_estimator.estimate().kx_NPerMm};
-    return modelFeed_mmPerRev(m_params.model, model, m_estimator.estimate(), knownChange, m_params.reference_N,
-                              m_revolutionsInWork) /
-           input.revolution_s;
+    const double wanted_mm = modelFeed_mmPerRev(m_params.model, model, m_estimator.after(m_axis.pending_mm()),
+                                                knownChange, m_params.reference_N, m_revolutionsInWork);
+    const double error_N = m_params.reference_N - *input.force_N;
+    const double b0_NPerMm = forcePerFeed_NPerMm(model, m_params.reference_N, input.feed_mmPerRev);
+    const double feedback_mm =
+        feedbackFeed_mmPerRev(m_params.model, b0_NPerMm, m_feed_mmPerS * input.revolution_s, error_N, m_lastError_N);
+    if (input.overridden && error_N > 0.0) {  // more feed would not arrive
+        return invert(model, m_estimator.estimate().lnCb, *input.force_N, m_params.reference_N).steady_mmPerRev /
+               input.revolution_s;
+    }
+    // Feedback from a feed that somebody else made would wind up.
+    const double noisy = input.overridden || input.advised ? 0.0 : 1.0 - m_estimator.estimate().quiet;
+    const double share = 1.0 - noisy * (1.0 - m_params.model.modelShareNoisy);
+    return (share * m_axis.toMake_mm(wanted_mm) + (1.0 - share) * feedback_mm) / input.revolution_s;
 }
 
 FeedDecision FeedController::update(const RevolutionInput& input) noexcept {
+    if (!input.force_N || input.overridden || input.advised) {
+        m_axis.forget();
+    }
+    m_axis.measured(input.feed_mmPerRev);
+    const FeedDecision decision = decide(input);
+    m_lastError_N = m_params.reference_N - input.force_N.value_or(m_params.reference_N);
+    m_axis.decided(decision.feed_mmPerS * input.revolution_s);
+    return decision;
+}
+
+FeedDecision FeedController::decide(const RevolutionInput& input) noexcept {
     FeedDecision decision;
     estimate(input);
     const FeedRange& range = m_params.range;
@@ -120,7 +157,7 @@ FeedDecision FeedController::update(const RevolutionInput& input) noexcept {
     const double wanted_mmPerS = lawFeed_mmPerS(input, m_lnDepthNow - m_lnDepthBefore);
     m_blend_mmPerS = m_changed ? m_feed_mmPerS - wanted_mmPerS : m_params.blendMemory * m_blend_mmPerS;
     m_changed = false;
-    if (m_blend_mmPerS > 0.0 && *input.force_N > m_params.reference_N) {
+    if (m_blend_mmPerS > 0.0 && *input.force_N > kAbove * m_params.reference_N) {
         m_blend_mmPerS = 0.0;
     }
     const double blended_mmPerS = wanted_mmPerS + m_blend_mmPerS;

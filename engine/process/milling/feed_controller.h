@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/process/milling/axis_follow.h"
 #include "engine/process/milling/blank_profile.h"
 #include "engine/process/milling/feed_law.h"
 #include "engine/process/milling/milling_types.h"
@@ -19,6 +20,7 @@ struct RevolutionInput {
     double position_mm{0.0};          ///< axis along the path at its end
     double revolution_s{0.1};         ///< its measured duration T, > 0
     bool overridden{false};           ///< somebody else limits the feed: a law with memory must not wind up
+    bool advised{false};              ///< somebody else makes the feed: it says nothing about ours
 };
 
 /// Feed for the coming revolution, with what stands behind it.
@@ -34,7 +36,8 @@ struct FeedDecision {
 /// (always running), air and entry, missing force, limits, and bumpless change between laws while cutting.
 ///
 ///   constant  the programmed feed          pi       the paper's (PiLaw)
-///   model     inversion of the plant with the estimated stiffness (modelFeed_mmPerRev); the default
+///   model     inversion of the plant with the estimated stiffness (modelFeed_mmPerRev), the more feedback the noisier
+///             the force; knows how late what is measured arrives and how the axis follows; the default
 ///   preview   the same, told beforehand how ln b changes by a blank profile
 ///
 /// Bumpless: at a change the new law's output is offset to the feed in force; the offset decays by `blendMemory` per
@@ -77,7 +80,7 @@ class FeedController {
     void setPeriod(int revolutions) noexcept;
     [[nodiscard]] int period() const noexcept { return m_period; }
     /// A new tool: k_x is learnt anew.
-    void newTool() noexcept { m_estimator = StiffnessEstimator(m_params.stiffness); }
+    void newTool() noexcept;
     /// Between cuts: k_x as learnt before (StiffnessEstimator::kxLogWeights).
     bool restoreKx(const std::array<double, StiffnessEstimator::kFilters>& weights) noexcept {
         return m_estimator.setKxLogWeights(weights);
@@ -88,9 +91,11 @@ class FeedController {
 
     [[nodiscard]] LawKind law() const noexcept { return m_law; }
     [[nodiscard]] const StiffnessEstimate& stiffness() const noexcept { return m_estimator.estimate(); }
+    [[nodiscard]] const AxisFollow& axis() const noexcept { return m_axis; }
     [[nodiscard]] const Params& params() const noexcept { return m_params; }
 
  private:
+    [[nodiscard]] FeedDecision decide(const RevolutionInput& input) noexcept;
     [[nodiscard]] double lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept;
     [[nodiscard]] double lnDepthAt(double position_mm) const noexcept;
     void estimate(const RevolutionInput& input) noexcept;
@@ -98,9 +103,11 @@ class FeedController {
     Params m_params;
     LawKind m_law;
     StiffnessEstimator m_estimator;
+    AxisFollow m_axis{};
     PiLaw m_pi;
     BlankProfile m_blank{};
     double m_feed_mmPerS{0.0};  ///< last decision
+    double m_lastError_N{0.0};
     double m_blend_mmPerS{0.0};
     bool m_changed{false};  ///< law changed since the last revolution
     int m_period{1};

@@ -25,16 +25,32 @@ Inversion invert(const InversionModel& model, double lnCb, double force_N, doubl
     return plan;
 }
 
+double forcePerFeed_NPerMm(const InversionModel& model, double reference_N, double feed_mmPerRev) noexcept {
+    constexpr double kSmallestFeed_mm = 1e-4;
+    const double tangent_NPerMm = model.exponent * reference_N / std::max(feed_mmPerRev, kSmallestFeed_mm);
+    const double cot = 1.0 / std::tan(model.forceAngle_deg * std::numbers::pi / 180.0);
+    return 1.0 / (1.0 / tangent_NPerMm + cot / model.kx_NPerMm);
+}
+
 double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& model, const StiffnessEstimate& estimate,
                           double knownChange, double reference_N, int revolutionsInWork) noexcept {
-    const double lead = estimate.slope > 0.0 ? params.leadHarder : params.leadEasier;
+    const auto by = [&](double noisy, double quiet) { return noisy + estimate.quiet * (quiet - noisy); };
+    const double lead = estimate.slope > 0.0 ? by(params.leadHarderNoisy, params.leadHarder)
+                                             : by(params.leadEasierNoisy, params.leadEasier);
     const Inversion plan =
         invert(model, estimate.lnCb + lead * estimate.slope + knownChange, estimate.force_N, reference_N);
-    double share = plan.deadbeat_mmPerRev > plan.steady_mmPerRev ? params.recover : params.backOff;
+    double share =
+        plan.deadbeat_mmPerRev > plan.steady_mmPerRev ? by(params.recoverNoisy, params.recover) : params.backOff;
     if (revolutionsInWork < params.entryRevolutions) {
         share *= params.entryShare;
     }
     return plan.steady_mmPerRev + share * (plan.deadbeat_mmPerRev - plan.steady_mmPerRev);
+}
+
+double feedbackFeed_mmPerRev(const ModelLawParams& params, double b0_NPerMm, double lastFeed_mmPerRev, double error_N,
+                             double lastError_N) noexcept {
+    return lastFeed_mmPerRev + (params.proportional * (error_N - lastError_N) + params.integral * lastError_N) /
+                                   std::max(b0_NPerMm, params.leastB0_NPerMm);
 }
 
 }  // namespace kerf::milling

@@ -61,20 +61,40 @@ struct Inversion {
 /// revolution: l* = (F_c*/(C b))^(1/m); steady f = l*; deadbeat f = l* + δ_x* − δ_x (equations 1-6 solved for f_r).
 [[nodiscard]] Inversion invert(const InversionModel& model, double lnCb, double force_N, double reference_N) noexcept;
 
+/// How far F_y follows in the same revolution when the feed changes: b0 of docs/milling.md as a tangent, in N/mm, near
+/// `feed_mmPerRev` > 0 at the reference.
+[[nodiscard]] double forcePerFeed_NPerMm(const InversionModel& model, double reference_N,
+                                         double feed_mmPerRev) noexcept;
+
 /// How a model law mixes the two: all the way when it must back off, more gently when it may recover; and how far it
-/// trusts the slope of the estimate, more when the cut grows harder.
+/// trusts the slope of the estimate, more when the cut grows harder. Each for a clean force and for a noisy one.
 struct ModelLawParams {
-    double backOff{1.0};      ///< share of the deadbeat feed when the force is above the reference, [0, 1]
-    double recover{0.55};     ///< when it is below, [0, backOff]
-    double leadHarder{1.3};   ///< revolutions ahead on a rising slope
+    double backOff{1.0};   ///< share of the deadbeat feed when the force is above the reference, [0, 1]
+    double recover{0.55};  ///< when it is below, [0, backOff]
+    double recoverNoisy{0.45};
+    double leadHarder{1.3};  ///< revolutions ahead on a rising slope
+    double leadHarderNoisy{1.8};
     double leadEasier{0.70};  ///< on a falling one
-    double entryShare{0.5};   ///< of both shares during the first `entryRevolutions` in the work
+    double leadEasierNoisy{0.55};
+    double entryShare{0.4};  ///< of both shares during the first `entryRevolutions` in the work
     int entryRevolutions{15};
+
+    /// A noisy force: the model's feed counts this much, the rest is feedback from the last feed given,
+    ///   f = f_last + (c_p (e − e_last) + c_i e_last)/b0,
+    /// the paper's law with gains that follow the tool learnt. Two answers to the same noise shake less than one.
+    double modelShareNoisy{0.2};
+    double proportional{0.8};      ///< c_p
+    double integral{0.14};         ///< c_i
+    double leastB0_NPerMm{260.0};  ///< a softer tool is not given more gain
 };
 
 /// Feed per revolution of the model law; `knownChange`: change of ln b in the coming revolution from a blank profile.
 [[nodiscard]] double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& model,
                                         const StiffnessEstimate& estimate, double knownChange, double reference_N,
                                         int revolutionsInWork) noexcept;
+
+/// Feed per revolution after `lastFeed_mmPerRev` by the error e = reference − averaged force alone.
+[[nodiscard]] double feedbackFeed_mmPerRev(const ModelLawParams& params, double b0_NPerMm, double lastFeed_mmPerRev,
+                                           double error_N, double lastError_N) noexcept;
 
 }  // namespace kerf::milling

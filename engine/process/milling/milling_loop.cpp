@@ -356,8 +356,9 @@ void MillingLoop::takePeriod(double feed_mm, const MachineInputs& inputs) noexce
         m_controller.follow(feed_mm / m_group_s);  // its integral must not run away on a feed it does not make
     }
     const bool overridden = std::abs(inputs.operatorOverride - 1.0) > kKnobAtRest;
-    m_decision = m_controller.update(
-        {m_groupTrusted ? std::optional(force_N) : std::nullopt, feed_mm, m_status.position_mm, m_group_s, overridden});
+    const bool advised = m_mode != LoopMode::Control;
+    m_decision = m_controller.update({m_groupTrusted ? std::optional(force_N) : std::nullopt, feed_mm,
+                                      m_status.position_mm, m_group_s, overridden, advised});
     m_wanted_mmPerS = m_decision.feed_mmPerS;
     if (!m_groupTrusted) {
         return;

@@ -39,7 +39,7 @@ std::optional<Sentence> PlantParams::whyInvalid() const {
     return std::nullopt;
 }
 
-double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponent) noexcept {
+double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponent, double tolerance) noexcept {
     if (supply_mm <= 0.0) {
         return 0.0;
     }
@@ -55,7 +55,7 @@ double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponen
         const double excess = l + compliance * y - supply_mm;
         const double step = excess / (inverse * l / y + compliance);
         y -= step;
-        if (std::abs(step) <= 1e-16 * y) {
+        if (std::abs(step) <= tolerance * y) {
             break;
         }
     }

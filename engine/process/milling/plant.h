@@ -41,8 +41,9 @@ struct RevolutionState {
 
 /// l ≥ 0 with l + compliance·l^m = supply; 0 when supply ≤ 0. Newton from above on a concave function: monotonic.
 ///
-/// compliance = C b cos θ / k_x ≥ 0 in mm^(1−m); supply = f_r + δ_x in mm.
-[[nodiscard]] double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponent) noexcept;
+/// compliance = C b cos θ / k_x ≥ 0 in mm^(1−m); supply = f_r + δ_x in mm; `tolerance`: of the last step, relative.
+[[nodiscard]] double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponent,
+                                           double tolerance = 1e-16) noexcept;
 
 /// One revolution: depth `depth_mm`, axis feed `feed_mmPerRev`, deflection before `deflectionX_mm`. Pure.
 [[nodiscard]] RevolutionState stepRevolution(const PlantParams& plant, double depth_mm, double deflectionX_mm,

@@ -9,8 +9,10 @@ namespace kerf::milling {
 double sampledForce_N(const ForceShape& shape, double meanForce_N, double angle_rev) noexcept {
     const double turn = 2.0 * std::numbers::pi * (angle_rev - std::floor(angle_rev));
     const double tooth = static_cast<double>(shape.flutes) * turn;
-    return meanForce_N *
-           (1.0 + shape.toothRipple * (std::cos(tooth) + 0.25 * std::cos(2.0 * tooth)) + shape.runOut * std::cos(turn));
+    const double teeth = 1.0 + shape.toothRipple * (std::cos(tooth) + 0.25 * std::cos(2.0 * tooth));
+    const double pitch = std::floor(tooth / (2.0 * std::numbers::pi));
+    const double flute = !shape.missing || pitch > 1.0 ? 1.0 : 2.0 * pitch;
+    return meanForce_N * (teeth * flute + shape.runOut * std::cos(turn));
 }
 
 }  // namespace kerf::milling

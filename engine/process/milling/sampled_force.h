@@ -8,12 +8,15 @@ namespace kerf::milling {
 ///
 ///   F(φ) = F_y (1 + A_z Σ_{k=1}^{2} cos(2π k z φ)/k² + A_r cos(2π φ))      φ in revolutions, z flutes
 ///
+/// With a missing flute the pitch of the first one is empty and the second one's force is doubled.
+///
 /// Not in the paper, which measures the average only; the amplitudes are ours (a four-flute end mill whose teeth leave
 /// the cut one after the other). Sign and unit as F_y.
 struct ForceShape {
     int flutes{4};
     double toothRipple{0.35};  ///< A_z, 0…0.6
     double runOut{0.15};       ///< A_r, 0…0.2
+    bool missing{false};       ///< one flute is gone: nothing over its pitch, twice as much over the next one's
 };
 
 [[nodiscard]] double sampledForce_N(const ForceShape& shape, double meanForce_N, double angle_rev) noexcept;

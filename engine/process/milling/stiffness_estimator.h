@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "engine/core/units.h"
 #include "engine/process/milling/milling_types.h"
+#include "engine/process/milling/noise_meter.h"
+#include "engine/process/milling/stiffness_filter.h"
 
 namespace kerf::milling {
 
@@ -14,61 +16,14 @@ namespace kerf::milling {
 struct StiffnessEstimate {
     bool valid{false};  ///< false until the tool has cut under a trusted force
     double lnCb{0.0};
-    double slope{0.0};      ///< change expected per revolution
-    double half95{0.0};     ///< half width of the 95 % interval of lnCb
-    double force_N{0.0};    ///< F_y freed from measurement noise
-    double kx_NPerMm{0.0};  ///< stiffness of the tool along the feed that explains the cut best
-};
-
-/// What a filter assumes of tool, material and sensor.
-struct StiffnessAssumptions {
-    double exponent{0.85};        ///< m, (0, 1]
-    double forceAngle_deg{45.0};  ///< θ
-    double forceNoise_N{5.0};     ///< standard deviation of one averaged force, > 0
-    double walk{0.05};            ///< standard deviation of g per revolution, > 0
-    double slopeWalk{0.1};        ///< of v per revolution, > 0
-    double slopeMemory{0.85};     ///< ρ, [0, 1): a step in the blank is cut into within some ten revolutions
-    double meanShare{0.0};  ///< w: the measured force is (1 − w) F_y(i) + w F_y(i−1). 0: F_y at the end of the
-                            ///< revolution (the paper's equations); 0.5: averaged over it, as a sensor does
-};
-
-/// Kalman filter for the cutting stiffness at one assumed k_x, from the averaged force and the feed the axis really
-/// made.
-///
-///   state      F_y, g = ln(C b), v = change of g per revolution, F_y one revolution earlier
-///   predict    g ← g + v + Δ, v ← ρ v,  l + (e^g cos θ/k_x) l^m = f_r + δ_x,  F_y ← e^g l^m sin θ
-///   correct    with the measured force (1 − w) F_y(i) + w F_y(i−1); equations 1-6 of docs/milling.md, linearised at
-///   the estimate
-///
-/// Δ is a change of ln b known beforehand (blank profile), else 0. Forces ≥ 0 in N, feeds ≥ 0 in mm/rev.
-/// All functions run in the cycle: no allocation, lock, throw or I/O.
-class StiffnessFilter {
- public:
-    StiffnessFilter() noexcept = default;
-    StiffnessFilter(const StiffnessAssumptions& assumptions, double kx_NPerMm) noexcept;
-
-    /// The first revolution in the work: F_y and the feed give a first, wide estimate.
-    void begin(double force_N, double feed_mmPerRev) noexcept;
-    void predict(double feed_mmPerRev, double knownChange) noexcept;
-    /// Correct the prediction; returns how badly the force fits it: 0 within the noise, else the negative half square
-    /// of the surprise in standard deviations (a log-likelihood with a dead zone).
-    double correct(double force_N) noexcept;
-    void shift(double change) noexcept { m_state[1] += change; }
-    /// Take over another filter's estimate, keeping the own k_x.
-    void adopt(const StiffnessFilter& other) noexcept;
-
-    [[nodiscard]] double force_N() const noexcept { return m_state[0]; }
-    [[nodiscard]] double lnCb() const noexcept { return m_state[1]; }
-    [[nodiscard]] double slope() const noexcept { return m_state[2]; }
-    [[nodiscard]] double variance() const noexcept { return m_covariance(1, 1); }
-
- private:
-    StiffnessAssumptions m_assume{};
-    double m_kx_NPerMm{1.0};
-    double m_sin{0.0};
-    double m_cos{0.0};
-    Eigen::Vector4d m_state{Eigen::Vector4d::Zero()};
-    Eigen::Matrix4d m_covariance{Eigen::Matrix4d::Zero()};
+    double slope{0.0};        ///< change expected per revolution
+    double half95{0.0};       ///< half width of the 95 % interval of lnCb
+    double force_N{0.0};      ///< F_y freed from measurement noise
+    double kx_NPerMm{0.0};    ///< stiffness of the tool along the feed that explains the cut best
+    double noise_N{0.0};      ///< standard deviation of one averaged force, as learnt
+    double quiet{1.0};        ///< how clean the force is, 1 … 0
+    double stepping{0.0};     ///< probability that a step is being cut into
+    double slopeMemory{0.0};  ///< share of the slope left after a revolution
 };
 
 /// Cutting stiffness when k_x is not known: filters at several k_x side by side, weighed by how well each explains the
@@ -88,6 +43,7 @@ class StiffnessEstimator {
         double likely_NPerMm{70.0 * kNewtonPerKilogramForce};   ///< centre of the weights before anything was cut
         double likelyWidth{0.8};                                ///< their standard deviation in ln k_x
         double airForce_N{20.0};                                ///< below: the tool does not cut
+        double quietNoise_N{8.5};  ///< noise of an averaged force at which it is half quiet, > 0
     };
     explicit StiffnessEstimator(const Params& params) noexcept;
 
@@ -103,12 +59,19 @@ class StiffnessEstimator {
     [[nodiscard]] const std::array<double, kFilters>& kxLogWeights() const noexcept { return m_logWeight; }
     bool setKxLogWeights(const std::array<double, kFilters>& weights) noexcept;
     [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimate; }
-    [[nodiscard]] double airForce_N() const noexcept { return m_params.airForce_N; }
+    /// The estimate after these feeds as well, of revolutions whose force has not arrived.
+    [[nodiscard]] StiffnessEstimate after(std::span<const double> feeds_mmPerRev) const noexcept;
+    /// Below: the tool does not cut.
+    [[nodiscard]] double airForce_N() const noexcept;
+    /// A revolution in air: its force is noise.
+    void air(double force_N) noexcept { m_meter.air(force_N); }
 
  private:
     void combine() noexcept;
+    [[nodiscard]] double quiet() const noexcept;
 
     Params m_params;
+    NoiseMeter m_meter;
     std::array<StiffnessFilter, kFilters> m_filters{};
     std::array<double, kFilters> m_lnKx{};
     std::array<double, kFilters> m_logWeight{};  ///< highest is 0

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace kerf::headless {
+
+void addMillingRobust(CLI::App& milling);
+
+}  // namespace kerf::headless

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/stiffness_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/process/milling/plant.h"
+
+namespace kerf::milling {
+namespace {
+
+constexpr std::size_t kCalmWay = 0, kDriftWay = 1, kStepWay = 2;
+constexpr double kFirstDeviation = 0.5;       // of g after the first revolution
+constexpr double kFirstSlopeDeviation = 0.1;  // of v
+constexpr std::array<double, StiffnessFilter::kWays> kFirstProbability{0.2, 0.2, 0.6};
+constexpr double kModelNoise_N2 = 2.2;              // variance of what the plant leaves out
+constexpr double kSolved = 1e-6;                    // relative, of l: far below what a sensor can tell
+constexpr double kSmallestFeed_mm = 1e-6;           // keeps l^(m−1) finite
+constexpr double kSteepest = 0.5;                   // |v| per revolution: a sharp step, cut into in two
+constexpr double kSoftest = -5.0, kHardest = 15.0;  // g of anything a tool survives
+constexpr double kSurprising = 2.0;                 // squared surprise in standard deviations that counts as noise
+constexpr double kMostSurprising = 21.0;            // one force says no more than this about k_x
+constexpr double kLeastMixed = 0.011;  // what is less likely does not widen the other ways: a calm filter stays calm
+constexpr double kSurelyNoStep = 0.014, kSurelyStep = 0.33;  // probabilities between which a step enters the estimate
+constexpr double kLeastProbability = 1e-9;
+
+/// From noisy to quiet.
+double between(double noisy, double quiet, double share) {
+    return noisy + share * (quiet - noisy);
+}
+
+/// Probability per revolution to go from one way to another.
+double change(std::size_t from, std::size_t to, double quiet) {
+    const std::array<std::array<double, StiffnessFilter::kWays>, StiffnessFilter::kWays> off{{
+        {0.0, 0.027, between(0.02, 0.2, quiet)},  // from calm
+        {0.2, 0.0, between(0.009, 0.2, quiet)},   // from drift
+        {0.0077, 0.26, 0.0},                      // from step
+    }};
+    return from == to ? 1.0 - off[from][0] - off[from][1] - off[from][2] : off[from][to];
+}
+
+}  // namespace
+
+StiffnessFilter::StiffnessFilter(const StiffnessAssumptions& assumptions, double kx_NPerMm) noexcept
+    : m_assume(assumptions),
+      m_kx_NPerMm(kx_NPerMm),
+      m_sin(std::sin(assumptions.forceAngle_deg * std::numbers::pi / 180.0)),
+      m_cos(std::cos(assumptions.forceAngle_deg * std::numbers::pi / 180.0)) {}
+
+StiffnessFilter::Walk StiffnessFilter::walkOf(std::size_t way, double quiet) noexcept {
+    switch (way) {
+        case kCalmWay:
+            return {0.00075, 0.0003, 0.5};
+        case kDriftWay:
+            return {0.0023, 0.0007, 0.92};
+        default:  // a step in the blank is cut into within some ten revolutions
+            return {0.042, between(0.12, 0.2, quiet), between(0.97, 0.9, quiet)};
+    }
+}
+
+void StiffnessFilter::begin(double force_N, double feed_mmPerRev, double noise_N2) noexcept {
+    const double deflection_mm = force_N * m_cos / (m_sin * m_kx_NPerMm);
+    const double cut_mm = std::max({feed_mmPerRev - deflection_mm, 0.3 * feed_mmPerRev, kSmallestFeed_mm});
+    for (std::size_t i = 0; i < kWays; ++i) {
+        m_ways[i].probability = kFirstProbability[i];
+        m_ways[i].state = {force_N, std::log(force_N / m_sin) - m_assume.exponent * std::log(cut_mm), 0.0, force_N};
+        m_ways[i].covariance = Eigen::Vector4d(noise_N2, kFirstDeviation * kFirstDeviation,
+                                               kFirstSlopeDeviation * kFirstSlopeDeviation, noise_N2)
+                                   .asDiagonal();
+    }
+    combine();
+}
+
+void StiffnessFilter::mix() noexcept {
+    const std::array<Way, kWays> before = m_ways;
+    for (std::size_t to = 0; to < kWays; ++to) {
+        Way& way = m_ways[to];
+        std::array<double, kWays> weight{};
+        way.probability = 0.0;
+        for (std::size_t from = 0; from < kWays; ++from) {
+            weight[from] = change(from, to, m_quiet) * before[from].probability;
+            way.probability += weight[from];
+        }
+        double total = 0.0;
+        for (std::size_t from = 0; from < kWays; ++from) {
+            weight[from] = std::max(0.0, weight[from] / way.probability - (from == to ? 0.0 : kLeastMixed));
+            total += weight[from];
+        }
+        way.state.setZero();
+        for (std::size_t from = 0; from < kWays; ++from) {
+            way.state += weight[from] / total * before[from].state;
+        }
+        way.covariance.setZero();
+        for (std::size_t from = 0; from < kWays; ++from) {
+            const Eigen::Vector4d off = before[from].state - way.state;
+            way.covariance += weight[from] / total * (before[from].covariance + off * off.transpose());
+        }
+    }
+}
+
+void StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept {
+    const double m = m_assume.exponent;
+    const double perNewton_mm = m_cos / (m_sin * m_kx_NPerMm);  // δ_x per newton of F_y
+    const double g = way.state[1] + way.state[2] + knownChange;
+    const double compliance = std::exp(g) * m_cos / m_kx_NPerMm;
+    const double cut_mm = std::max(
+        solveCutFeed_mmPerRev(compliance, feed_mmPerRev + perNewton_mm * way.state[0], m, kSolved), kSmallestFeed_mm);
+    const double force_N = std::exp(g) * std::pow(cut_mm, m) * m_sin;
+    // l + K l^m = s: dl/ds = 1/D, and a change of g moves F_y by F_y/D, with D = 1 + m K l^(m−1).
+    const double damping = 1.0 + m * compliance * std::pow(cut_mm, m - 1.0);
+    const double perForce = m * force_N / cut_mm / damping * perNewton_mm;
+    const double perG_N = force_N / damping;
+    Eigen::Matrix4d transition;
+    transition << perForce, perG_N, perG_N, 0.0,  //
+        0.0, 1.0, 1.0, 0.0,                       //
+        0.0, 0.0, walk.slopeMemory, 0.0,          //
+        1.0, 0.0, 0.0, 0.0;
+    Eigen::Matrix4d& covariance = way.covariance;
+    covariance = (transition * covariance * transition.transpose()).eval();
+    const double variance = walk.deviation * walk.deviation;  // of g, felt by F_y in the same revolution
+    covariance(0, 0) += perG_N * perG_N * variance + kModelNoise_N2;
+    covariance(0, 1) += perG_N * variance;
+    covariance(1, 0) += perG_N * variance;
+    covariance(1, 1) += variance;
+    covariance(2, 2) += walk.slopeDeviation * walk.slopeDeviation;
+    way.state = {force_N, g, walk.slopeMemory * way.state[2], way.state[0]};
+}
+
+void StiffnessFilter::predict(double feed_mmPerRev, double knownChange, double quiet) noexcept {
+    m_quiet = quiet;
+    mix();
+    for (std::size_t i = 0; i < kWays; ++i) {
+        predict(m_ways[i], walkOf(i, quiet), feed_mmPerRev, knownChange);
+    }
+    combine();
+}
+
+double StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
+    const double w = m_assume.meanShare;
+    const auto expected_N = [w](const Eigen::Vector4d& state) { return (1.0 - w) * state[0] + w * state[3]; };
+    const double mean_N = expected_N(m_mean);
+    double spread_N2 = noise.highest_N2;  // of the ways together
+    std::array<double, kWays> logLikelihood{};
+    for (std::size_t i = 0; i < kWays; ++i) {
+        Way& way = m_ways[i];
+        const Eigen::Vector4d cross = (1.0 - w) * way.covariance.col(0) + w * way.covariance.col(3);
+        const double own_N2 = (1.0 - w) * cross[0] + w * cross[3];
+        const double surprise_N = force_N - expected_N(way.state);
+        const double off_N = expected_N(way.state) - mean_N;
+        spread_N2 += way.probability * (own_N2 + off_N * off_N);
+        const double expected_N2 = own_N2 + noise.variance_N2;
+        const Eigen::Vector4d gain = cross / expected_N2;
+        logLikelihood[i] = -0.5 * (surprise_N * surprise_N / expected_N2 + std::log(expected_N2));
+        way.state += gain * surprise_N;
+        way.covariance -= gain * cross.transpose();
+        way.state[0] = std::max(way.state[0], 0.0);
+        way.state[1] = std::clamp(way.state[1], kSoftest, kHardest);
+        way.state[2] = std::clamp(way.state[2], -kSteepest, kSteepest);
+    }
+    const double most = *std::ranges::max_element(logLikelihood);
+    double total = 0.0;
+    for (std::size_t i = 0; i < kWays; ++i) {
+        m_ways[i].probability *= std::exp(logLikelihood[i] - most);
+        total += m_ways[i].probability;
+    }
+    m_logLikelihood = most + std::log(total);
+    for (Way& way : m_ways) {
+        way.probability = std::max(way.probability / total, kLeastProbability);
+    }
+    combine();
+    // What every filter explains says nothing about k_x: counted, small systematic errors would add up in a calm cut.
+    const double surprise_N = force_N - mean_N;
+    return -0.5 * std::clamp(surprise_N * surprise_N / spread_N2 - kSurprising, 0.0, kMostSurprising - kSurprising);
+}
+
+void StiffnessFilter::combine() noexcept {
+    // A step that is hardly likely, but as wide as a step is, would shake the estimate with every force.
+    const double step = m_ways[kStepWay].probability;
+    m_share[kStepWay] = step * std::clamp((step - kSurelyNoStep) / (kSurelyStep - kSurelyNoStep), 0.0, 1.0);
+    const double others = m_ways[kCalmWay].probability + m_ways[kDriftWay].probability;
+    for (const std::size_t i : {kCalmWay, kDriftWay}) {
+        m_share[i] = m_ways[i].probability * (1.0 - m_share[kStepWay]) / others;
+    }
+    m_mean.setZero();
+    for (std::size_t i = 0; i < kWays; ++i) {
+        m_mean += m_share[i] * m_ways[i].state;
+    }
+    m_variance = 0.0;
+    for (const Way& way : m_ways) {
+        const double off = way.state[1] - m_mean[1];
+        m_variance += way.probability * (way.covariance(1, 1) + off * off);
+    }
+}
+
+double StiffnessFilter::slopeMemory() const noexcept {
+    double memory = 0.0;
+    for (std::size_t i = 0; i < kWays; ++i) {
+        memory += m_share[i] * walkOf(i, m_quiet).slopeMemory;
+    }
+    return memory;
+}
+
+void StiffnessFilter::shift(double change) noexcept {
+    for (Way& way : m_ways) {
+        way.state[1] += change;
+    }
+    m_mean[1] += change;
+}
+
+void StiffnessFilter::adopt(const StiffnessFilter& other) noexcept {
+    m_ways = other.m_ways;
+    m_quiet = other.m_quiet;
+    combine();
+}
+
+}  // namespace kerf::milling
