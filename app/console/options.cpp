@@ -48,9 +48,9 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Simulator: seed of its noise")->capture_default_str();
-    app.add_option(
-           "--machine-seed", options.machineSeed,
-           "Simulator: a hard machine drawn from this seed (boring, tapping, turning); 0: the reference machine")
+    app.add_option("--machine-seed", options.machineSeed,
+                   "Simulator: a hard machine drawn from this seed (boring, milling, tapping, turning); 0: the "
+                   "reference machine")
         ->capture_default_str();
     app.add_option("--change-at-part", options.changeAtPart,
                    "Simulator: part from which another insert cuts (the process changes); 0 = never")

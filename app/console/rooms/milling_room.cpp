@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/rooms/milling_room.h"
 
+#include <algorithm>
 #include <array>
 
+#include "engine/process/milling/hard_machine.h"
 #include "engine/process/milling/milling_loop.h"
 
 namespace kerf::console {
@@ -18,6 +20,13 @@ std::unique_ptr<SimulatedProcess> MillingRoom::makePlant(const Options& options)
     params.blanks = {milling::BlankProfile::ofSegments(kHeights_mm, kSegment_mm)->inAir(true, true)};
     params.wearPerPart = 0.015;  // twenty parts to the usual threshold: a shift sees the trend
     params.seed = options.seed;
+    if (options.machineSeed != 0) {  // the noise of a mean says nothing of single samples: that stays
+        const milling::HardMachine machine = milling::hardMachine(options.machineSeed);
+        params.plant = machine.plant;
+        params.shape = machine.shape;
+        params.driveLag_s = std::max(params.driveLag_s, machine.axisLag_s);
+        params.blanks = {machine.blank.inAir(true, true)};
+    }
     auto plant = std::make_unique<SimulatedMilling>(params);
     m_plant = plant.get();
     return plant;
