@@ -27,7 +27,7 @@ double chiSquareQuantile(double degrees, double p) {
 
 double chiSquareUpperTail(double degrees, double x) {
     assert(degrees > 0.0);
-    return x <= 0.0
+    return !(x > 0.0)
                ? 1.0
                : boost::math::cdf(boost::math::complement(boost::math::chi_squared_distribution<double>(degrees), x));
 }

@@ -74,7 +74,9 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
         before = step.after;
         const auto& cut = records.parts();
         const auto part = std::ranges::find(cut, step.visit.part, &ServicePart::number);
-        if (error.count == 0 || part == cut.end()) {
+        // A trace without a feed gives an error that is no number: such a part is not charted.
+        const bool finite = std::isfinite(error.level) && std::isfinite(error.tSquared);
+        if (error.count == 0 || !finite || part == cut.end()) {
             continue;
         }
         ChartedPart charted;
