@@ -128,7 +128,7 @@ DriveParams hardDrive(std::uint64_t seed) {
 
 bool oscillates(const DriveParams& drive, const TapSettings& settings) {
     if (!(settings.zKp_perS < criticalZKp_perS(drive))) return true;
-    constexpr double kRest_s = 0.5;
+    constexpr double kRest_s = 2.0;  // a trim that ends with the record decays with the gain: 10 1/s needs a second
     constexpr double kStill_mm = 0.025;
     DriveParams resting = withSettings(drive, settings);
     resting.tail_s = std::max(resting.tail_s, kRest_s);

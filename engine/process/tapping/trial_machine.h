@@ -67,7 +67,7 @@ class TrialMachine {
 [[nodiscard]] DriveParams hardDrive(std::uint64_t seed);
 
 /// Z oscillates with these settings: at or beyond the true critical gain, or still moving by more than 25 µm in the
-/// last 100 ms of half a second at rest behind the tap.
+/// last 100 ms of two seconds at rest behind the tap.
 [[nodiscard]] bool oscillates(const DriveParams& drive, const TapSettings& settings);
 
 /// One trial of a tuning.
