@@ -37,6 +37,16 @@ constexpr std::array<std::string_view, 24> kOverRange{
     "overrange", "ovld", "ovrl", "ovr",  "ovf",    "overflow", "open",     "opn",
     "burnout",   "inf",  "+inf", "-inf", "1.#inf", "-1.#inf",  "under",    "\xEB\x8B\xA8\xEC\x84\xA0"};
 
+/// Words that say the same, whatever stands around and between their letters: n.a., <NULL>, TC OPEN, S.br, burn-out.
+constexpr std::array<std::string_view, 22> kMissingLetters{
+    "na",        "notavailable", "nodata",     "keine",       "keinwert",    "leer",    "null",      "badinput",
+    "timeout",   "iotimeout",    "commfail",   "commerror",   "sensorfault", "name",    "sensorerr", "sensorerror",
+    "readerror", "invaliddata",  "badquality", "notmeasured", "unknown",     "disabled"};
+constexpr std::array<std::string_view, 16> kOverRangeLetters{
+    "ol",          "over",    "overrange", "underrange", "under", "infinity",    "tcopen",    "opentc",
+    "opencircuit", "opencct", "burnout",   "break",      "sbr",   "sensorbreak", "wirebreak", "sensoropen"};
+constexpr std::size_t kLongestMark = 24;
+
 bool digit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
@@ -141,6 +151,29 @@ Number readNumber(std::string_view text, char decimal) noexcept {
     return out;
 }
 
+/// A mark by its letters alone.
+Cell readLetters(std::string_view key) noexcept {
+    std::array<char, kLongestMark> kept{};
+    std::size_t length = 0;
+    for (const char c : key) {
+        const bool letter = c >= 'a' && c <= 'z';
+        if (!letter && std::string_view(" ._-/+<>()[]{}'\"#!?*:").find(c) == std::string_view::npos) {
+            return {};
+        }
+        if (letter) {
+            kept[length++] = c;
+        }
+    }
+    const std::string_view letters(kept.data(), length);
+    if (std::ranges::find(kMissingLetters, letters) != kMissingLetters.end()) {
+        return {CellKind::Missing, 0.0, Marks::None};
+    }
+    if (std::ranges::find(kOverRangeLetters, letters) != kOverRangeLetters.end()) {
+        return {CellKind::OverRange, 0.0, Marks::None};
+    }
+    return {};
+}
+
 struct Unit {
     std::string_view spelling;
     std::string_view quantity;
@@ -189,6 +222,7 @@ constexpr std::array kUnits{
     Unit{"n", "force", 1.0, 0.0},
     Unit{"newton", "force", 1.0, 0.0},
     Unit{"kn", "force", 1000.0, 0.0},
+    Unit{"mn", "force", 1e-3, 0.0},
     Unit{"dan", "force", 10.0, 0.0},
     Unit{"kgf", "force", 9.80665, 0.0},
     Unit{"lbf", "force", 4.4482216152605, 0.0},
@@ -275,7 +309,6 @@ Cell readCell(std::string_view text, char decimal) noexcept {
     if (isRule(text)) {
         return {CellKind::Missing, 0.0, Marks::None};
     }
-    constexpr std::size_t kLongestMark = 16;
     if (text.size() > kLongestMark) {
         return {};
     }
@@ -283,13 +316,16 @@ Cell readCell(std::string_view text, char decimal) noexcept {
     std::ranges::transform(text, lower.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     const std::string_view key(lower.data(), text.size());
-    if (std::ranges::find(kMissing, key) != kMissing.end()) {
+    if (std::ranges::find(kMissing, key) != kMissing.end() || key.starts_with("nan(") || key.starts_with("-nan(")) {
         return {CellKind::Missing, 0.0, Marks::None};
     }
     if (std::ranges::find(kOverRange, key) != kOverRange.end()) {
         return {CellKind::OverRange, 0.0, Marks::None};
     }
-    return {};
+    if ((key.front() == '>' || key.front() == '<') && readNumber(trimmedCell(key.substr(1)), decimal).ok) {
+        return {CellKind::OverRange, 0.0, Marks::None};  // ">1372": beyond what the instrument shows
+    }
+    return readLetters(key);
 }
 
 std::optional<UnitChange> unitChange(std::string_view found, std::string_view wanted) noexcept {

@@ -14,27 +14,33 @@ namespace {
 using Spelling = std::pair<std::string_view, std::string_view>;
 /// Signs that are not ASCII, and the one that stands between two units.
 constexpr std::array kSpellings{
-    Spelling{"\xC2\xB0", "deg"},       // °
-    Spelling{"\xC2\xBA", "deg"},       // º, typed for it
-    Spelling{"\xE2\x84\x83", "degc"},  // ℃
-    Spelling{"\xE2\x84\x89", "degf"},  // ℉
-    Spelling{"\xC2\xB5", "u"},         // µ
-    Spelling{"\xCE\xBC", "u"},         // μ
-    Spelling{"\xE3\x8E\x9B", "um"},    // ㎛
-    Spelling{"\xE3\x8E\x9C", "mm"},    // ㎜
-    Spelling{"\xC2\xA0", " "},        Spelling{"/", " per "},
+    Spelling{"\xC2\xB0", "deg"},           // °
+    Spelling{"\xC2\xBA", "deg"},           // º, typed for it
+    Spelling{"\xE2\x84\x83", "degc"},      // ℃
+    Spelling{"\xE2\x84\x89", "degf"},      // ℉
+    Spelling{"\xC2\xB5", "u"},             // µ
+    Spelling{"\xCE\xBC", "u"},             // μ
+    Spelling{"\xE3\x8E\x9B", "um"},        // ㎛
+    Spelling{"\xE3\x8E\x9C", "mm"},        // ㎜
+    Spelling{"\xC3\x98", "diameter"},      // Ø
+    Spelling{"\xC3\xB8", "diameter"},      // ø
+    Spelling{"\xE2\x8C\x80", "diameter"},  // ⌀
+    Spelling{"\xC2\xA0", " "},
+    Spelling{"/", " per "},
 };
 
-constexpr std::array<std::array<std::string_view, 9>, 9> kSameThings{{
-    {"t", "time", "zeit", "elapsed", "elapsed time", "x value", "\xEC\x8B\x9C\xEA\xB0\x84"},
-    {"part", "number", "part no", "part number", "part nr", "teil", "nr", "no"},
+constexpr std::array<std::array<std::string_view, 14>, 10> kSameThings{{
+    {"t", "time", "zeit", "elapsed", "elapsed time", "x value", "uhrzeit", "timestamp", "time stamp", "date time",
+     "datum per zeit", "date per time", "\xEC\x8B\x9C\xEA\xB0\x84", "\xEC\x8B\x9C\xEA\xB0\x81"},
+    {"part", "number", "part no", "part number", "part nr", "teil", "nr", "no", "\xEB\xB6\x80\xED\x92\x88"},
     {"overhang", "position", "bore position"},
     {"diameter", "dia", "bore diameter", "durchmesser", "\xEB\x82\xB4\xEA\xB2\xBD", "\xEC\xA7\x81\xEA\xB2\xBD"},
     {"feed", "vorschub", "\xEC\x9D\xB4\xEC\x86\xA1"},
     {"force y", "fy", "f y", "y force"},
     {"angle", "spindle angle", "winkel", "phi"},
-    {"spindle", "spindle position", "spindle revs", "spindle turns"},
+    {"spindle", "spindle position", "spindle revs", "spindle turns", "spindle 0", "spindle 0 revs"},
     {"rpm", "spindle speed", "speed", "drehzahl", "n"},
+    {"z", "z position", "z pos", "joint 2 pos fb", "joint 2 motor pos fb", "axis z pos fb"},
 }};
 
 std::vector<std::string_view> wordsOf(std::string_view text) {
@@ -101,7 +107,11 @@ ColumnName columnName(std::string_view text) {
     for (std::size_t length = std::min<std::size_t>(3, words.size() > 0 ? words.size() - 1 : 0); length > 0; --length) {
         std::string unit = joined(words, words.size() - length, words.size());
         if (isUnit(unit)) {
-            name.base = joined(words, 0, words.size() - length);
+            std::size_t kept = words.size() - length;
+            if (kept > 1 && (words[kept - 1] == "per" || words[kept - 1] == "in")) {
+                --kept;  // "Diameter / mm" and "Diameter in mm"
+            }
+            name.base = joined(words, 0, kept);
             name.unit = std::move(unit);
             return name;
         }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/clock.h"
+
 namespace kerf::files {
 namespace {
 
@@ -44,11 +46,12 @@ std::string shownNames(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Table Table::read(const std::string& path, const ReadOptions& options) {
-    return parse(readFile(path), utf8Of(path), options);
+Table Table::read(const std::string& path, const ReadOptions& options, std::vector<std::string>* texts) {
+    return parse(readFile(path), utf8Of(path), options, texts);
 }
 
-Table Table::parse(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+Table Table::parse(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                   std::vector<std::string>* texts) {
     Table table;
     table.m_path = name;
     const DecodedText text = decodeText(bytes, options.encoding);
@@ -65,11 +68,15 @@ Table Table::parse(std::string_view bytes, const std::string& name, const ReadOp
         table.note(
             fmt::format("{}: some characters fit no encoding; expected UTF-8, UTF-16, Windows-1252 or CP949.", name));
     }
-    table.take(lines, layout, options);
+    if (!layout.leftOut.empty()) {
+        table.note(layout.leftOut);
+    }
+    table.take(lines, layout, options, texts);
     return table;
 }
 
-void Table::take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options) {
+void Table::take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options,
+                 std::vector<std::string>* texts) {
     m_headerLine = layout.headerLine;
     m_separator = layout.separator;
     m_decimal = options.decimal != 0 ? options.decimal : layout.decimal;
@@ -89,6 +96,8 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
     m_markLines.resize(width);
     m_odd.resize(width);
     const bool lvm = !layout.format.empty();
+    std::vector<ClockCounter> clocks(width);
+    std::vector<std::size_t> clockCells(width, 0);
     Fields row;
     std::size_t blocks = 0;
     for (const TableLayout::Range& range : layout.rows) {
@@ -101,6 +110,12 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
             const std::size_t filled = row.width();
             if (filled == 0) {
                 continue;
+            }
+            if (filled == 1 && row[0] == "overrun") {
+                throw BadInput(
+                    fmt::format("{}, line {}: HAL's sampler lost samples here (overrun); keep the lines before or "
+                                "behind it.",
+                                m_path, lines[i].number));
             }
             if (filled > width || (row.size() < width && !lvm)) {
                 const char* hint = m_separator == ',' && filled > width
@@ -116,8 +131,17 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
             }
             for (std::size_t k = 0; k < width; ++k) {
                 const std::string_view text = k < row.size() ? row[k] : std::string_view();
+                if (texts != nullptr) {
+                    texts->emplace_back(text);
+                }
                 const Cell cell = readCell(text, m_decimal);
                 m_columns[k].push_back(cell.kind == CellKind::Number ? cell.value : 0.0);
+                if (cell.kind == CellKind::Text && m_texts[k] == clockCells[k]) {
+                    if (const auto time = readClock(text)) {
+                        m_columns[k].back() = clocks[k].seconds(*time);
+                        ++clockCells[k];
+                    }
+                }
                 m_kinds[k].push_back(cell.kind);
                 if (cell.kind != CellKind::Number) {
                     m_texts[k] += cell.kind == CellKind::Text ? 1U : 0U;
@@ -134,10 +158,49 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
             m_lines.push_back(lines[i].number);
         }
     }
+    for (std::size_t k = 0; k < width; ++k) {
+        if (clockCells[k] > 0 && clockCells[k] == m_texts[k] &&
+            std::ranges::find(m_kinds[k], CellKind::Number) == m_kinds[k].end()) {
+            std::ranges::replace(m_kinds[k], CellKind::Text, CellKind::Number);
+            m_texts[k] = 0;
+            m_parsed[k].unit = std::string("s");  // counted from the first row, whatever unit stands in the name
+            m_parsed[k].bracketed = true;
+        }
+    }
+    markSentinels();
     if (blocks > 1) {
         note(fmt::format("{}: {} blocks under the same header, read as one.", m_path, blocks));
     }
     addTime(layout, options);
+}
+
+/// -9999 among numbers nowhere near it is how loggers write "no value".
+void Table::markSentinels() {
+    constexpr double kSentinel = -9999.0, kLongSentinel = -99999.0;
+    constexpr double kNear = 0.5;  // share of the sentinel that is a value like it
+    for (std::size_t k = 0; k < m_columns.size(); ++k) {
+        const auto isSentinel = [&](std::size_t row) {
+            return m_kinds[k][row] == CellKind::Number &&
+                   (m_columns[k][row] == kSentinel || m_columns[k][row] == kLongSentinel);
+        };
+        std::vector<std::size_t> found;
+        double lowest = 0.0;
+        for (std::size_t row = 0; row < rows(); ++row) {
+            if (isSentinel(row)) {
+                found.push_back(row);
+            } else if (m_kinds[k][row] == CellKind::Number) {
+                lowest = std::min(lowest, m_columns[k][row]);
+            }
+        }
+        if (lowest < kNear * kSentinel || found.size() == rows()) {
+            continue;
+        }
+        for (const std::size_t row : found) {
+            m_kinds[k][row] = CellKind::OverRange;
+            if (m_odd[k].size() < kOddKept) m_odd[k].emplace(m_lines[row], fmt::format("{}", m_columns[k][row]));
+            m_columns[k][row] = 0.0;
+        }
+    }
 }
 
 void Table::addTime(const TableLayout& layout, const ReadOptions& options) {
@@ -169,6 +232,11 @@ void Table::note(std::string sentence) const {
     }
 }
 
+bool Table::sameCells(std::size_t one, std::size_t other) const {
+    return rows() > 1 && m_names[one] == m_names[other] && m_columns[one] == m_columns[other] &&
+           m_kinds[one] == m_kinds[other] && m_texts[one] == 0;
+}
+
 std::optional<std::size_t> Table::find(std::string_view name) const {
     const ColumnName wanted = columnName(name);
     const auto pick = [&](const auto& matches) -> std::optional<std::size_t> {
@@ -176,6 +244,9 @@ std::optional<std::size_t> Table::find(std::string_view name) const {
         for (std::size_t i = 0; i < m_names.size(); ++i) {
             if (m_names[i].empty() || !matches(i)) {
                 continue;
+            }
+            if (found && sameCells(*found, i)) {
+                continue;  // LabVIEW writes the time beside every channel
             }
             if (found) {
                 throw BadInput(fmt::format("{}, line {}: column name '{}' stands twice ({} and {}); rename one.",
@@ -219,8 +290,10 @@ std::size_t Table::need(std::string_view name) const {
                                            m_names[i], m_parsed[i].unit, wanted.unit));
             }
         }
-        throw BadInput(fmt::format("{}, line {}: column {} is missing; found {}.", m_path, m_headerLine, name,
-                                   shownNames(m_names)));
+        const bool time = wanted.base == "t" && !wanted.unit.empty();
+        throw BadInput(fmt::format("{}, line {}: column {} is missing; found {}.{}", m_path, m_headerLine, name,
+                                   shownNames(m_names),
+                                   time ? " Rows at equal times: say how far apart with --period-s." : ""));
     }
     return *found;
 }
@@ -311,6 +384,16 @@ const std::vector<double>& Table::column(std::string_view name) const {
         }
     }
     return m_asked.emplace(std::string(name), std::move(values)).first->second;
+}
+
+std::vector<double> Table::column(std::size_t column) const {
+    requireOneMark(column);
+    for (std::size_t row = 0; row < rows(); ++row) {
+        if (m_kinds[column][row] != CellKind::Number) {
+            refuseCell(row, column);
+        }
+    }
+    return m_columns[column];
 }
 
 std::vector<std::optional<double>> Table::columnWithGaps(std::string_view name) const {

@@ -37,9 +37,12 @@ class WrongWidth : public BadInput {
 class Table {
  public:
     /// @throws BadInput when the file cannot be read, or a row has the wrong number of fields
-    [[nodiscard]] static Table read(const std::string& path, const ReadOptions& options = {});
+    /// `texts`, if given, gets every field as it stands in the file, row by row.
+    [[nodiscard]] static Table read(const std::string& path, const ReadOptions& options = {},
+                                    std::vector<std::string>* texts = nullptr);
     /// `name` stands in front of every complaint. @throws BadInput
-    [[nodiscard]] static Table parse(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
+    [[nodiscard]] static Table parse(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
+                                     std::vector<std::string>* texts = nullptr);
 
     [[nodiscard]] const std::string& file() const noexcept { return m_path; }
     [[nodiscard]] std::size_t rows() const noexcept { return m_lines.size(); }
@@ -51,6 +54,8 @@ class Table {
     [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
     /// Every value. @throws BadInput naming the file and the missing column, or line and column of a cell without one
     [[nodiscard]] const std::vector<double>& column(std::string_view name) const;
+    /// The same by position, in its own unit.
+    [[nodiscard]] std::vector<double> column(std::size_t column) const;
     /// A missing or over-range cell is empty. @throws BadInput for a missing column, or for a cell that is text
     [[nodiscard]] std::vector<std::optional<double>> columnWithGaps(std::string_view name) const;
     /// The same by position, in the unit `unit` (normalised; empty: as it is).
@@ -58,6 +63,7 @@ class Table {
     [[nodiscard]] bool hasGaps(std::string_view name) const;
     /// Some cell is a word that is no mark for "no value".
     [[nodiscard]] bool isText(std::size_t column) const { return m_texts.at(column) > 0; }
+    [[nodiscard]] std::size_t texts(std::size_t column) const { return m_texts.at(column); }
     [[nodiscard]] CellKind kind(std::size_t row, std::size_t column) const { return m_kinds.at(column).at(row); }
     /// As it stands in the file.
     [[nodiscard]] std::string cellText(std::size_t row, std::size_t column) const;
@@ -80,7 +86,10 @@ class Table {
 
  private:
     Table() = default;
-    void take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options);
+    void take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options,
+              std::vector<std::string>* texts);
+    void markSentinels();
+    [[nodiscard]] bool sameCells(std::size_t one, std::size_t other) const;
     void addTime(const TableLayout& layout, const ReadOptions& options);
     [[nodiscard]] std::size_t need(std::string_view name) const;
     [[nodiscard]] UnitChange changeFor(std::size_t column, std::string_view name) const;

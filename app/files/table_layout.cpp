@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <utility>
 
 #include "app/files/cell.h"
 #include "app/files/column_name.h"
@@ -49,6 +51,8 @@ struct Candidate {
     std::size_t width{0};
     double consistent{0.0};
     double numeric{0.0};
+    std::size_t otherHeader{0}, otherRows{0};  ///< a shorter table under other names
+    bool reordered{false};                     ///< under the same names in another order
 };
 
 bool fits(const Fields& row, std::size_t width, std::size_t full) {
@@ -78,12 +82,82 @@ void judge(const std::vector<Line>& lines, Candidate& candidate) {
     candidate.numeric = cells > 0 ? static_cast<double>(numbers) / static_cast<double>(cells) : 0.0;
 }
 
+bool isDataLine(std::string_view line, char separator) {
+    Fields row;
+    row.cut(line, separator);
+    return row.isData() && !isComment(line);
+}
+
+/// Rows of data that follow, up to the next words.
+std::size_t rowsBehind(const std::vector<Line>& lines, const Candidate& candidate) {
+    std::size_t rows = 0;
+    Fields row;
+    for (std::size_t i = candidate.firstRow; i < std::min(lines.size(), kSampleLines); ++i) {
+        row.cut(lines[i].text, candidate.separator);
+        if (row.filled() == 0 || isComment(lines[i].text)) {
+            continue;
+        }
+        if (!row.isData()) {
+            break;
+        }
+        ++rows;
+    }
+    return rows;
+}
+
+/// Of tables of several kinds in one file the longest; a table may come in several blocks.
+class Longest {
+ public:
+    void add(const std::vector<Line>& lines, const Candidate& candidate) {
+        const std::string_view head = trimmedCell(lines[candidate.header].text);
+        auto known = std::ranges::find(m_tables, head, &One::head);
+        if (known == m_tables.end()) {
+            m_tables.push_back({head, candidate, 0});
+            known = m_tables.end() - 1;
+        }
+        known->rows += rowsBehind(lines, candidate);
+    }
+    [[nodiscard]] bool empty() const noexcept { return m_tables.empty(); }
+    [[nodiscard]] std::optional<Candidate> best() const {
+        const auto most = std::ranges::max_element(m_tables, {}, &One::rows);
+        if (most == m_tables.end()) {
+            return std::nullopt;
+        }
+        Candidate out = most->first;
+        for (const One& other : m_tables) {
+            if (&other != &*most && !out.reordered) {
+                out.otherHeader = other.first.header;
+                out.otherRows = other.rows;
+                out.reordered = sorted(other.head, out.separator) == sorted(most->head, out.separator);
+            }
+        }
+        return out;
+    }
+
+ private:
+    struct One {
+        std::string_view head;
+        Candidate first;
+        std::size_t rows;
+    };
+    static std::vector<std::string> sorted(std::string_view head, char separator) {
+        Fields fields;
+        fields.cut(head, separator);
+        std::vector<std::string> names(fields.all().begin(), fields.all().end());
+        std::ranges::sort(names);
+        return names;
+    }
+
+    std::vector<One> m_tables{};
+};
+
 /// The first row of data that stands under a header as wide as itself.
 Candidate look(const std::vector<Line>& lines, char separator, std::size_t leastWidth, bool named,
                std::size_t namedWidth) {
     Candidate out;
     out.separator = separator;
     Candidate loose;  // a header that does not fit its row: for the complaint
+    Longest found;
     Fields row, before, above;
     std::size_t previous = lines.size(), beforePrevious = lines.size();
     for (std::size_t i = 0; i < std::min(lines.size(), kSampleLines); ++i) {
@@ -103,7 +177,7 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
             judge(lines, out);
             return out;
         }
-        if (row.isData() && !named && previous < lines.size()) {
+        if (row.isData() && !named && previous < lines.size() && !isUnitsRow(row)) {
             before.cut(lines[previous].text, separator);
             bool header = isHeader(before) || isUnitsRow(before);
             std::size_t at = previous;
@@ -121,10 +195,11 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
             candidate.firstRow = i;
             candidate.width = before.width();
             header = header && candidate.width >= leastWidth;
-            if (header && fits(row, candidate.width, before.size())) {
+            // A later header stands apart from the rows before it; else it is a row gone wrong.
+            const bool apart = at == 0 || found.empty() || !isDataLine(lines[at - 1].text, separator);
+            if (header && apart && fits(row, candidate.width, before.size())) {
                 candidate.found = true;
-                judge(lines, candidate);
-                return candidate;
+                found.add(lines, candidate);
             }
             if (header && loose.width == 0) {
                 loose = candidate;
@@ -132,6 +207,11 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
         }
         beforePrevious = previous;
         previous = i;
+    }
+    if (const auto best = found.best()) {
+        out = *best;
+        judge(lines, out);
+        return out;
     }
     if (loose.width > 0) {
         judge(lines, loose);
@@ -190,6 +270,7 @@ bool sameNames(const Fields& row, const std::vector<std::string>& names) {
 /// The last lines that repeat the header or hold data.
 struct Last {
     std::size_t header{0}, data{0};
+    std::size_t row{0};  ///< data as wide as the header
 };
 Last lastOf(const std::vector<Line>& lines, std::size_t first, const TableLayout& layout) {
     Last last;
@@ -200,6 +281,7 @@ Last lastOf(const std::vector<Line>& lines, std::size_t first, const TableLayout
             last.header = i;
         } else if (row.isData() && !isComment(lines[i].text)) {
             last.data = i;
+            if (row.size() >= layout.names.size()) last.row = i;
         }
     }
     return last;
@@ -212,11 +294,14 @@ void findRows(const std::vector<Line>& lines, std::size_t first, TableLayout& la
     std::vector<TableLayout::Range> ranges;
     std::optional<Last> ahead;
     bool inside = true;
+    bool apart = false;  // behind a blank line
     for (std::size_t i = first; i < lines.size(); ++i) {
         const std::string_view text = trimmedCell(lines[i].text);
         if (text.empty() || isComment(text)) {
+            apart = apart || text.empty();
             continue;
         }
+        const bool behindBlank = std::exchange(apart, false);
         row.cut(lines[i].text, layout.separator);
         if (sameNames(row, layout.names)) {
             if (inside) ranges.push_back(range);
@@ -234,7 +319,7 @@ void findRows(const std::vector<Line>& lines, std::size_t first, TableLayout& la
         // Words where numbers were: the head of another block, if its names follow; else a row to complain about.
         if (!row.isData() && row.width() != layout.names.size()) {
             if (!ahead) ahead = lastOf(lines, first, layout);
-            if (ahead->header > i || (ahead->data < i && row.filled() == 1)) {
+            if (ahead->header > i || ((behindBlank ? ahead->row : ahead->data) < i && row.filled() == 1)) {
                 ranges.push_back(range);
                 inside = false;
                 continue;
@@ -403,6 +488,11 @@ TableLayout findLayout(const std::vector<Line>& all, const ReadOptions& options,
                 fmt::format("{}: no row has the {} columns that --columns names.", name, options.names.size()));
         }
         chosen = look(lines, said != 0 ? said : ',', 1, false, 0);
+        if (said == 0 && chosen.width <= 1 && !(chosen.found && chosen.consistent >= kConsistent)) {
+            // One column: no separator between its fields, so a comma in them is a decimal one.
+            const Candidate single = look(lines, ';', 1, false, 0);
+            if (single.found && single.consistent >= kConsistent) chosen = single;
+        }
         if (chosen.width == 0) {  // no rows, or no header
             const std::size_t begin = lineBeforeAnyRow(lines);
             if (begin == lines.size()) {
@@ -435,6 +525,15 @@ TableLayout findLayout(const std::vector<Line>& all, const ReadOptions& options,
         }
     }
     layout.separator = chosen.separator;
+    if (chosen.reordered) {
+        throw BadInput(fmt::format("{}, line {}: a block with the columns of line {} in another order; split the file.",
+                                   name, lines[std::max(chosen.otherHeader, chosen.header)].number,
+                                   lines[std::min(chosen.otherHeader, chosen.header)].number));
+    }
+    if (chosen.otherRows > 0) {
+        layout.leftOut = fmt::format("{}, line {}: another table begins here; its {} rows are left out.", name,
+                                     lines[chosen.otherHeader].number, chosen.otherRows);
+    }
     Fields fields;
     if (named) {
         layout.names = options.names;

@@ -71,6 +71,7 @@ struct TableLayout {
         std::size_t begin{0}, end{0};  ///< indices of lines
     };
     std::vector<Range> rows{};
+    std::string leftOut{};            ///< a sentence on another table in the same file
     std::size_t headerBlockLines{0};  ///< lines before the header that are no table
     std::string format{};             ///< "LabVIEW measurement" and the like, empty for a plain table
     double x0_s{0.0}, step_s{0.0};    ///< step > 0: the file holds no time column, but says how far apart its rows are

@@ -24,6 +24,7 @@ constexpr std::array<const char*, 3> kTrue{"yx_true", "yy_true", "yz_true"};
 constexpr double kLongestDay_min = 2880.0;                             ///< longer is a day in seconds
 constexpr double kWarmestShop_degC = 50.0;                             ///< at the baseline; above: degrees Fahrenheit
 constexpr Eigen::Index kBridged = 2;                                   ///< rows in a row
+constexpr std::size_t kFewWords = 20;                                  ///< numbers to one word that is a mark
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();  ///< inside a matrix of drifts only
 
 std::string leaf(const std::string& path) {
@@ -124,7 +125,8 @@ void takeSensor(const Table& table, std::size_t column, HistoryUse use, thermal:
     const auto good = [&](Eigen::Index row) { return usable(values[static_cast<std::size_t>(row)]); };
     for (Eigen::Index row = 0; row < rows; ++row) {
         const auto k = static_cast<std::size_t>(row);
-        if (table.kind(k, column) == CellKind::Text) {
+        const bool word = table.kind(k, column) == CellKind::Text;  // among numbers: some logger's mark, one reading
+        if (word && (use == HistoryUse::Training || table.texts(column) * kFewWords > table.rows())) {
             throw BadInput(fmt::format("{}'{}' is not a number; expected a temperature.",
                                        table.where(k, table.names()[column]), table.cellText(k, column)));
         }

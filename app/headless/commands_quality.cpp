@@ -9,6 +9,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/headless/read_options.h"
 #include "engine/quality/capability.h"
 #include "engine/quality/charts.h"
 #include "engine/quality/gauge_study.h"
@@ -32,6 +33,7 @@ struct CapabilityOptions {
     std::optional<double> target{};
     double confidence{quality::kCapabilityConfidence};
     bool json{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 void put(ordered_json& report, const char* key, const std::optional<quality::IndexWithInterval>& index) {
@@ -48,8 +50,10 @@ void capability(const CapabilityOptions& options) {
     if (options.lower && options.upper && !(*options.lower < *options.upper)) {
         throw CLI::ValidationError("--lower", "must be below --upper");
     }
-    const LabelledTable table = LabelledTable::read(options.file);
-    const std::vector<double> values = table.numbers(table.valueColumn(options.column));
+    LabelledTable table = LabelledTable::read(options.file, *options.read);
+    const std::size_t column = table.valueColumn(options.column);
+    table.dropGaps(column);
+    const std::vector<double> values = table.numbers(column);
     const bool quiet = quality::isSteadySeries(values);
     const quality::Capability result =
         quality::capability(values, {options.lower, options.upper, {}}, quiet, options.confidence);
@@ -74,6 +78,7 @@ void capability(const CapabilityOptions& options) {
     report["above"] = options.upper ? std::ranges::count_if(values, [&](double v) { return v > *options.upper; }) : 0;
     report["reason"] = result.reason.english();
     printJson(report);
+    tellNotes(table.table());
 }
 
 struct StudyOptions {
@@ -82,6 +87,7 @@ struct StudyOptions {
     std::optional<double> tolerance{};
     std::optional<double> reference{};
     bool json{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 ordered_json typeOne(const StudyOptions& options, const LabelledTable& table) {
@@ -130,7 +136,7 @@ ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
     const std::size_t part = table.column("part");
     const std::size_t person = table.column("person");
     const std::size_t trial = table.column("trial");
-    const std::vector<double> values = table.numbers(table.column("value"));
+    const std::vector<double> values = table.numbers("value");
     Labels parts;
     Labels persons;
     Labels trials;
@@ -189,8 +195,9 @@ ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
 }
 
 void gaugeStudy(const StudyOptions& options) {
-    const LabelledTable table = LabelledTable::read(options.file);
+    const LabelledTable table = LabelledTable::read(options.file, *options.read);
     printJson(options.method == "type1" ? typeOne(options, table) : crossed(options, table));
+    tellNotes(table.table());
 }
 
 }  // namespace
@@ -205,6 +212,7 @@ void addQualityCapability(CLI::App& quality) {
                                "are null while the chart\n"
                                "of the values shows a signal; below 10 values nothing, below 50 \"preliminary\".");
     command->add_option("file", options->file, "CSV with a column value (or the one --column names)")->required();
+    options->read = addReadOptions(*command);
     command->add_option("--column", options->column, "column of the values")->capture_default_str();
     command->add_option("--lower", options->lower, "lower limit of the tolerance");
     command->add_option("--upper", options->upper, "upper limit of the tolerance");
@@ -227,6 +235,7 @@ void addQualityGaugeStudy(CLI::App& quality) {
         "grr, pv, tv, grr_percent, ndc; anova also ss_person, ss_part, ss_interaction, ss_repeatability, ss_total,\n"
         "f_interaction and whether it was pooled.");
     command->add_option("file", options->file, "CSV file")->required();
+    options->read = addReadOptions(*command);
     command->add_option("--method", options->method, "type1, average-range or anova")
         ->required()
         ->check(CLI::IsMember({"type1", "average-range", "anova"}));

@@ -10,6 +10,7 @@
 #include "app/headless/commands_boring.h"
 #include "app/headless/commands_quality.h"
 #include "app/headless/quality_lot.h"
+#include "app/headless/read_options.h"
 #include "engine/process/boring/one_step_error.h"
 #include "engine/quality/charts.h"
 
@@ -31,6 +32,7 @@ struct ChartsOptions {
     BoringOptions boring{};
     bool json{false};
     bool csv{false};
+    std::shared_ptr<files::ReadOptions> read{};
 };
 
 /// One point, whatever it came from.
@@ -83,10 +85,10 @@ std::string partName(const LabelledTable& table, std::size_t row) {
 
 /// Bores: the law is estimated part by part as the console does, and its one-step errors are charted.
 Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
-    const auto part = table.numbers(table.column("part"));
-    const auto overhang = table.numbers(table.column("overhang_mm"));
-    const auto feed = table.numbers(table.column("feed_mm_per_rev"));
-    const auto deflection = table.numbers(table.column("deflection_mm"));
+    const auto part = table.numbers("part");
+    const auto overhang = table.numbers("overhang_mm");
+    const auto feed = table.numbers("feed_mm_per_rev");
+    const auto deflection = table.numbers("deflection_mm");
     const boring::EstimatorParams params = options.boring.params();
     boring::EstimatorState state = boring::initialState(params);
     Series series{"one-step error of the bores", {}, {}, {}, {}};
@@ -123,12 +125,14 @@ Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
 }
 
 Series ofFile(const ChartsOptions& options) {
-    const LabelledTable table = LabelledTable::read(options.file);
+    LabelledTable table = LabelledTable::read(options.file, *options.read);
     if (table.has("deflection_mm")) {
         return ofBores(options, table);
     }
     const bool errors = table.has("error") && !table.has(options.column);
-    const auto values = table.numbers(errors ? table.column("error") : table.valueColumn(options.column));
+    const std::size_t column = errors ? table.column("error") : table.valueColumn(options.column);
+    table.dropGaps(column);
+    const auto values = table.numbers(column);
     Series series;
     const quality::CentreLine line = quality::centreLine(values);
     series.source = errors ? "standardised errors of the file" : "values of the file";
@@ -144,6 +148,7 @@ Series ofFile(const ChartsOptions& options) {
         point.error = (values[row] - *series.centre) / *series.sigma;
         series.points.push_back(std::move(point));
     }
+    tellNotes(table.table());
     return series;
 }
 
@@ -293,6 +298,7 @@ void addQualityCharts(CLI::App& quality) {
         "one-step errors are charted after the law, as on the console.\n"
         "--lot: a lot of the data file. JSON: signals and points; --csv: one row per point.");
     command->add_option("file", options->file, "CSV file");
+    options->read = addReadOptions(*command);
     command->add_option("--data", options->folder, "Folder of kerf.db (default: the user's data folder)");
     command->add_option("--lot", options->lot, "name or number of a lot");
     command

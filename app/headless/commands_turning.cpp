@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -55,11 +57,27 @@ void addOverlap(CLI::App& turning) {
 
 // ── identify ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+constexpr double kLeastChip_um = 0.02;  ///< below it nothing cuts; a chip of some µm written in mm is smaller
+
 struct IdentifyOptions {
     std::string file;
     std::shared_ptr<files::ReadOptions> read{};
     ProcessIdentifier::Params params{};
 };
+
+/// Samples are told apart by their number; one that is missing would misalign all that follow it.
+void requireConsecutive(const Table& table, const std::vector<double>& samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (std::abs(samples[i]) > 1e15) {
+            throw BadInput(
+                fmt::format("{}{} is out of range; expected a sample number.", table.where(i, "k"), samples[i]));
+        }
+        if (i > 0 && samples[i] != samples[i - 1] + 1.0) {
+            throw BadInput(fmt::format("{}{} follows {}; expected every sample, in order.", table.where(i, "k"),
+                                       samples[i], samples[i - 1]));
+        }
+    }
+}
 
 void addIdentify(CLI::App& turning) {
     auto options = std::make_shared<IdentifyOptions>();
@@ -79,22 +97,24 @@ void addIdentify(CLI::App& turning) {
             throw BadInput(why->english());
         }
         const Table table = Table::read(options->file, *options->read);  // a hole would misalign what follows it
+        if (table.rows() == 0) {
+            throw BadInput(fmt::format("{}: no samples; expected rows under the header.", table.file()));
+        }
         const auto& samples = table.column("k");
         const auto& chip_um = table.column("u_um");
         const auto& force_N = table.column("f_n");
+        requireConsecutive(table, samples);
+        const auto largest_um = std::ranges::max(chip_um | std::views::transform([](double u) { return std::abs(u); }));
+        if (largest_um > 0.0 && largest_um < kLeastChip_um) {
+            throw BadInput(
+                fmt::format("{}the largest chip is {} µm; expected µm, not mm.", table.where(0, "u_um"), largest_um));
+        }
         ProcessIdentifier identifier(options->params);
         CsvOutput csv("k,a1,b0,b1,trace");
         for (std::size_t i = 0; i < table.rows(); ++i) {
             identifier.update(force_N[i], chip_um[i]);
             const auto& theta = identifier.theta();
-            if (std::abs(samples[i]) > 1e15) {
-                throw BadInput(
-                    fmt::format("{}{} is out of range; expected a sample number.", table.where(i, "k"), samples[i]));
-            }
             csv.row(static_cast<long long>(samples[i]), theta[0], theta[1], theta[2], identifier.trace());
-        }
-        if (table.rows() == 0) {
-            throw BadInput(fmt::format("{}: no samples; expected rows under the header.", table.file()));
         }
         csv.flush();
         tellNotes(table);
@@ -119,7 +139,7 @@ struct SimulateOptions {
 std::vector<double> disturbanceOf(const SimulateOptions& options) {
     if (!options.disturbanceFile.empty()) {
         const Table table = Table::read(options.disturbanceFile, *options.read);
-        (void)table.column("k");
+        requireConsecutive(table, table.column("k"));
         table.requireRange("d_um", -1e4, 1e4);
         return table.column("d_um");
     }

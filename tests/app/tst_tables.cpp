@@ -99,6 +99,19 @@ class TestTables : public QObject {
         row("cp949",
             "\xC7\xB0\xB9\xF8,part,overhang_mm,\xC0\xCC\xBC\xDB [mm/rev],\xB3\xBB\xB0\xE6 "
             "[mm]\nA,1,40,0.5,49.951\nB,1,310,0.25,49.832\n");
+        row("a units row that begins with a dash",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm\n-,mm,mm/rev,mm\n1,40,0.5,49.951\n1,310,0.25,49.832\n");
+        row("units behind a stroke and behind in",
+            "part,overhang in mm,feed in mm/rev,Diameter / mm\n1,40,0.5,49.951\n1,310,0.25,49.832\n");
+        row("the sign of a diameter",
+            "Part No.;Overhang (mm);Feed (mm/U);\xC3\x98 [mm]\n1;40;0,5;49,951\n1;310;0,25;49,832\n");
+        row("a shorter table before it",
+            "min,max,mean,sd\nstation,1,2,3\n\npart,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,0.5,49.951\n1,310,0."
+            "25,49.832\n");
+        row("a short table behind it",
+            "part,overhang_mm,feed_mm_per_rev,diameter_mm\n1,40,0.5,49.951\n1,310,0.25,49.832\n\nStatistics\nmean,"
+            "sd\n50."
+            "0,0.1\n");
         row("no-break blanks",
             "part;overhang_mm;feed_mm_per_rev;diameter_mm\n1;\xC2\xA0"
             "40;0,5\xC2\xA0;49,951\n1;310;0,25;49,832\n");
@@ -150,11 +163,14 @@ class TestTables : public QObject {
     }
     void anythingThatMeansNoValueIsNone_data() {
         QTest::addColumn<QByteArray>("mark");
-        for (const char* mark : {"",      " ",    "nan",   "NaN",     "NAN",      "NA",
-                                 "N/A",   "#N/A", "#NV",   "null",    "NULL",     "none",
-                                 "-----", "--",   "***",   "?",       "#DIV/0!",  "OL",
-                                 "-OL",   "OVER", "Open",  "9.9E+37", "-9.9e37",  "9.90000000E+37",
-                                 "inf",   "-inf", "1e999", "1.#QNAN", "Overload", "\xEC\x97\x86\xEC\x9D\x8C"}) {
+        for (const char* mark :
+             {"",      " ",        "nan",         "NaN",        "NAN",      "NA",
+              "N/A",   "#N/A",     "#NV",         "null",       "NULL",     "none",
+              "-----", "--",       "***",         "?",          "#DIV/0!",  "OL",
+              "-OL",   "OVER",     "Open",        "9.9E+37",    "-9.9e37",  "9.90000000E+37",
+              "inf",   "-inf",     "1e999",       "1.#QNAN",    "Overload", "\xEC\x97\x86\xEC\x9D\x8C",
+              "n.a.",  "<NULL>",   "TC OPEN",     ">1372",      "S.br",     "burn-out",
+              "+OVER", "Infinity", "I/O Timeout", "nan(0x7ff)", "-9999",    "-99999.0"}) {
             QTest::newRow(*mark != '\0' ? mark : "empty") << QByteArray(mark);
         }
     }
@@ -171,6 +187,43 @@ class TestTables : public QObject {
         dropped.dropRowsWithGaps({"b"});
         QCOMPARE(dropped.column("a"), (std::vector<double>{1, 7}));
         QVERIFY(noted(dropped, "line 3"));
+    }
+    void aNumberThatLoggersWriteForNoValueIsANumberAmongItsLike() {
+        const Table counting = table("a,b\n-9998,1\n-9999,2\n-10000,3\n");
+        QCOMPARE(counting.column("a")[1], -9999.0);
+    }
+    void aClockIsCountedFromItsFirstRow_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("iso") << QByteArray("time,T1\n2026-11-27T23:59:00Z,1\n2026-11-28T00:00:30Z,2\n");
+        QTest::newRow("german") << QByteArray("Datum/Zeit;T1\n27.11.2026 23:59:00;1\n28.11.2026 00:00:30;2\n");
+        QTest::newRow("midnight without a date") << QByteArray("Uhrzeit;T1\n23:59:00,0;1\n00:00:30,0;2\n");
+        QTest::newRow("american") << QByteArray("timestamp,T1\n11/27/2026 11:59:00 PM,1\n11/28/2026 12:00:30 AM,2\n");
+    }
+    void aClockIsCountedFromItsFirstRow() {
+        QFETCH(QByteArray, text);
+        const Table read = table(text.toStdString());
+        QCOMPARE(read.column("t_s"), (std::vector<double>{0.0, 90.0}));
+        QCOMPARE(read.column("t_min")[1], 1.5);
+    }
+    void severalTablesInOneFile() {
+        const Table read = table("x,y\n1,2\n\na,b\n1,2\n3,4\n5,6\n");
+        QCOMPARE(read.column("b"), (std::vector<double>{2, 4, 6}));
+        QVERIFY(noted(read, "line 1"));
+        const QString turned = refusal("a,b\n1,2\n\nb,a\n2,1\n3,4\n", "a");
+        QVERIFY2(turned.contains("line 4") && turned.contains("another order"), qPrintable(turned));
+    }
+    void oneColumnWithDecimalCommas() {
+        QCOMPARE(table("value\n50,014\n50,011\n").column("value"), (std::vector<double>{50.014, 50.011}));
+    }
+    void theSameColumnTwiceIsOne() {
+        const Table read = table("X_Value,a,X_Value,b\n0,1,0,2\n1,3,1,4\n");
+        QCOMPARE(read.column("t_s"), (std::vector<double>{0, 1}));
+    }
+    void halSamplerSaysWhatItLost() {
+        const ReadOptions named{0, 0, {}, {"a", "b"}, 0.001};
+        QVERIFY(refusal("1.5 2 \noverrun\n2.5 3 \n", "a", named).contains("line 2"));
+        QVERIFY(refusal("1.5 2 \noverrun\n2.5 3 \n", "a", named).contains("overrun"));
+        QVERIFY(refusal("a,b\n1,2\n", "t_s").contains("--period-s"));
     }
     void labviewMeasurement() {
         const Table read = table(

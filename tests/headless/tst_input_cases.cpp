@@ -177,7 +177,8 @@ class TestInputCases : public QObject {
     void oneMarkCostsOneReading_data() {
         QTest::addColumn<QByteArray>("mark");
         QTest::addColumn<QString>("named");
-        for (const char* mark : {"NaN", "NAN", "nan", "NA", "#N/A", "OL", "Open", "-----", "", "null", "#NV"}) {
+        for (const char* mark : {"NaN", "NAN", "nan", "NA", "#N/A", "OL", "Open", "-----", "", "null", "#NV", "TC OPEN",
+                                 "S.br", "E-01", "I/O Timeout"}) {
             QTest::newRow(*mark != '\0' ? mark : "empty") << QByteArray(mark) << QStringLiteral("open");
         }
         QTest::newRow("9.9E+37") << QByteArray("9.9E+37") << QStringLiteral("open");
@@ -220,6 +221,48 @@ class TestInputCases : public QObject {
         QCOMPARE(run.exitCode, 0);
         QVERIFY2(run.err.contains(QString::fromUtf8(other)) && run.err.contains("line 107"), qPrintable(run.err));
         QCOMPARE(run.out, predict("T0.csv").out);
+    }
+    void aTurningRecordWithAHoleOrInMillimetresIsRefused() {
+        QByteArray whole = "k,u_um,f_n\n", hole = whole, millimetres = whole, lost = whole;
+        for (int k = 0; k < 100; ++k) {
+            const QByteArray head = QByteArray::number(k) + ',';
+            const double chip_um = 5.0 + k % 7;
+            const QByteArray force = ',' + QByteArray::number(0.1 * chip_um) + '\n';
+            whole += head + QByteArray::number(chip_um) + force;
+            hole += k == 50 ? QByteArray() : head + QByteArray::number(chip_um) + force;
+            millimetres += head + QByteArray::number(chip_um / 1000.0) + force;
+            lost += head + QByteArray::number(chip_um) + (k == 50 ? QByteArray(",-9999\n") : force);
+        }
+        const auto identify = [](const QString& file) {
+            return runKerf({"turning", "identify", file, "--lambda", "0.98"});
+        };
+        QCOMPARE(identify(put("whole.csv", whole)).exitCode, 0);
+        expectRefused(identify(put("hole.csv", hole)), {"line 52", "51 follows 49"});
+        expectRefused(identify(put("mm.csv", millimetres)), {"not mm"});
+        expectRefused(identify(put("lost.csv", lost)), {"line 52", "-9999"});
+    }
+    void aTapRecordInMillisecondsIsRefused() {
+        QList<QByteArray> lines = bytesOf(caseFile("12-tapping-index-reset/control_from_sync.csv")).split('\n');
+        for (int k = 1; k < lines.size() && !lines[k].isEmpty(); ++k) {
+            const auto comma = lines[k].indexOf(',');
+            lines[k] = QByteArray::number(lines[k].left(comma).toDouble() * 1000.0) + lines[k].mid(comma);
+        }
+        expectRefused(runKerf({"tapping", "evaluate", put("ms.csv", lines.join('\n')), "--pitch-mm", "1.25"}),
+                      {"in ms?"});
+    }
+    void oneForceOfALoggerCostsOneRevolution() {
+        QByteArray text = bytesOf(caseFile("08-milling-angle/control_up.csv"));
+        const KerfRun whole = runKerf({"milling", "replay", put("force.csv", text)});
+        QList<QByteArray> lines = text.split('\n');
+        QList<QByteArray> cells = lines[52].split(',');
+        cells[2] = "-9999";
+        lines[52] = cells.join(',');
+        const KerfRun run = runKerf({"milling", "replay", put("force.csv", lines.join('\n'))});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(run.err.contains("1 samples without a value"), qPrintable(run.err));
+        for (const int column : {0, 3, 4}) {  // revolution, mean and peak force
+            QCOMPARE(csvRows(run.out).back()[column], csvRows(whole.out).back()[column]);
+        }
     }
     void marksInOtherColumnsDoNotMatter() {
         const QByteArray text = withColumn(day("T0_same"), "remark", [](int k) {

@@ -112,6 +112,27 @@ class BoredLot {
 class TestQualityCommands : public QObject {
     Q_OBJECT
  private slots:
+    void aFileIsReadAsEveryTableIs_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("decimal commas") << QStringLiteral("part;value\n1;10,01\n2;10,02\n3;9,99\n4;10,00\n");
+        QTest::newRow("one column with them") << QStringLiteral("value\n10,01\n10,02\n9,99\n10,00\n");
+        QTest::newRow("case, unit, blank rows")
+            << QStringLiteral("who,Value [mm]\nKim,10.01\n,\nLee,10.02\nKim,9.99\n\nLee,10.00\n");
+        QTest::newRow("a mark costs one row") << QStringLiteral("value\n10.01\n10.02\nOL\n9.99\n10.00\n");
+        QTest::newRow("a block before it")
+            << QStringLiteral("Station;4\n\npart;value\n1;10,01\n2;10,02\n3;9,99\n4;10,00\n");
+    }
+    void aFileIsReadAsEveryTableIs() {
+        QFETCH(QString, text);
+        const QStringList limits{"--lower", "9.9", "--upper", "10.1"};
+        const KerfRun plain = quality(
+            QStringList{"capability", scratchFile("plain.csv", QStringLiteral("value\n10.01\n10.02\n9.99\n10.00\n"))} +
+            limits);
+        const KerfRun run = quality(QStringList{"capability", scratchFile("other.csv", text)} + limits);
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        QCOMPARE(run.out, plain.out);
+        QCOMPARE(run.err.contains("line 4"), text.contains("OL"));
+    }
     void chartsOfNistsCusum() {
         const QString file = scratchFile("cusum.csv", column("value", kNistCusum));
         const json report = jsonOf(quality({"charts", file, "--target", "325", "--sigma", "1", "--rules", "cusum",

@@ -15,7 +15,8 @@ constexpr std::size_t kLeastSamples = 50;
 constexpr double kWrapJump_rev = 0.5;  ///< a larger step between neighbours is no motion
 constexpr double kLargestStep_rev = 0.25;
 constexpr double kPitchTolerance = 0.01;
-constexpr double kUneven = 0.25;  ///< deviation of a time step, in ticks, that is uneven sampling
+constexpr double kSlowestTick_s = 0.1;  ///< slower is no record of a tap, or one in ms
+constexpr double kUneven = 0.25;        ///< deviation of a time step, in ticks, that is uneven sampling
 
 double medianStep_s(std::span<const double> time_s) {
     std::vector<double> steps(time_s.size() - 1);
@@ -101,6 +102,10 @@ Result<CheckedRecord> checkRecord(std::span<const double> time_s, std::span<cons
     }
     CheckedRecord record;
     record.tick_s = medianStep_s(time_s);
+    if (record.tick_s > kSlowestTick_s) {
+        return fail(KERF_TEXT("The samples are %1 s apart, at most %2 s are expected: is the time in ms?"),
+                    SentenceArg(record.tick_s, 3), SentenceArg(kSlowestTick_s, 1));
+    }
     std::size_t total = 0;
     std::vector<std::size_t> at(n);
     for (std::size_t k = 0; k < n; ++k) {
