@@ -396,6 +396,9 @@ ui::Services ConsoleApplication::services() {
                         [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
         m_savedPreferences = now;
     };
+    services.saveSetting = [this](const QString& key, const QString& value) {
+        saveSetting(key.toStdString(), value.toStdString());
+    };
     services.saveSignOn = [this](const ui::SignOnSettings& now) {
         saveSignOn(
             m_savedSignOn, now, [this](const std::string& key, const std::string& value) { saveSetting(key, value); },

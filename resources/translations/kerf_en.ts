@@ -4403,6 +4403,14 @@
             <source>scrapped</source>
             <translation>scrapped</translation>
         </message>
+        <message>
+            <source>Setting ring of a comparator (0: it shows diameters)</source>
+            <translation>Setting ring of a comparator (0: it shows diameters)</translation>
+        </message>
+        <message>
+            <source>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</source>
+            <translation>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4639,6 +4647,30 @@
         <message>
             <source>Take back</source>
             <translation>Take back</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: it is taken when somebody signs on.</source>
+            <translation>The gauge sent %1: it is taken when somebody signs on.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 a while ago: left out, measure again.</source>
+            <translation>The gauge sent %1 a while ago: left out, measure again.</translation>
+        </message>
+        <message>
+            <source>Gauge channels</source>
+            <translation>Gauge channels</translation>
+        </message>
+        <message>
+            <source>Which channel of the gauge's switch measures at which depth.</source>
+            <translation>Which channel of the gauge's switch measures at which depth.</translation>
+        </message>
+        <message>
+            <source>Channel %1</source>
+            <translation>Channel %1</translation>
+        </message>
+        <message>
+            <source>Learn them anew</source>
+            <translation>Learn them anew</translation>
         </message>
     </context>
     <context>
@@ -4972,10 +5004,6 @@
             <translation>%1: %2 stored.</translation>
         </message>
         <message>
-            <source>The gauge was too early: the value before is being stored. Send it again.</source>
-            <translation>The gauge was too early: the value before is being stored. Send it again.</translation>
-        </message>
-        <message>
             <source>The gauge sent %1, but no part waits for a diameter: left out.</source>
             <translation>The gauge sent %1, but no part waits for a diameter: left out.</translation>
         </message>
@@ -4998,6 +5026,43 @@
         <message>
             <source>The gauge sent %1 twice at once: the second one is left out.</source>
             <translation>The gauge sent %1 twice at once: the second one is left out.</translation>
+        </message>
+        <message>
+            <source>Further readings are left out until this one is stored: send them again then.</source>
+            <translation>Further readings are left out until this one is stored: send them again then.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>gauge channel, depth</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Gauge channels</source>
+            <translation>Gauge channels</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but channel %2 belongs to no depth: left out.</source>
+            <translation>The gauge sent %1, but channel %2 belongs to no depth: left out.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 at once behind the others: one too many, left out. For the next part send it again.</source>
+            <translation>The gauge sent %1 at once behind the others: one too many, left out. For the next part send it again.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but %2 has its diameter: left out. Use Correct to change it.</source>
+            <translation>The gauge sent %1, but %2 has its diameter: left out. Use Correct to change it.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: a deviation, and the recipe has no setting ring. Not taken.</source>
+            <translation>The gauge sent %1: a deviation, and the recipe has no setting ring. Not taken.</translation>
+        </message>
+        <message>
+            <source>Only a part of a reading came (%1): nothing is taken. Send it again.</source>
+            <translation>Only a part of a reading came (%1): nothing is taken. Send it again.</translation>
+        </message>
+        <message>
+            <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
+            <translation>Num Lock is off: the keypad sends no figures. Switch it on and type again.</translation>
         </message>
     </context>
     <context>
@@ -5941,6 +6006,22 @@
         <message>
             <source>%1: %2 taken out.</source>
             <translation>%1: %2 taken out.</translation>
+        </message>
+        <message>
+            <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
+            <translation>Num Lock is off: the keypad sends no figures. Switch it on and type again.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: not used. To put it in, touch “Correct the value” first and send it again.</source>
+            <translation>The gauge sent %1: not used. To put it in, touch “Correct the value” first and send it again.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: a deviation, and the recipe has no setting ring. Not used.</source>
+            <translation>The gauge sent %1: a deviation, and the recipe has no setting ring. Not used.</translation>
+        </message>
+        <message>
+            <source>Yes, %1</source>
+            <translation>Yes, %1</translation>
         </message>
     </context>
     <context>
@@ -7943,6 +8024,25 @@
         <message>
             <source>time</source>
             <translation>time</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TouchKeyboard</name>
+        <message>
+            <source>ABC</source>
+            <translation>ABC</translation>
+        </message>
+        <message>
+            <source>Space</source>
+            <translation>Space</translation>
+        </message>
+        <message>
+            <source>Enter</source>
+            <translation>Enter</translation>
+        </message>
+        <message>
+            <source>Hide the keyboard</source>
+            <translation>Hide the keyboard</translation>
         </message>
     </context>
     <context>

@@ -4402,6 +4402,14 @@
             <source>scrapped</source>
             <translation>폐기함</translation>
         </message>
+        <message>
+            <source>Setting ring of a comparator (0: it shows diameters)</source>
+            <translation>비교 측정기의 세팅 링 (0: 지름을 직접 표시)</translation>
+        </message>
+        <message>
+            <source>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</source>
+            <translation>샘플 간격이 %1 s이며 최대 %2 s여야 합니다. 시간이 ms 단위입니까?</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4637,6 +4645,30 @@
         <message>
             <source>Take back</source>
             <translation>예고 취소</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: it is taken when somebody signs on.</source>
+            <translation>게이지가 %1 값을 보냈습니다. 누군가 로그인하면 받아들입니다.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 a while ago: left out, measure again.</source>
+            <translation>게이지 값 %1: 시간이 지나 제외했습니다. 다시 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Gauge channels</source>
+            <translation>게이지 채널</translation>
+        </message>
+        <message>
+            <source>Which channel of the gauge's switch measures at which depth.</source>
+            <translation>게이지 멀티플렉서의 채널별 측정 깊이입니다.</translation>
+        </message>
+        <message>
+            <source>Channel %1</source>
+            <translation>채널 %1</translation>
+        </message>
+        <message>
+            <source>Learn them anew</source>
+            <translation>새로 학습</translation>
         </message>
     </context>
     <context>
@@ -4970,10 +5002,6 @@
             <translation>%1: %2 저장됨.</translation>
         </message>
         <message>
-            <source>The gauge was too early: the value before is being stored. Send it again.</source>
-            <translation>게이지가 너무 빨랐습니다. 앞선 값을 저장하는 중이니 다시 보내십시오.</translation>
-        </message>
-        <message>
             <source>The gauge sent %1, but no part waits for a diameter: left out.</source>
             <translation>게이지가 %1을(를) 보냈으나 지름을 기다리는 공작물이 없어 버렸습니다.</translation>
         </message>
@@ -4996,6 +5024,43 @@
         <message>
             <source>The gauge sent %1 twice at once: the second one is left out.</source>
             <translation>게이지가 %1을(를) 한꺼번에 두 번 보내 두 번째는 버렸습니다.</translation>
+        </message>
+        <message>
+            <source>Further readings are left out until this one is stored: send them again then.</source>
+            <translation>이 값이 저장될 때까지 다음 측정값은 제외됩니다. 저장된 뒤 다시 보내십시오.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>gauge channel, depth</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Gauge channels</source>
+            <translation>게이지 채널</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but channel %2 belongs to no depth: left out.</source>
+            <translation>게이지 값 %1: 채널 %2에 지정된 깊이가 없어 제외했습니다.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 at once behind the others: one too many, left out. For the next part send it again.</source>
+            <translation>게이지 값 %1: 연달아 하나 더 들어와 제외했습니다. 다음 공작물의 값이면 다시 보내십시오.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1, but %2 has its diameter: left out. Use Correct to change it.</source>
+            <translation>게이지 값 %1: %2의 지름이 이미 있어 제외했습니다. 바꾸려면 ‘수정’을 누르십시오.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: a deviation, and the recipe has no setting ring. Not taken.</source>
+            <translation>게이지 값 %1: 편차인데 레시피에 세팅 링이 없어 받지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Only a part of a reading came (%1): nothing is taken. Send it again.</source>
+            <translation>측정값의 일부만 들어왔습니다(%1). 받지 않았으니 다시 보내십시오.</translation>
+        </message>
+        <message>
+            <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
+            <translation>Num Lock이 꺼져 있어 숫자가 입력되지 않습니다. 켜고 다시 입력하십시오.</translation>
         </message>
     </context>
     <context>
@@ -5939,6 +6004,22 @@
         <message>
             <source>%1: %2 taken out.</source>
             <translation>%1: %2을(를) 뺐습니다.</translation>
+        </message>
+        <message>
+            <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
+            <translation>Num Lock이 꺼져 있어 숫자가 입력되지 않습니다. 켜고 다시 입력하십시오.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: not used. To put it in, touch “Correct the value” first and send it again.</source>
+            <translation>게이지 값 %1: 사용하지 않았습니다. 넣으려면 먼저 ‘값 수정’을 누르고 다시 보내십시오.</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1: a deviation, and the recipe has no setting ring. Not used.</source>
+            <translation>게이지 값 %1: 편차인데 레시피에 세팅 링이 없어 사용하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Yes, %1</source>
+            <translation>예, %1</translation>
         </message>
     </context>
     <context>
@@ -7938,6 +8019,25 @@
         <message>
             <source>time</source>
             <translation>시각</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::TouchKeyboard</name>
+        <message>
+            <source>ABC</source>
+            <translation>가나다</translation>
+        </message>
+        <message>
+            <source>Space</source>
+            <translation>띄어쓰기</translation>
+        </message>
+        <message>
+            <source>Enter</source>
+            <translation>입력</translation>
+        </message>
+        <message>
+            <source>Hide the keyboard</source>
+            <translation>키보드 숨기기</translation>
         </message>
     </context>
     <context>

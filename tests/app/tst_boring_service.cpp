@@ -440,6 +440,30 @@ class TestBoringService : public QObject {
                                             .arg(id))),
                  std::int64_t{1});
     }
+    void theQuestionOfAFirstEntryProtectsACorrectionToo() {
+        Bench bench;
+        bench.boreAndMeasure();
+        bench.boreAndMeasure();
+        const auto id = bench.measurement(2, 0);
+        const double before = bench.service->view().nextSchedule.lnC;
+        const double sound_mm = bench.service->view().parts[1].measurements[0].diameter_mm - 0.002;
+        BoreCorrection wrong{id, 5.0011, "Kim", "misread", true, false};
+        QVERIFY(bench.service->checkCorrection(id, wrong.diameter_mm).verdict != EntryVerdict::Accept);
+        QCOMPARE(bench.service->checkCorrection(id, sound_mm).verdict, EntryVerdict::Accept);
+        const auto correct = [&](const BoreCorrection& one) {
+            return bench.wait([&](const auto& done) { bench.service->correctValue(one, done); });
+        };
+        QVERIFY(!correct(wrong));
+        QVERIFY(!bench.wait([&](const auto& done) { bench.service->correct(id, 49.3, "Kim", "misread", done); }));
+        QCOMPARE(bench.service->view().nextSchedule.lnC, before);
+        QVERIFY(correct({id, 49.3, "Kim", "measured again", false, true}));  // an answer was given
+        QCOMPARE(bench.count("SELECT count(*) FROM measurements WHERE confirmed"), std::int64_t{1});
+        BoreCorrection right{bench.measurement(2, 0), sound_mm, "Kim", "gauge", true, true};
+        right.id = bench.count("SELECT max(id) FROM measurements");
+        QVERIFY(correct(right));
+        QCOMPARE(bench.count("SELECT count(*) FROM measurements WHERE replaces_id IS NOT NULL AND source = 'gauge'"),
+                 std::int64_t{1});
+    }
     void undoTakesBackTheNewestStepByStep() {
         Bench bench;
         bench.boreAndMeasure();

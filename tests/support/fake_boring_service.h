@@ -115,6 +115,7 @@ class FakeBoringService : public BoringService {
     };
     std::vector<Call> calls{};         ///< corrections, voids, undos, accepts
     std::vector<BoreEntry> entries{};  ///< accepted
+    std::vector<BoreCorrection> corrections{};
     mutable std::vector<BoreEntry> checked{};
 
     // BoringService
@@ -165,6 +166,23 @@ class FakeBoringService : public BoringService {
             rebuild();
             return {};
         });
+    }
+    EntryCheck checkCorrection(MeasurementId id, double diameter_mm) const override {
+        for (const BorePartView& part : m_parts) {
+            for (const BoreMeasurementView& m : part.measurements) {
+                const double deflection_mm = kDeflection_mm + kTarget_mm - diameter_mm;
+                const double expected_mm = kDeflection_mm + kTarget_mm - m.diameter_mm;
+                if (m.id == id && (deflection_mm <= 0.0 || std::abs(std::log(deflection_mm / expected_mm)) > kGate)) {
+                    return {EntryVerdict::Ask, Sentence(KERF_TEXT("%1 mm is far from the %2 mm expected here."),
+                                                        {diameter_mm, 3}, {m.diameter_mm, 3})};
+                }
+            }
+        }
+        return {EntryVerdict::Accept, {}};
+    }
+    void correctValue(const BoreCorrection& correction, Done done) override {
+        corrections.push_back(correction);
+        correct(correction.id, correction.diameter_mm, correction.author, correction.reason, std::move(done));
     }
     void voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason, Done done) override {
         calls.push_back({"void", id, 0.0, author, reason});

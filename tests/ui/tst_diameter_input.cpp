@@ -107,6 +107,15 @@ class TestDiameterInput : public QObject {
         QTest::newRow("inch") << "1.96894 in" << 1.96894 << 1;
         QTest::newRow("inch mark") << "1.96894\"" << 1.96894 << 1;
         QTest::newRow("multiplexer") << "01A+00050.011" << 50.011 << -1;
+        QTest::newRow("padded") << "   50.011  " << 50.011 << -1;
+        QTest::newRow("label") << "D=50.011" << 50.011 << -1;
+        QTest::newRow("label and blank") << "DIA 50,011 mm" << 50.011 << 0;
+        QTest::newRow("channel") << "CH2: +50.011mm" << 50.011 << 0;
+        QTest::newRow("number") << "2:50.011" << 50.011 << -1;
+        QTest::newRow("status") << "50.011 mm OK" << 50.011 << 0;
+        QTest::newRow("status behind a comma") << "50.011,NG" << 50.011 << -1;
+        QTest::newRow("prefix and sign") << "N+50.011" << 50.011 << -1;
+        QTest::newRow("radio base") << "DT10002+0050.011M" << 50.011 << 0;
         QTest::newRow("raw mm") << "FFFF005001130" << 50.011 << 0;
         QTest::newRow("raw inch") << "FFFF019689451" << 1.96894 << 1;
         QTest::newRow("raw negative") << "FFFF800001230" << -0.012 << 0;
@@ -121,8 +130,28 @@ class TestDiameterInput : public QObject {
         QCOMPARE(reading->unit.has_value() ? static_cast<int>(*reading->unit) : -1, unit);
     }
     void whatIsNoFrameIsNotOne() {
-        for (const char* text : {"", "1234", "50", "A50.011", "50.011kg", "5.0.1", "50.", "FFFF0050011", "50.011mmm"}) {
+        for (const char* text : {"", "1234", "50", "A50.011", "50.011kg", "5.0.1", "50.", "FFFF0050011", "50.011mmm",
+                                 "A1250.5", "lot 12.5", "50.011 51.2", "1.2.3.4"}) {
             QVERIFY2(!parseGaugeFrame(QString::fromLatin1(text)), text);
+        }
+    }
+    void channelsAreKept() {
+        for (const auto& [frame, channel] : {std::pair("01A+00050.011", 1), std::pair("12B-00000.011", 12),
+                                             std::pair("CH2: 50.011", 2), std::pair("DT10003+0050.011M", 3)}) {
+            QCOMPARE(parseGaugeFrame(QString::fromLatin1(frame))->channel.value_or(0), channel);
+        }
+        QVERIFY(!parseGaugeFrame(QStringLiteral("50.011"))->channel);
+    }
+    void aDeviationIsNeverADiameter() {
+        const auto judge = [](const char* frame, double ring_mm) {
+            return judgeReading(*parseGaugeFrame(QString::fromLatin1(frame)), 50.010, LengthUnit::Millimetre, ring_mm);
+        };
+        QCOMPARE(judge("+0.011", 50.0).value_mm, 50.011);
+        QCOMPARE(judge("-0.004mm", 50.002).value_mm, 49.998);
+        QVERIFY(std::abs(judge("0.0005in", 50.0).value_mm - 50.0127) < 1e-9);
+        QCOMPARE(judge("50.011", 50.0).value_mm, 50.011);  // switched to absolute
+        for (const char* frame : {"+0.011", "-0.004", "0.050", "0.5001"}) {
+            QCOMPARE(judge(frame, 0.0).doubt, GaugeDoubt::Deviation);
         }
     }
     void unitAndDecadeSlipsAreNoticed() {

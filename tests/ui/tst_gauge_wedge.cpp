@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QInputMethodEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -9,6 +10,7 @@
 #include <QWindow>
 
 #include "ui/entry/gauge_wedge.h"
+#include "ui/entry/hangul.h"
 
 using namespace kerf::ui;
 
@@ -56,7 +58,7 @@ class TestGaugeWedge : public QObject {
     void handsAreNotAGauge() {
         for (const char c : std::string("50.011")) {
             QTest::keyClick(m_line, c);
-            m_now_ms += 60;
+            m_now_ms += 120;
         }
         QSignalSpy entered(m_line, &QLineEdit::returnPressed);
         QTest::keyClick(m_line, Qt::Key_Return);
@@ -112,6 +114,135 @@ class TestGaugeWedge : public QObject {
         m_now_ms += 400;
         burst(m_button, "50.009");
         QCOMPARE(m_read->count(), 2);
+    }
+    void aRadioSendsSlower_data() {
+        QTest::addColumn<int>("pace_ms");
+        QTest::addColumn<int>("pause_ms");
+        QTest::addColumn<QString>("frame");
+        for (const char* frame :
+             {"50.011", "01A+00050.011", "  +50,011 mm", "D=50.011", "1.96894 in", "OD 50.011mm OK"}) {
+            for (const int pace_ms : {1, 30, 35, 50, 70, 90}) {
+                for (const int pause_ms : {0, 150}) {
+                    QTest::addRow("%s at %d ms, one pause of %d", frame, pace_ms, pause_ms)
+                        << pace_ms << pause_ms << QString::fromLatin1(frame);
+                }
+            }
+        }
+    }
+    void aRadioSendsSlower() {
+        QFETCH(int, pace_ms);
+        QFETCH(int, pause_ms);
+        QFETCH(QString, frame);
+        QSignalSpy pressed(m_button, &QPushButton::pressed);
+        for (QWidget* target : std::initializer_list<QWidget*>{m_line, m_memo, m_button, m_window.get()}) {
+            for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Tab}) {
+                m_read->clear();
+                m_now_ms += 10000;
+                for (int k = 0; k < frame.size(); ++k) {
+                    QTest::keyClick(target, frame[k].toLatin1());
+                    m_now_ms += k == 2 && pause_ms > 0 ? pause_ms : pace_ms;
+                }
+                QTest::keyClick(target, end);
+                m_now_ms += pace_ms;
+                QTest::keyClick(target, Qt::Key_Return);  // the last key twice: LF behind CR
+                QCOMPARE(m_read->count(), 1);
+                QVERIFY(qAbs(m_read->first().first().value<GaugeReading>().value -
+                             (frame.contains(u'i') ? 1.96894 : 50.011)) < 1e-9);
+            }
+        }
+        QVERIFY(m_line->text().isEmpty());
+        QVERIFY(m_memo->toPlainText().isEmpty());
+        QCOMPARE(pressed.count(), 0);
+    }
+    void halfAFrameIsNoReadingAndPressesNothing_data() {
+        QTest::addColumn<QString>("begin");
+        QTest::addColumn<QString>("end");
+        for (const char* begin : {"5", "50", "50.", "50.0", "01A+00"}) {
+            for (const char* end : {"0.011", ".011", "011", "1"}) {
+                QTest::addRow("%s … %s", begin, end) << QString::fromLatin1(begin) << QString::fromLatin1(end);
+            }
+        }
+    }
+    void halfAFrameIsNoReadingAndPressesNothing() {
+        QFETCH(QString, begin);
+        QFETCH(QString, end);
+        QSignalSpy pressed(m_button, &QPushButton::pressed);
+        QSignalSpy halved(m_wedge.get(), &GaugeWedge::halved);
+        for (const QString& part : {begin, end}) {
+            for (const QChar c : part) {
+                QTest::keyClick(m_button, c.toLatin1());
+                m_now_ms += 50;
+            }
+            m_now_ms += part == begin ? 400 : 0;
+        }
+        QTest::keyClick(m_button, Qt::Key_Return);
+        QCOMPARE(m_read->count(), 0);
+        QCOMPARE(pressed.count(), 0);
+        QVERIFY(halved.count() > 0 || end.size() < 2);
+    }
+    void paddingPressesNoButtonAndASpaceOfAPersonDoes() {
+        QSignalSpy clicked(m_button, &QPushButton::clicked);
+        burst(m_button, "   50.011");
+        QCOMPARE(m_read->count(), 1);
+        QCOMPARE(clicked.count(), 0);
+        m_now_ms += 10000;
+        QTest::keyClick(m_button, Qt::Key_Space);
+        QTRY_COMPARE(clicked.count(), 1);
+    }
+    void aMultiplexersPairRepeatedChangesNothing() {
+        const auto pair = [this] {
+            burst(m_button, "01A+00050.011");
+            burst(m_button, "02A+00049.998");
+        };
+        pair();
+        QCOMPARE(m_read->count(), 2);
+        QCOMPARE(m_read->at(0).first().value<GaugeReading>().channel.value_or(0), 1);
+        QCOMPARE(m_read->at(1).first().value<GaugeReading>().channel.value_or(0), 2);
+        m_now_ms += 3000;
+        pair();
+        QCOMPARE(m_read->count(), 2);
+        QCOMPARE(m_again->count(), 2);
+        m_now_ms += 60000;
+        pair();  // another part may be the same
+        QCOMPARE(m_read->count(), 4);
+    }
+    void numLockOffIsToldAndChangesNothing() {
+        QSignalSpy off(m_wedge.get(), &GaugeWedge::numLockOff);
+        m_line->setText(QStringLiteral("50.012"));
+        for (const Qt::Key key :
+             {Qt::Key_Clear, Qt::Key_Insert, Qt::Key_Delete, Qt::Key_Insert, Qt::Key_End, Qt::Key_End}) {
+            QTest::keyClick(m_line, key, Qt::KeypadModifier);
+            m_now_ms += 5;
+        }
+        QTest::keyClick(m_line, Qt::Key_Enter, Qt::KeypadModifier);
+        QCOMPARE(off.count(), 1);
+        QCOMPARE(m_read->count(), 0);
+        QCOMPARE(m_line->text(), QStringLiteral("50.012"));
+    }
+    void aKoreanInputMethodMakesNoDifference() {
+        const auto compose = [this](const QString& preedit, const QString& commit) {
+            QInputMethodEvent event(preedit, {});
+            if (!commit.isEmpty()) event.setCommitString(commit);
+            QCoreApplication::sendEvent(m_line, &event);
+        };
+        QTest::keyClick(m_line, '0');
+        QTest::keyClick(m_line, '1');
+        compose(QStringLiteral("ㅁ"), {});
+        compose({}, QStringLiteral("ㅁ"));
+        burst(m_line, "+00050.011");
+        QCOMPARE(m_read->count(), 1);
+        QCOMPARE(m_read->first().first().value<GaugeReading>().channel.value_or(0), 1);
+        QVERIFY(m_line->text().isEmpty());
+        m_now_ms += 10000;
+        compose({}, QStringLiteral("김"));  // a person's words
+        QCOMPARE(m_line->text(), QStringLiteral("김"));
+        QCOMPARE(latinKeys(QStringLiteral("므ㅑㅜ")), QStringLiteral("amin"));
+    }
+    void aLabelIsNoReasonToHoldBackWords() {
+        QTest::keyClicks(m_line, QStringLiteral("Schmidt and sons, 12"));
+        QTest::keyClick(m_line, Qt::Key_End);
+        QCOMPARE(m_line->text(), QStringLiteral("Schmidt and sons, 12"));
+        QCOMPARE(m_read->count(), 0);
     }
     void keysThatQueuedUpBehindABusyScreenAreNoBurst() {
         // Handled at one moment, typed a hundred milliseconds apart: the events carry their own time.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractButton>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -71,6 +73,46 @@ class TestShell : public QObject {
             const QStringList small = test::smallTargets(bench.window.get(), bench.look);
             QVERIFY2(small.isEmpty(), qPrintable(QLatin1String(entry.key) + u'\n' + small.join(u'\n')));
         }
+    }
+    void aNameIsTypedByTouchAlone() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        const auto touch = [&](const char* name) {
+            QCoreApplication::processEvents();
+            for (QWidget* widget : bench.window->findChildren<QWidget*>(QLatin1String(name))) {
+                if (widget->isVisible() && widget->isEnabled()) {
+                    QTest::mouseClick(widget, Qt::LeftButton);
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(touch("operator"));
+        QVERIFY(touch("operatorName"));
+        for (const char* key : {"touchShift", "touchKey_l", "touchKey_e", "touchKey_e"}) {
+            QVERIFY2(touch(key), key);
+        }
+        QVERIFY(touch("touchHide"));
+        QVERIFY(touch("signOn"));
+        QCOMPARE(bench.window->session().name(), QStringLiteral("Lee"));
+        QVERIFY(bench.window->focusWidget() == nullptr ||
+                qobject_cast<QAbstractButton*>(bench.window->focusWidget()) == nullptr);
+    }
+    void keysThatNobodyWantsGoToTheFieldThatWaits() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.window->session().signOn(QStringLiteral("Kim Minji"));
+        bench.window->showPage("boring");
+        QCoreApplication::processEvents();
+        auto* settings = bench.window->findChild<QPushButton*>(QStringLiteral("settings"));
+        QVERIFY(settings != nullptr);
+        settings->setFocus();
+        QKeyEvent press(QEvent::KeyPress, Qt::Key_7, Qt::NoModifier, QStringLiteral("7"));
+        QCoreApplication::sendEvent(settings, &press);
+        auto* field = bench.window->findChild<QLineEdit*>(QStringLiteral("boringDiameterField"));
+        QVERIFY(field->text().contains(u'7'));
     }
     void holdAllReachesTheEngineWithAFrozenPage() {
         ShellBench bench;

@@ -99,16 +99,21 @@ MeasurementForm::MeasurementForm(Look& look, BoringService& service, Author auth
     sheet->addButton(
         m_apply, [this] { apply(); }, false);
     m_apply->setPredicate([this] { return whyNot(); });
-    connect(m_kind, &QButtonGroup::buttonClicked, this, [this] { reconsider(); });
+    connect(m_kind, &QButtonGroup::buttonClicked, this, [this] { onTyped(); });
     connect(m_reasons, &QButtonGroup::idClicked, this, [this] { reconsider(); });
     connect(m_words, &QLineEdit::textChanged, this, [this] { reconsider(); });
     connect(m_field, &DiameterField::typed, this, [this] {
-        m_refusal = {};
+        m_fromGauge = false;
+        onTyped();
+    });
+    connect(m_field, &DiameterField::cleared, this, [this] { onTyped(); });
+    connect(m_field, &DiameterField::numLockOff, this, [this] {
+        m_said = tr("Num Lock is off: the keypad sends no figures. Switch it on and type again.");
         reconsider();
     });
-    connect(m_field, &DiameterField::cleared, this, [this] { reconsider(); });
     connect(m_field, &DiameterField::entered, this, [this] {
-        if (m_apply->isEnabled()) {
+        // Enter may be the gauge's own last key, and it is no answer to a question.
+        if (m_apply->isEnabled() && !m_fromGauge && m_question.empty()) {
             apply();
         }
     });
@@ -144,10 +149,36 @@ void MeasurementForm::refresh() {
     FaceWidget::refresh();
 }
 
-void MeasurementForm::takeDiameter(double diameter_mm) {
-    m_correct->setChecked(true);
-    m_field->input().set_mm(diameter_mm);
-    m_field->showInput();
+void MeasurementForm::onTyped() {
+    m_refusal = {};
+    m_question = {};
+    m_said.clear();
+    reconsider();
+}
+
+QString MeasurementForm::message() const {
+    return m_message->text();
+}
+
+void MeasurementForm::takeGauge(const GaugeReading& reading) {
+    if (m_pending) {
+        return;
+    }
+    m_refusal = {};
+    m_question = {};
+    m_said.clear();
+    const GaugeJudgement judgement =
+        judgeReading(reading, m_subject.expected_mm, look().units().length(), m_subject.settingRing_mm);
+    if (!correcting()) {
+        m_said = tr("The gauge sent %1: not used. To put it in, touch “Correct the value” first and send it again.")
+                     .arg(reading.frame);
+    } else if (judgement.doubt == GaugeDoubt::Deviation) {
+        m_said = tr("The gauge sent %1: a deviation, and the recipe has no setting ring. Not used.").arg(reading.frame);
+    } else {
+        m_field->input().set_mm(judgement.doubt == GaugeDoubt::OtherUnit ? judgement.otherUnit_mm : judgement.value_mm);
+        m_field->showInput();
+        m_fromGauge = true;
+    }
     reconsider();
 }
 
@@ -179,10 +210,17 @@ void MeasurementForm::reconsider() {
     m_field->setEnabled(correct);
     m_keypad->setEnabled(correct);
     m_unit->setText(m_field->input().units().of("mm").symbol);
-    m_apply->setText(correct ? tr("Correct") : tr("Take out"));
     const auto value_mm = m_field->input().value_mm();
     const UnitSystem& units = look().units();
-    if (!m_refusal.empty()) {
+    const bool asked = correct && !m_question.empty() && value_mm;
+    m_apply->setText(asked     ? tr("Yes, %1").arg(units.withUnit(*value_mm, "mm", kDecimals))
+                     : correct ? tr("Correct")
+                               : tr("Take out"));
+    if (!m_said.isEmpty()) {
+        m_message->setText(m_said);
+    } else if (asked) {
+        m_message->setText(sentenceText(m_question, units));
+    } else if (!m_refusal.empty()) {
         m_message->setText(tr("Not changed: %1").arg(sentenceText(m_refusal, units)));
     } else if (!correct) {
         m_message->setText(tr("This bore then waits for a diameter again."));
@@ -193,12 +231,21 @@ void MeasurementForm::reconsider() {
     } else {
         m_message->setText(tr("Type the right diameter: its last two figures, or the whole."));
     }
-    m_field->setWrong(!m_refusal.empty());
+    m_field->setWrong(!m_refusal.empty() || asked);
     m_apply->reconsider();
 }
 
 void MeasurementForm::apply() {
     m_refusal = {};
+    m_said.clear();
+    if (correcting() && m_question.empty()) {
+        const EntryCheck check = m_service.checkCorrection(m_subject.id, *m_field->input().value_mm());
+        if (check.verdict != EntryVerdict::Accept) {
+            (check.verdict == EntryVerdict::Ask ? m_question : m_refusal) = check.reason;
+            reconsider();
+            return;
+        }
+    }
     m_pending = true;
     const auto done = [form = QPointer<MeasurementForm>(this)](const Result<void>& result) {
         if (form) {
@@ -206,7 +253,9 @@ void MeasurementForm::apply() {
         }
     };
     if (correcting()) {
-        m_service.correct(m_subject.id, *m_field->input().value_mm(), m_author(), reason().toStdString(), done);
+        m_service.correctValue({m_subject.id, *m_field->input().value_mm(), m_author(), reason().toStdString(),
+                                m_fromGauge, !m_question.empty()},
+                               done);
     } else {
         m_service.voidMeasurement(m_subject.id, m_author(), reason().toStdString(), done);
     }
@@ -217,6 +266,7 @@ void MeasurementForm::apply() {
 
 void MeasurementForm::answered(const Result<void>& result) {
     m_pending = false;
+    m_question = {};
     if (!result) {
         m_refusal = result.error();
         reconsider();

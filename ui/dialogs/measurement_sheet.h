@@ -7,6 +7,7 @@
 
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/diameter_field.h"
+#include "ui/entry/gauge_reading.h"
 #include "ui/services/boring_service.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/keypad.h"
@@ -21,7 +22,8 @@ struct MeasurementSubject {
     MeasurementId id{0};
     QString place{};  ///< "part 7, top", translated
     double diameter_mm{0.0};
-    double expected_mm{0.0};  ///< for the completion of the last two figures
+    double expected_mm{0.0};     ///< for the completion of the last two figures
+    double settingRing_mm{0.0};  ///< of a comparator gauge; 0: the gauge shows diameters
 };
 
 /// Form of the correct / take out sheet: new value, reason (one touch, or words), who signs. The service keeps the old
@@ -42,8 +44,10 @@ class MeasurementForm : public FaceWidget {
     static MeasurementForm* open(SheetHost& host, Look& look, BoringService& service, Author author,
                                  const MeasurementSubject& subject, Start start, OnDone onDone);
 
-    /// A gauge was read while the form is open.
-    void takeDiameter(double diameter_mm);
+    /// A gauge was read while the form is open. It fills the field; it decides nothing.
+    void takeGauge(const GaugeReading& reading);
+    /// What is said in the form.
+    [[nodiscard]] QString message() const;
     [[nodiscard]] double expected_mm() const { return m_subject.expected_mm; }
 
  protected:
@@ -55,6 +59,7 @@ class MeasurementForm : public FaceWidget {
     void reconsider();
     void apply();
     void answered(const Result<void>& result);
+    void onTyped();
     [[nodiscard]] bool correcting() const;
     [[nodiscard]] QString reason() const;
     [[nodiscard]] QString whyNot() const;
@@ -81,7 +86,10 @@ class MeasurementForm : public FaceWidget {
     QHBoxLayout* m_kindRow;
     QHBoxLayout* m_reasonRow;
     Sentence m_refusal{};
+    Sentence m_question{};  ///< the value is far from the one expected: the button says "Yes, …"
+    QString m_said{};       ///< about a reading that is not used
     bool m_pending{false};
+    bool m_fromGauge{false};
 };
 
 }  // namespace kerf::ui

@@ -110,16 +110,22 @@ void Sheet::refresh() {
 SheetHost::SheetHost(Look& look, QWidget* parent) : QWidget(parent), m_look(look) {}
 
 Sheet* SheetHost::open(const QString& title, const QString& text) {
+    QPointer<QWidget> before = m_before;
     if (m_current != nullptr) {
         m_current->close();
+    } else {
+        QWidget* focus = window()->focusWidget();
+        before = focus != nullptr && isAncestorOf(focus) ? focus : nullptr;
     }
     auto* sheet = new Sheet(m_look, this);
     m_current = sheet;
     connect(sheet, &Sheet::closed, this, [this, sheet] {
         if (m_current == sheet) {
             m_current = nullptr;
+            giveBackFocus();
         }
     });
+    m_before = before;
     sheet->setTitle(title);
     sheet->setText(text);
     sheet->setGeometry(rect());
@@ -127,6 +133,15 @@ Sheet* SheetHost::open(const QString& title, const QString& text) {
     sheet->raise();
     sheet->setFocus();
     return sheet;
+}
+
+void SheetHost::giveBackFocus() {
+    if (m_before && m_before->isVisible() && m_before->isEnabled()) {
+        m_before->setFocus();
+    } else {
+        setFocus();  // no button has it that nobody touched
+    }
+    m_before = nullptr;
 }
 
 void SheetHost::ask(const QString& title, const QString& text, const QString& safe, const QString& proceed,

@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <functional>
@@ -53,7 +54,8 @@ class Sheet : public FaceWidget {
     std::vector<QPushButton*> m_list;
 };
 
-/// The page area that sheets cover. One sheet at a time; opening another closes the first.
+/// The page area that sheets cover. One sheet at a time; opening another closes the first. When the last one has gone,
+/// the field that had the focus has it again.
 class SheetHost : public QWidget {
     Q_OBJECT
  public:
@@ -72,8 +74,11 @@ class SheetHost : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
  private:
+    void giveBackFocus();
+
     Look& m_look;
     Sheet* m_current{nullptr};
+    QPointer<QWidget> m_before;  ///< had the focus when the first sheet came
 };
 
 }  // namespace kerf::ui

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionFrame>
+#include <utility>
 
 namespace kerf::ui {
 
@@ -15,6 +16,7 @@ DiameterField::DiameterField(Look& look, QWidget* parent) : QLineEdit(parent), m
     setAttribute(Qt::WA_InputMethodEnabled, false);  // figures only: no composing of Korean syllables here
     setContextMenuPolicy(Qt::NoContextMenu);
     setAcceptDrops(false);
+    setProperty("gaugeTarget", true);
     connect(this, &QLineEdit::textEdited, this, [this] {
         takeText();
         emit typed();
@@ -58,19 +60,37 @@ void DiameterField::keyPressEvent(QKeyEvent* event) {
         emit typed();
         return;
     }
+    const bool keypad = (event->modifiers() & Qt::KeypadModifier) != 0;
+    if (keypad && event->text().trimmed().isEmpty() && event->key() != Qt::Key_Enter &&
+        event->key() != Qt::Key_Return) {
+        m_numLockOff = true;
+        emit numLockOff();
+        return;
+    }
+    if (keypad && event->key() == Qt::Key_Delete) {  // its text is DEL: the decimal point's key
+        m_numLockOff = true;
+        emit numLockOff();
+        return;
+    }
     switch (event->key()) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
             takeText();
+            if (std::exchange(m_numLockOff, false)) {
+                emit numLockOff();
+                return;
+            }
             emit entered();
             return;
         case Qt::Key_Escape:
+            m_numLockOff = false;
             m_input.clear();
             showInput();
             emit cleared();
             return;
         case Qt::Key_Backspace:
         case Qt::Key_Delete:
+            m_numLockOff = false;
             m_input.backspace();
             showInput();
             emit typed();
@@ -80,6 +100,7 @@ void DiameterField::keyPressEvent(QKeyEvent* event) {
     }
     const bool command = (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
     if (!command && !event->text().isEmpty() && event->text().front().isPrint()) {
+        m_numLockOff = false;
         m_input.type(event->text());
         showInput();
         emit typed();

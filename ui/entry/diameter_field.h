@@ -29,6 +29,8 @@ class DiameterField : public QLineEdit {
     void typed();
     void entered();  ///< Return, Enter, or the keypad's
     void cleared();  ///< Escape
+    /// A key of the keypad with Num Lock off: no figure, and the next Enter enters nothing.
+    void numLockOff();
 
  protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -38,6 +40,7 @@ class DiameterField : public QLineEdit {
  private:
     Look& m_look;
     DiameterInput m_input;
+    bool m_numLockOff{false};
 };
 
 }  // namespace kerf::ui

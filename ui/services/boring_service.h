@@ -30,6 +30,16 @@ struct BoreEntry {
     bool confirmed{false};  ///< the operator answered "yes, it is so" to the plausibility question
 };
 
+/// Another value in the place of a stored one.
+struct BoreCorrection {
+    MeasurementId id{0};
+    double diameter_mm{0.0};
+    std::string author{};
+    std::string reason{};
+    bool fromGauge{false};
+    bool confirmed{false};  ///< the operator answered "yes, it is so" to the plausibility question
+};
+
 /// Verdict of the entry gate, before anything is stored.
 enum class EntryVerdict : std::uint8_t {
     Accept,
@@ -104,6 +114,7 @@ struct BoringServiceView {
     bool lotClosed{false};            ///< no part is started for it any more
     std::uint32_t recipeRevision{0};  ///< of the part type, taken when the lot was opened
     double targetDiameter_mm{0.0};
+    double settingRing_mm{0.0};     ///< of a comparator gauge; 0: the gauge shows diameters
     double lowerTolerance_mm{0.0};  ///< diameter, absolute
     double upperTolerance_mm{0.0};
     std::vector<DepthView> depths{};
@@ -144,6 +155,12 @@ class BoringService {
     /// Replace or void a measurement; the old value stays on record. Reason and author must not be empty.
     virtual void correct(MeasurementId id, double diameter_mm, const std::string& author, const std::string& reason,
                          Done done) = 0;
+    /// The same question as for a first entry.
+    [[nodiscard]] virtual EntryCheck checkCorrection(MeasurementId, double) const { return {EntryVerdict::Accept, {}}; }
+    /// Refused while its question is not answered. The source is kept with the value.
+    virtual void correctValue(const BoreCorrection& correction, Done done) {
+        correct(correction.id, correction.diameter_mm, correction.author, correction.reason, std::move(done));
+    }
     virtual void voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason, Done done) = 0;
     /// Void the newest measurement of the lot ("undo last").
     virtual void undoLast(const std::string& author, Done done) = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/main_window.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDateTime>
@@ -8,12 +9,15 @@
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QResizeEvent>
 #include <cstring>
 
 #include "ui/dialogs/first_engineer_sheet.h"
 #include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/settings_sheet.h"
+#include "ui/entry/touch_keyboard.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
@@ -214,6 +218,7 @@ void MainWindow::buildFrame() {
     if (!m_pages.empty()) {
         showPage(m_pages.front().key);
     }
+    new TouchKeyboard(m_look, m_sheets);
     m_sheets->setFocusPolicy(Qt::ClickFocus);
     m_sheets->setFocus();  // no button has the focus before somebody wants it
 }
@@ -294,10 +299,32 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel:
             m_session.touched(m_sinceStart.elapsed());
             break;
+        case QEvent::Polish:
+            // A touch on a button leaves the keys with the field that waits; Tab reaches buttons all the same.
+            if (auto* button = qobject_cast<QAbstractButton*>(watched);
+                button != nullptr && (button->focusPolicy() & Qt::ClickFocus) != 0) {
+                button->setFocusPolicy(Qt::TabFocus);
+            }
+            break;
         default:
             break;
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    // Keys that nobody wanted go to the field for diameters, if one waits on this page.
+    QWidget* room =
+        m_sheets->current() != nullptr ? static_cast<QWidget*>(m_sheets->current()) : m_stack->currentWidget();
+    for (QLineEdit* field : room->findChildren<QLineEdit*>()) {
+        if (field->property("gaugeTarget").toBool() && field->isVisible() && field->isEnabled() && !field->hasFocus() &&
+            !event->text().isEmpty() && event->text().front().isDigit()) {
+            field->setFocus();
+            QApplication::sendEvent(field, event);
+            return;
+        }
+    }
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -48,6 +48,7 @@ class MainWindow : public QMainWindow {
 
  protected:
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     /// Asks first while finished parts wait for the store, or something is being cut.

@@ -56,6 +56,8 @@ struct Services {
 
     /// Called when the operator has changed language, unit, theme or scale; the application stores it.
     std::function<void(const Preferences&)> savePreferences{};
+    /// A setting of a page, by its key; written to the audit log as every setting is.
+    std::function<void(const QString& key, const QString& value)> saveSetting{};
     /// Called when somebody new has signed on, or a role or PIN is another one; the application stores it.
     std::function<void(const SignOnSettings&)> saveSignOn{};
     /// A wrong PIN, or the right one after wrong ones: kept over a restart.

@@ -26,7 +26,7 @@ Keypad::Keypad(Look& look, Shape shape, QWidget* parent) : FaceWidget(look, pare
             [this] { type({}, Qt::Key_Backspace); });
     m_clear = addKey(QStringLiteral("C"), "keyClear", wide ? 0 : 1, wide ? 4 : 3);
     connect(m_clear, &QPushButton::clicked, this, [this] {
-        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        QLineEdit* edit = field();
         if (edit != nullptr) {
             edit->clear();
             emit edit->textEdited({});
@@ -36,12 +36,60 @@ Keypad::Keypad(Look& look, Shape shape, QWidget* parent) : FaceWidget(look, pare
     m_grid->addWidget(m_enter, wide ? 1 : 2, wide ? 4 : 3, 2, 1);
     m_enter->setProperty("primary", true);
     connect(m_enter, &QPushButton::clicked, this, [this] { type({}, Qt::Key_Return); });
+    qApp->installEventFilter(this);
     refresh();
+}
+
+/// In the same sheet, or on the same page.
+bool Keypad::beside(const QWidget* widget) const {
+    const QWidget* room = parentWidget();
+    while (room != nullptr && room->objectName() != QLatin1String("sheet") && !room->inherits("kerf::ui::Page") &&
+           !room->isWindow()) {
+        room = room->parentWidget();
+    }
+    return room != nullptr && room->isAncestorOf(widget);
+}
+
+bool Keypad::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TouchBegin ||
+        event->type() == QEvent::FocusIn) {
+        if (auto* edit = qobject_cast<QLineEdit*>(watched); edit != nullptr && beside(edit)) {
+            m_touched = edit;
+        }
+    }
+    return false;
+}
+
+QLineEdit* Keypad::field() const {
+    if (m_target) {
+        return m_target;
+    }
+    // Without a window manager no window is active and the application knows no focus; the window does.
+    for (QWidget* focus : {QApplication::focusWidget(), window()->focusWidget()}) {
+        if (auto* edit = qobject_cast<QLineEdit*>(focus); edit != nullptr && edit->isEnabled() && beside(edit)) {
+            return edit;
+        }
+    }
+    if (m_touched && m_touched->isVisible() && m_touched->isEnabled()) {
+        return m_touched;
+    }
+    for (QWidget* room = parentWidget(); room != nullptr; room = room->parentWidget()) {
+        for (QLineEdit* edit : room->findChildren<QLineEdit*>()) {
+            if ((edit->inputMethodHints() & Qt::ImhFormattedNumbersOnly) != 0 && edit->isVisible() &&
+                edit->isEnabled()) {
+                return edit;
+            }
+        }
+        if (room->objectName() == QLatin1String("sheet")) {
+            break;
+        }
+    }
+    return nullptr;
 }
 
 void Keypad::addSign(int row, int column) {
     connect(addKey(QStringLiteral("±"), "keySign", row, column), &QPushButton::clicked, this, [this] {
-        QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        QLineEdit* edit = field();
         if (edit != nullptr) {
             const QString text = edit->text();
             edit->selectAll();
@@ -67,14 +115,20 @@ void Keypad::setEnterText(const QString& text) {
 }
 
 void Keypad::type(const QString& text, int key) {
-    QLineEdit* edit = m_target ? m_target.data() : qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    QLineEdit* edit = field();
     if (edit == nullptr) {
         return;
     }
+    if (window()->focusWidget() != edit) {
+        edit->setFocus();
+    }
     QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, text);
     QKeyEvent release(QEvent::KeyRelease, key, Qt::NoModifier, text);
+    const QPointer<QLineEdit> kept(edit);
     QApplication::sendEvent(edit, &press);
-    QApplication::sendEvent(edit, &release);
+    if (kept) {  // Enter may have closed its sheet
+        QApplication::sendEvent(edit, &release);
+    }
 }
 
 void Keypad::refresh() {

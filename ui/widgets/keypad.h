@@ -22,7 +22,10 @@ class Keypad : public FaceWidget {
     explicit Keypad(Look& look, QWidget* parent = nullptr) : Keypad(look, Shape::Tall, parent) {}
     Keypad(Look& look, Shape shape, QWidget* parent = nullptr);
 
+    /// Without a target the keys go to the field that waits: the one with the focus, else the one touched last beside
+    /// this pad, else the first for figures.
     void setTarget(QLineEdit* edit) { m_target = edit; }
+    bool eventFilter(QObject* watched, QEvent* event) override;
     /// Text of the enter key ("Enter" when empty).
     void setEnterText(const QString& text);
 
@@ -33,9 +36,12 @@ class Keypad : public FaceWidget {
     QPushButton* addKey(const QString& face, const char* name, int row, int column, int columns = 1);
     void addSign(int row, int column);
     void type(const QString& text, int key);
+    [[nodiscard]] QLineEdit* field() const;
+    [[nodiscard]] bool beside(const QWidget* widget) const;
 
     QGridLayout* m_grid;
     QPointer<QLineEdit> m_target;
+    QPointer<QLineEdit> m_touched;
     QPushButton* m_enter{nullptr};
     QPushButton* m_clear{nullptr};
     QString m_enterText;

@@ -21,10 +21,10 @@ struct Field {
 };
 
 /// One row per number: key, label, unit, range, default, decimals, source.
-const std::array<Field, 21>& fields() {
+const std::array<Field, 22>& fields() {
     using R = BoringRecipe;
     static const R kDefault{};
-    static const std::array<Field, 21> kFields{{
+    static const std::array<Field, 22> kFields{{
         {{"boring.target_diameter_mm", KERF_TEXT("Target diameter"), "mm", 1.0, 2000.0, kDefault.targetDiameter_mm, 3,
           kDrawing},
          &R::targetDiameter_mm},
@@ -81,6 +81,9 @@ const std::array<Field, 21>& fields() {
         {{"boring.prior_beta_spread", KERF_TEXT("Prior: spread of β"), "", 0.01, 2.0, kDefault.priorBetaSpread, 2,
           kPrior},
          &R::priorBetaSpread},
+        {{"boring.setting_ring_mm", KERF_TEXT("Setting ring of a comparator (0: it shows diameters)"), "mm", 0.0,
+          2000.0, kDefault.settingRing_mm, 4, kShop},
+         &R::settingRing_mm},
     }};
     return kFields;
 }

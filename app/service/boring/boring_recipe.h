@@ -38,6 +38,8 @@ struct BoringRecipe {
     double priorLevelSpread{boring::KalmanParams{}.priorSpread.level};
     double priorAlphaSpread{boring::KalmanParams{}.priorSpread.alpha};
     double priorBetaSpread{boring::KalmanParams{}.priorSpread.beta};
+    double settingRing_mm{
+        0.0};  ///< of a comparator gauge, whose readings are deviations from it; 0: it shows diameters
     std::vector<DepthView> depths{{"top", boring::kTableOverhangFrom_mm}, {"bottom", boring::kTableOverhangTo_mm}};
 
     [[nodiscard]] boring::EstimatorParams estimator(boring::EstimatorKind kind) const;

@@ -18,6 +18,10 @@ Sentence signOnFirst() {
     return Sentence(KERF_TEXT("Sign on first: a measurement needs a name."));
 }
 
+Sentence lookAtTheNewest() {
+    return Sentence(KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
+}
+
 void answer(const BoringService::Done& done, const Result<void>& result) {
     if (done) {
         done(result);
@@ -202,35 +206,46 @@ void StoredBoringService::enter(const BoreEntry& entry, Done done) {
     queue({[this, entry] { return entryRow(entry); }, std::move(done)});
 }
 
+EntryCheck StoredBoringService::checkCorrection(MeasurementId id, double diameter_mm) const {
+    const MeasurementRow* old = m_records.standing(id);
+    return old != nullptr ? m_records.check(old->part, old->station, diameter_mm)
+                          : EntryCheck{EntryVerdict::Refuse, lookAtTheNewest()};
+}
+
+Result<MeasurementRow> StoredBoringService::correctedRow(const BoreCorrection& correction) const {
+    const MeasurementRow* old = m_records.standing(correction.id);
+    if (old == nullptr) {
+        return tl::unexpected(lookAtTheNewest());
+    }
+    if (correction.author.empty()) {
+        return tl::unexpected(signOnFirst());
+    }
+    if (correction.reason.empty()) {
+        return fail(KERF_TEXT("A correction needs a reason."));
+    }
+    const EntryCheck verdict = m_records.check(old->part, old->station, correction.diameter_mm);
+    const bool asked = verdict.verdict == EntryVerdict::Ask;
+    if (verdict.verdict == EntryVerdict::Refuse || (asked && !correction.confirmed)) {
+        return tl::unexpected(verdict.reason);
+    }
+    MeasurementRow row = *old;
+    row.kind = MeasurementKind::Correction;
+    row.replaces = correction.id;
+    row.diameter_mm = correction.diameter_mm;
+    row.source = correction.fromGauge ? MeasurementSource::Gauge : MeasurementSource::Keypad;
+    row.confirmed = asked;
+    row.author = correction.author;
+    row.reason = correction.reason;
+    return row;
+}
+
+void StoredBoringService::correctValue(const BoreCorrection& correction, Done done) {
+    queue({[this, correction] { return correctedRow(correction); }, std::move(done)});
+}
+
 void StoredBoringService::correct(MeasurementId id, double diameter_mm, const std::string& author,
                                   const std::string& reason, Done done) {
-    queue({[=, this]() -> Result<MeasurementRow> {
-               const MeasurementRow* old = m_records.standing(id);
-               if (old == nullptr) {
-                   return fail(
-                       KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
-               }
-               if (author.empty()) {
-                   return tl::unexpected(signOnFirst());
-               }
-               if (reason.empty()) {
-                   return fail(KERF_TEXT("A correction needs a reason."));
-               }
-               const EntryCheck verdict = m_records.check(old->part, old->station, diameter_mm);
-               if (verdict.verdict == EntryVerdict::Refuse) {
-                   return tl::unexpected(verdict.reason);
-               }
-               MeasurementRow row = *old;
-               row.kind = MeasurementKind::Correction;
-               row.replaces = id;
-               row.diameter_mm = diameter_mm;
-               row.source = MeasurementSource::Keypad;
-               row.confirmed = true;  // a reason was given
-               row.author = author;
-               row.reason = reason;
-               return row;
-           },
-           std::move(done)});
+    correctValue({id, diameter_mm, author, reason, false, false}, std::move(done));
 }
 
 void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason,
@@ -238,8 +253,7 @@ void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& a
     queue({[=, this]() -> Result<MeasurementRow> {
                const MeasurementRow* old = m_records.standing(id);
                if (old == nullptr) {
-                   return fail(
-                       KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
+                   return tl::unexpected(lookAtTheNewest());
                }
                if (author.empty()) {
                    return tl::unexpected(signOnFirst());
@@ -495,6 +509,7 @@ void StoredBoringService::rebuild() {
     view.lotClosed = m_lot.closedUtc_ms.has_value();
     view.recipeRevision = m_recipeRevision;
     view.targetDiameter_mm = recipe.targetDiameter_mm;
+    view.settingRing_mm = recipe.settingRing_mm;
     view.lowerTolerance_mm = recipe.lowerTolerance_mm;
     view.upperTolerance_mm = recipe.upperTolerance_mm;
     view.depths = recipe.depths;

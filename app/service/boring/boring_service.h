@@ -68,6 +68,8 @@ class StoredBoringService final : public BoringService {
     void enter(const BoreEntry& entry, Done done) override;
     void correct(MeasurementId id, double diameter_mm, const std::string& author, const std::string& reason,
                  Done done) override;
+    [[nodiscard]] EntryCheck checkCorrection(MeasurementId id, double diameter_mm) const override;
+    void correctValue(const BoreCorrection& correction, Done done) override;
     void voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason, Done done) override;
     void undoLast(const std::string& author, Done done) override;
     void acceptSchedule(const std::string& author, Done done) override;
@@ -111,6 +113,7 @@ class StoredBoringService final : public BoringService {
     void fillCapability();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;
+    [[nodiscard]] Result<MeasurementRow> correctedRow(const BoreCorrection& correction) const;
     [[nodiscard]] Result<MeasurementRow> entryRow(const BoreEntry& entry) const;
 
     Links m_links;

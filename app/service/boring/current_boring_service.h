@@ -32,6 +32,12 @@ class CurrentBoringService final : public BoringService {
                  Done done) override {
         m_service->correct(id, diameter_mm, author, reason, std::move(done));
     }
+    [[nodiscard]] EntryCheck checkCorrection(MeasurementId id, double diameter_mm) const override {
+        return m_service->checkCorrection(id, diameter_mm);
+    }
+    void correctValue(const BoreCorrection& correction, Done done) override {
+        m_service->correctValue(correction, std::move(done));
+    }
     void voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason, Done done) override {
         m_service->voidMeasurement(id, author, reason, std::move(done));
     }

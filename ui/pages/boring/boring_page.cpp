@@ -2,11 +2,13 @@
 #include "ui/pages/boring/boring_page.h"
 
 #include <QApplication>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <array>
 
+#include "db/api/settings_reader.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/boring/lot_form.h"
@@ -14,6 +16,9 @@
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
+namespace {
+constexpr const char* kChannelsSetting = "gauge.channels";
+}  // namespace
 
 BoringPage::BoringPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.boringService) {
@@ -89,6 +94,19 @@ void BoringPage::build() {
     qApp->installEventFilter(m_wedge);
     connect(m_wedge, &GaugeWedge::reading, this, &BoringPage::onGauge);
     connect(m_wedge, &GaugeWedge::repeated, m_entry, &EntryPanel::tellRepeated);
+    connect(m_wedge, &GaugeWedge::halved, m_entry, &EntryPanel::tellHalved);
+    connect(m_wedge, &GaugeWedge::numLockOff, m_entry, &EntryPanel::tellNumLockOff);
+    connect(m_entry, &EntryPanel::gaugeTold, this, &BoringPage::tellElsewhere);
+    connect(m_entry, &EntryPanel::channelsRequested, this, &BoringPage::openChannels);
+    const Services& services = context().services;
+    GaugeChannels channels;
+    if (services.settings != nullptr) {
+        if (const auto text = services.settings->setting(kChannelsSetting); text && *text) {
+            channels = GaugeChannels::fromText(QString::fromStdString(**text));
+        }
+    }
+    m_entry->setChannels(channels);
+    connect(m_entry, &EntryPanel::channelLearnt, this, [this] { saveChannels(); });
 
     m_subscription = m_service->onChanged([this] { onServiceChanged(); });
 }
@@ -224,12 +242,13 @@ void BoringPage::openForm(PartId id, std::uint8_t depth, MeasurementId measureme
     subject.id = measurement;
     subject.place = placeName(part->number, view.depths[depth]);
     subject.expected_mm = view.targetDiameter_mm;
+    subject.settingRing_mm = view.settingRing_mm;
     for (const BoreMeasurementView& m : part->measurements) {
         if (m.id == measurement) {
             subject.diameter_mm = m.diameter_mm;
         }
     }
-    m_form = MeasurementForm::open(
+    MeasurementForm::open(
         context().sheets, look(), *m_service, [this] { return context().session.author(); }, subject, start,
         context().notify);
 }
@@ -252,16 +271,84 @@ void BoringPage::openList() {
 }
 
 void BoringPage::onGauge(const GaugeReading& reading) {
-    if (MeasurementForm* form = m_form.data()) {  // a value is being corrected: the gauge means that one
-        form->takeDiameter(judgeReading(reading, form->expected_mm(), look().units().length()).value_mm);
+    // A value is being corrected, on whatever page: the gauge means that one.
+    if (const Sheet* sheet = context().sheets.current()) {
+        if (auto* form = sheet->findChild<MeasurementForm*>()) {
+            form->takeGauge(reading);
+            context().notify(form->message());
+            return;
+        }
+    }
+    if (context().session.signedOn()) {
+        m_entry->takeGauge(reading);
         return;
     }
-    context().withOperator([this, reading] {
-        m_entry->takeGauge(reading);
-        if (!isVisible()) {
-            context().notify(m_entry->message());
+    m_unsigned.push_back({reading, {}});
+    m_unsigned.back().since.start();
+    context().notify(tr("The gauge sent %1: it is taken when somebody signs on.").arg(reading.frame));
+    context().withOperator([this] { takeUnsigned(); });
+}
+
+void BoringPage::takeUnsigned() {
+    constexpr qint64 kStale_ms = 60'000;  // by then another part may lie in the gauge
+    std::vector<Unsigned> waiting;
+    waiting.swap(m_unsigned);
+    for (const Unsigned& one : waiting) {
+        if (one.since.elapsed() < kStale_ms) {
+            m_entry->takeGauge(one.reading);
+        } else {
+            m_entry->tellLeftOut(tr("The gauge sent %1 a while ago: left out, measure again.").arg(one.reading.frame));
         }
-    });
+    }
+}
+
+void BoringPage::tellElsewhere(const QString& sentence) {
+    if (!isVisible() || context().sheets.current() != nullptr) {
+        context().notify(sentence);
+    }
+}
+
+void BoringPage::openChannels() {
+    Sheet* sheet =
+        context().sheets.open(tr("Gauge channels"), tr("Which channel of the gauge's switch measures at which depth."));
+    const auto& depths = m_service->view().depths;
+    auto* grid = new QGridLayout;
+    grid->setSpacing(look().metrics().touchGap());
+    int row = 0;
+    for (const auto& [channel, its] : m_entry->channels().all()) {
+        auto* label = makeLabel(TextRole::Body, sheet);
+        label->setText(tr("Channel %1").arg(channel));
+        grid->addWidget(label, row, 0);
+        for (std::size_t depth = 0; depth < depths.size(); ++depth) {
+            auto* button = new QPushButton(depthName(depths[depth]), sheet);
+            button->setObjectName(QStringLiteral("boringChannel%1Depth%2").arg(channel).arg(depth));
+            button->setCheckable(true);
+            button->setChecked(depth == its);
+            connect(button, &QPushButton::clicked, this, [this, channel = channel, depth] {
+                GaugeChannels now = m_entry->channels();
+                now.set(channel, static_cast<std::uint8_t>(depth));
+                keepChannels(now);
+                openChannels();
+            });
+            grid->addWidget(button, row, static_cast<int>(depth) + 1);
+        }
+        ++row;
+    }
+    sheet->body()->addLayout(grid);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("boringChannelsClose"));
+    sheet->addButton(tr("Learn them anew"), [this] { keepChannels({}); })
+        ->setObjectName(QStringLiteral("boringChannelsForget"));
+}
+
+void BoringPage::keepChannels(const GaugeChannels& channels) {
+    m_entry->setChannels(channels);
+    saveChannels();
+}
+
+void BoringPage::saveChannels() {
+    if (const auto& save = context().services.saveSetting) {
+        save(QLatin1String(kChannelsSetting), m_entry->channels().text());
+    }
 }
 
 void BoringPage::acceptSchedule() {

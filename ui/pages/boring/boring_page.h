@@ -31,8 +31,10 @@ namespace kerf::ui {
 ///     boringChangeInsert, boringChangeReground, boringChangeMaterial, boringChangeNone, boringChangeCancel)
 ///   boringEstimates
 ///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
-///     boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter), boringGauge, boringCorrect, boringUndo,
-///     boringMeasureAgain, boringConfirm (the two answers to a plausibility question)
+///     boringChannels (what channel of a gauge's switch measures where; its sheet: boringChannel1Depth0 …,
+///     boringChannelsClose, boringChannelsForget), boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter),
+///     boringGauge, boringCorrect, boringUndo, boringMeasureAgain, boringConfirm (the two answers to a plausibility
+///     question)
 ///   sheet of boringCorrect: boringMeasurementList (column 0 part, then one per depth), measurementListClose
 ///   sheet of correct / undo: see MeasurementForm
 class BoringPage : public Page {
@@ -57,6 +59,11 @@ class BoringPage : public Page {
     void openList();
     void openForm(PartId part, std::uint8_t depth, MeasurementId id, MeasurementForm::Start start);
     void onGauge(const GaugeReading& reading);
+    void takeUnsigned();
+    void tellElsewhere(const QString& sentence);
+    void openChannels();
+    void keepChannels(const GaugeChannels& channels);
+    void saveChannels();
     void acceptSchedule();
     void openChange();
     void tellChange(std::optional<BoringChange> change);
@@ -79,7 +86,11 @@ class BoringPage : public Page {
     QHBoxLayout* m_top{nullptr};
     QHBoxLayout* m_bottom{nullptr};
     QVBoxLayout* m_charts{nullptr};
-    QPointer<MeasurementForm> m_form;
+    struct Unsigned {
+        GaugeReading reading;
+        QElapsedTimer since;
+    };
+    std::vector<Unsigned> m_unsigned;  ///< readings that came while nobody was signed on
     std::uint32_t m_touched{0};
     std::uint64_t m_shownRevision{0};
     bool m_behind{true};

@@ -27,6 +27,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
       m_answers(nullptr),
       m_gauge(new ActionButton(look, this)),
       m_undo(new ActionButton(look, this)),
+      m_channelsButton(new QPushButton(this)),
       m_correct(new QPushButton(this)),
       m_again(new QPushButton(this)),
       m_confirm(new QPushButton(this)),
@@ -42,6 +43,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     m_gauge->setObjectName(QStringLiteral("boringGauge"));
     m_undo->setObjectName(QStringLiteral("boringUndo"));
     m_correct->setObjectName(QStringLiteral("boringCorrect"));
+    m_channelsButton->setObjectName(QStringLiteral("boringChannels"));
     m_again->setObjectName(QStringLiteral("boringMeasureAgain"));
     m_confirm->setObjectName(QStringLiteral("boringConfirm"));
     m_keypad->setObjectName(QStringLiteral("boringKeypad"));
@@ -52,6 +54,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     m_buttons = new QHBoxLayout(buttons);
     m_buttons->setContentsMargins(0, 0, 0, 0);
     m_buttons->addWidget(m_gauge, 1);
+    m_buttons->addWidget(m_channelsButton, 1);
     m_buttons->addWidget(m_correct, 1);
     m_buttons->addWidget(m_undo, 1);
     auto* answers = new QWidget(m_rows);
@@ -74,12 +77,15 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     m_columns->addWidget(m_keypad, 0);
     body()->addLayout(m_columns, 1);
 
-    for (QPushButton* button : std::initializer_list<QPushButton*>{m_gauge, m_undo, m_correct, m_again, m_confirm}) {
+    for (QPushButton* button :
+         std::initializer_list<QPushButton*>{m_gauge, m_undo, m_channelsButton, m_correct, m_again, m_confirm}) {
         button->setFocusPolicy(Qt::TabFocus);  // a touch leaves the focus in the field
     }
     connect(m_field, &DiameterField::typed, this, &EntryPanel::onTyped);
     connect(m_field, &DiameterField::cleared, this, &EntryPanel::measureAgain);
     connect(m_field, &DiameterField::entered, this, [this] { m_signing.withOperator([this] { commit(); }); });
+    connect(m_field, &DiameterField::numLockOff, this, &EntryPanel::tellNumLockOff);
+    connect(m_channelsButton, &QPushButton::clicked, this, &EntryPanel::channelsRequested);
     connect(m_gauge, &QPushButton::clicked, this, &EntryPanel::readGauge);
     connect(m_undo, &QPushButton::clicked, this, &EntryPanel::undoRequested);
     connect(m_correct, &QPushButton::clicked, this, &EntryPanel::measurementsRequested);
@@ -110,6 +116,7 @@ void EntryPanel::retranslate() {
     m_gauge->setText(tr("Gauge"));
     m_undo->setText(tr("Undo last"));
     m_correct->setText(tr("Correct"));
+    showChannels();
     m_again->setText(tr("Measure again"));
     const int gap = m_look.metrics().touchGap();
     for (QHBoxLayout* row : {m_buttons, m_answers}) {
@@ -154,6 +161,7 @@ void EntryPanel::refreshView() {
     }
     m_gauge->reconsider();
     m_undo->reconsider();
+    showChannels();
     showTarget();
 }
 
@@ -256,6 +264,10 @@ void EntryPanel::commit() {
     if (m_pending || !m_target) {
         return;
     }
+    constexpr qint64 kEcho_ms = 1500;  // the last key twice
+    if (!m_question && m_field->input().empty() && m_sinceStored.isValid() && m_sinceStored.elapsed() < kEcho_ms) {
+        return;
+    }
     if (m_question) {
         say([this] { return tr("Please answer: measure again, or confirm the value."); }, true);
         emit attentionNeeded();
@@ -320,6 +332,7 @@ void EntryPanel::ask(const BoreEntry& entry, Words words, Words confirmWords) {
     m_rows->setCurrentIndex(1);
     if (entry.fromGauge) {
         emit attentionNeeded();
+        told();
     }
 }
 
@@ -331,6 +344,7 @@ void EntryPanel::measureAgain() {
     say({});
     refreshView();
     m_field->setFocus();
+    takeNextWaiting();
 }
 
 void EntryPanel::confirm() {
@@ -371,8 +385,16 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
         }
         showTarget();
         emit attentionNeeded();
+        if (entry.fromGauge) {
+            told();
+        }
+        if (!m_waiting.empty()) {  // they would be refused one after another
+            m_waiting.clear();
+            tellLeftOut(tr("Further readings are left out until this one is stored: send them again then."));
+        }
         return;
     }
+    m_sinceStored.start();
     m_field->input().clear();
     m_fromGauge = false;
     m_chosen.reset();
@@ -385,6 +407,10 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
         return out.isEmpty() ? said : said + u' ' + out;
     });
     refreshView();
+    if (entry.fromGauge) {
+        told();
+    }
+    takeNextWaiting();
 }
 
 void EntryPanel::readGauge() {
@@ -402,68 +428,6 @@ void EntryPanel::readGauge() {
     say({});
     showTarget();
     m_field->setFocus();
-}
-
-void EntryPanel::takeGauge(const GaugeReading& reading) {
-    if (m_pending) {
-        say([this] { return tr("The gauge was too early: the value before is being stored. Send it again."); }, true);
-        return;
-    }
-    if (!m_target) {
-        say([this, reading] {
-            return tr("The gauge sent %1, but no part waits for a diameter: left out.").arg(reading.frame);
-        });
-        emit attentionNeeded();
-        return;
-    }
-    const LengthUnit shown = m_look.units().length();
-    const GaugeJudgement judgement = judgeReading(reading, expected_mm(*m_target), shown);
-    BoreEntry entry;
-    entry.part = m_target->part;
-    entry.depth = m_target->depth;
-    entry.diameter_mm = judgement.value_mm;
-    entry.author = m_signing.author();
-    entry.fromGauge = true;
-    m_question.reset();
-    m_confirmWords = nullptr;
-    m_fromGauge = true;
-    m_field->input().clear();
-    m_field->input().expect(expected_mm(*m_target), m_look.units());
-    m_field->input().set_mm(judgement.doubt == GaugeDoubt::OtherUnit ? judgement.otherUnit_mm : judgement.value_mm);
-    showTarget();
-    switch (judgement.doubt) {
-        case GaugeDoubt::None:
-            submit(entry);
-            break;
-        case GaugeDoubt::OtherUnit:
-            entry.diameter_mm = judgement.otherUnit_mm;
-            ask(
-                entry,
-                [this, frame = reading.frame, shown] {
-                    return shown == LengthUnit::Millimetre
-                               ? tr("the gauge sent %1: that fits only in inch. Set the gauge to mm.").arg(frame)
-                               : tr("the gauge sent %1: that fits only in mm. Set the gauge to inch.").arg(frame);
-                },
-                [this, entry] { return tr("Take %1").arg(diameterText(entry.diameter_mm, m_look.units())); });
-            break;
-        case GaugeDoubt::DecadeSlip:
-            ask(
-                entry,
-                [this, frame = reading.frame] {
-                    return tr("the gauge sent %1: its decimal point seems to have slipped.").arg(frame);
-                },
-                [this, entry] { return tr("Yes, %1").arg(diameterText(entry.diameter_mm, m_look.units())); });
-            break;
-    }
-    if (m_field->property("wrong").toBool()) {
-        emit attentionNeeded();
-    }
-}
-
-void EntryPanel::tellRepeated(const GaugeReading& reading) {
-    say([this, reading] {
-        return tr("The gauge sent %1 twice at once: the second one is left out.").arg(reading.frame);
-    });
 }
 
 }  // namespace kerf::ui

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "ui/entry/diameter_field.h"
+#include "ui/entry/gauge_channels.h"
 #include "ui/entry/gauge_reading.h"
 #include "ui/services/boring_service.h"
 #include "ui/widgets/action_button.h"
@@ -38,9 +41,17 @@ class EntryPanel : public Card {
     void refreshView();
     /// Enter this part and depth next, instead of the oldest that waits.
     void choose(PartId part, std::uint8_t depth);
-    /// A reading of a hand gauge: entered at once when it is plausible.
+    /// A reading of a hand gauge: entered at once when it is plausible. One that comes while another is being stored or
+    /// asked about waits for it; a burst of readings (a multiplexer, a foot switch) belongs to one part.
     void takeGauge(const GaugeReading& reading);
     void tellRepeated(const GaugeReading& reading);
+    /// Something like a part of a frame came; what it left in the field is no diameter.
+    void tellHalved(const QString& part);
+    void tellNumLockOff();
+    /// A reading that nothing is done with, and why.
+    void tellLeftOut(const QString& sentence);
+    [[nodiscard]] const GaugeChannels& channels() const { return m_channels; }
+    void setChannels(GaugeChannels channels);
     [[nodiscard]] DiameterField* field() const { return m_field; }
     /// What is said under the field.
     [[nodiscard]] QString message() const;
@@ -52,6 +63,10 @@ class EntryPanel : public Card {
     void measurementsRequested();
     /// The operator must look here: a question or a refusal came from a gauge.
     void attentionNeeded();
+    /// What became of a gauge's reading.
+    void gaugeTold(const QString& sentence);
+    void channelsRequested();
+    void channelLearnt();
 
  protected:
     void changeEvent(QEvent* event) override;
@@ -78,6 +93,12 @@ class EntryPanel : public Card {
     void measureAgain();
     void confirm();
     void readGauge();
+    void takeNextWaiting();
+    void judgeAndSubmit(const GaugeReading& reading, const Target& target);
+    void told();
+    [[nodiscard]] bool inBurst() const;
+    [[nodiscard]] std::optional<Target> targetOf(const GaugeReading& reading, QString& why);
+    void showChannels();
     [[nodiscard]] std::optional<Target> nextTarget() const;
     [[nodiscard]] QString place(const BoreEntry& entry) const;
     [[nodiscard]] QString whyNoTarget() const;
@@ -95,6 +116,7 @@ class EntryPanel : public Card {
     QHBoxLayout* m_answers;
     ActionButton* m_gauge;
     ActionButton* m_undo;
+    QPushButton* m_channelsButton;
     QPushButton* m_correct;
     QPushButton* m_again;
     QPushButton* m_confirm;
@@ -110,6 +132,11 @@ class EntryPanel : public Card {
     bool m_fromGauge{false};  ///< the field holds a reading of the gauge button
     Words m_words;
     Words m_confirmWords;
+    GaugeChannels m_channels{};
+    std::deque<GaugeReading> m_waiting{};  ///< readings that came while another was stored or asked about
+    std::optional<PartId> m_burstPart{};   ///< the part that the readings of this burst belong to
+    QElapsedTimer m_sinceReading{};
+    QElapsedTimer m_sinceStored{};
 };
 
 }  // namespace kerf::ui

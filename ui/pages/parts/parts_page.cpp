@@ -393,6 +393,7 @@ void PartsPage::openForm(const MeasurementRow& row, bool takeOut) {
                         .arg(look().units().withUnit(row.position_mm, "mm", 0));
     subject.diameter_mm = row.diameter_mm.value_or(0.0);
     subject.expected_mm = subject.diameter_mm;
+    subject.settingRing_mm = m_service->view().settingRing_mm;
     MeasurementForm::open(
         context().sheets, look(), *m_service, [this] { return context().session.author(); }, subject,
         takeOut ? MeasurementForm::Start::Void : MeasurementForm::Start::Correct,
