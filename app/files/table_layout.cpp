@@ -160,6 +160,7 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
     Longest found;
     Fields row, before, above;
     std::size_t previous = lines.size(), beforePrevious = lines.size();
+    bool previousIsData = false;
     for (std::size_t i = 0; i < std::min(lines.size(), kSampleLines); ++i) {
         const std::string_view text = trimmedCell(lines[i].text);
         if (text.empty() || isComment(text)) {
@@ -169,6 +170,7 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
         if (row.filled() == 0) {
             continue;
         }
+        const bool data = row.isData() && (previousIsData || !isUnitsRow(row));
         if (row.isData() && named && row.width() <= namedWidth && row.size() >= namedWidth) {
             out.found = true;
             out.header = out.units = lines.size();
@@ -177,7 +179,8 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
             judge(lines, out);
             return out;
         }
-        if (row.isData() && !named && previous < lines.size() && !isUnitsRow(row)) {
+        const bool first = !std::exchange(previousIsData, data) && data;
+        if (first && !named && previous < lines.size()) {
             before.cut(lines[previous].text, separator);
             bool header = isHeader(before) || isUnitsRow(before);
             std::size_t at = previous;
@@ -196,8 +199,8 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
             candidate.width = before.width();
             header = header && candidate.width >= leastWidth;
             // A later header stands apart from the rows before it; else it is a row gone wrong.
-            const bool apart = at == 0 || found.empty() || !isDataLine(lines[at - 1].text, separator);
-            if (header && apart && fits(row, candidate.width, before.size())) {
+            const bool apart = header && (at == 0 || found.empty() || !isDataLine(lines[at - 1].text, separator));
+            if (apart && fits(row, candidate.width, before.size())) {
                 candidate.found = true;
                 found.add(lines, candidate);
             }

@@ -136,8 +136,8 @@ Sheet* SheetHost::open(const QString& title, const QString& text) {
 }
 
 void SheetHost::giveBackFocus() {
-    if (m_before && m_before->isVisible() && m_before->isEnabled()) {
-        m_before->setFocus();
+    if (QWidget* before = m_before.data(); before != nullptr && before->isVisible() && before->isEnabled()) {
+        before->setFocus();
     } else {
         setFocus();  // no button has it that nobody touched
     }

@@ -42,17 +42,17 @@ std::optional<std::uint8_t> GaugeChannels::learn(int channel, std::size_t depths
     const auto free = [this](std::size_t depth) {
         return std::ranges::none_of(m_depths, [depth](const auto& one) { return one.second == depth; });
     };
-    std::optional<std::uint8_t> depth;
-    if (channel >= 1 && static_cast<std::size_t>(channel) <= depths && free(static_cast<std::size_t>(channel) - 1U)) {
-        depth = static_cast<std::uint8_t>(channel - 1);
+    std::size_t depth = channel >= 1 ? static_cast<std::size_t>(channel) - 1U : depths;
+    if (depth >= depths || !free(depth)) {
+        for (depth = 0; depth < depths && !free(depth);) {
+            ++depth;
+        }
     }
-    for (std::size_t i = 0; i < depths && !depth; ++i) {
-        depth = free(i) ? std::optional(static_cast<std::uint8_t>(i)) : std::nullopt;
+    if (depth >= depths) {
+        return std::nullopt;
     }
-    if (depth) {
-        m_depths[channel] = *depth;
-    }
-    return depth;
+    m_depths[channel] = static_cast<std::uint8_t>(depth);
+    return static_cast<std::uint8_t>(depth);
 }
 
 void GaugeChannels::set(int channel, std::uint8_t depth) {

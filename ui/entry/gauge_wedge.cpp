@@ -24,12 +24,15 @@ bool mayBegin(QChar c) {
     return c.isDigit() || QStringLiteral("+-., #").contains(c) || (c >= u'A' && c <= u'Z');
 }
 
-bool mayFollow(QChar c) {
-    return mayBegin(c) || QStringLiteral("\"':;=<>").contains(c) || (c >= u'a' && c <= u'z');
-}
-
 bool hasFigure(const QString& text) {
     return std::any_of(text.cbegin(), text.cend(), [](QChar c) { return c.isDigit(); });
+}
+
+/// Small letters belong to a label in front of the figures, or to mm, in, inch behind them.
+bool mayFollow(const QString& frame, QChar c) {
+    const bool letter = c >= u'a' && c <= u'z';
+    return mayBegin(c) || QStringLiteral("\"':;=<>").contains(c) ||
+           (letter && (!hasFigure(frame) || QStringLiteral("minch").contains(c)));
 }
 
 /// What a key of the keypad would have been with Num Lock on.
@@ -187,8 +190,8 @@ bool GaugeWedge::onInputMethod(QObject* target, const QEvent& event) {
         return false;
     }
     const QString keys = latinKeys(input.commitString()).toUpper();
-    const bool fits =
-        m_frame.size() + keys.size() <= kLongestFrame && std::all_of(keys.cbegin(), keys.cend(), mayFollow);
+    const bool fits = m_frame.size() + keys.size() <= kLongestFrame &&
+                      std::all_of(keys.cbegin(), keys.cend(), [this](QChar key) { return mayFollow(m_frame, key); });
     if (!fits) {
         release();
         return false;
@@ -201,7 +204,7 @@ bool GaugeWedge::onInputMethod(QObject* target, const QEvent& event) {
 
 bool GaugeWedge::take(QObject* target, const QEvent& event, QChar c, int key) {
     const bool label = !hasFigure(m_frame) && m_frame.trimmed().size() >= kLongestLabel && !c.isDigit();
-    const bool taken = !c.isNull() && !m_spoiled && !label && (m_frame.isEmpty() ? mayBegin(c) : mayFollow(c));
+    const bool taken = !c.isNull() && !m_spoiled && !label && (m_frame.isEmpty() ? mayBegin(c) : mayFollow(m_frame, c));
     if (!taken || m_frame.size() >= kLongestFrame) {
         m_spoiled = c.isPrint();
         const bool deletes = key == Qt::Key_Backspace || key == Qt::Key_Delete;

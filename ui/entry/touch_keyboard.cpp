@@ -176,8 +176,8 @@ void TouchKeyboard::place() {
     const int rows = m_rows->count();
     const int height = rows * look().metrics().touch() + (rows + 1) * look().metrics().touchGap();
     int y = area->height() - height;
-    if (m_field) {
-        const int fieldBottom = m_field->mapTo(area, QPoint(0, m_field->height())).y();
+    if (const QLineEdit* edit = m_field.data(); edit != nullptr) {
+        const int fieldBottom = edit->mapTo(area, QPoint(0, edit->height())).y();
         y = fieldBottom > y ? 0 : y;
     }
     setGeometry(0, y, area->width(), height);

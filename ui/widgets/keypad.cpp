@@ -42,12 +42,12 @@ Keypad::Keypad(Look& look, Shape shape, QWidget* parent) : FaceWidget(look, pare
 
 /// In the same sheet, or on the same page.
 bool Keypad::beside(const QWidget* widget) const {
-    const QWidget* room = parentWidget();
-    while (room != nullptr && room->objectName() != QLatin1String("sheet") && !room->inherits("kerf::ui::Page") &&
-           !room->isWindow()) {
-        room = room->parentWidget();
+    for (const QWidget* room = parentWidget(); room != nullptr; room = room->parentWidget()) {
+        if (room->objectName() == QLatin1String("sheet") || room->inherits("kerf::ui::Page") || room->isWindow()) {
+            return room->isAncestorOf(widget);
+        }
     }
-    return room != nullptr && room->isAncestorOf(widget);
+    return false;
 }
 
 bool Keypad::eventFilter(QObject* watched, QEvent* event) {
@@ -65,13 +65,17 @@ QLineEdit* Keypad::field() const {
         return m_target;
     }
     // Without a window manager no window is active and the application knows no focus; the window does.
-    for (QWidget* focus : {QApplication::focusWidget(), window()->focusWidget()}) {
-        if (auto* edit = qobject_cast<QLineEdit*>(focus); edit != nullptr && edit->isEnabled() && beside(edit)) {
-            return edit;
-        }
+    const QWidget* top = window();
+    QWidget* focus = QApplication::focusWidget();
+    if (focus == nullptr && top != nullptr) {
+        focus = top->focusWidget();
     }
-    if (m_touched && m_touched->isVisible() && m_touched->isEnabled()) {
-        return m_touched;
+    auto* focused = qobject_cast<QLineEdit*>(focus);
+    if (focused != nullptr && focused->isEnabled() && beside(focused)) {
+        return focused;
+    }
+    if (QLineEdit* touched = m_touched.data(); touched != nullptr && touched->isVisible() && touched->isEnabled()) {
+        return touched;
     }
     for (QWidget* room = parentWidget(); room != nullptr; room = room->parentWidget()) {
         for (QLineEdit* edit : room->findChildren<QLineEdit*>()) {
@@ -119,9 +123,7 @@ void Keypad::type(const QString& text, int key) {
     if (edit == nullptr) {
         return;
     }
-    if (window()->focusWidget() != edit) {
-        edit->setFocus();
-    }
+    edit->setFocus();
     QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, text);
     QKeyEvent release(QEvent::KeyRelease, key, Qt::NoModifier, text);
     const QPointer<QLineEdit> kept(edit);

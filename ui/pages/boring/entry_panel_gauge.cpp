@@ -140,6 +140,8 @@ void EntryPanel::judgeAndSubmit(const GaugeReading& reading, const Target& targe
     m_field->input().set_mm(judgement.doubt == GaugeDoubt::OtherUnit ? judgement.otherUnit_mm : judgement.value_mm);
     showTarget();
     switch (judgement.doubt) {
+        case GaugeDoubt::Deviation:  // left out above
+            break;
         case GaugeDoubt::None:
             submit(entry);
             break;
