@@ -155,6 +155,20 @@ class TestGaugeEntry : public QObject {
         QVERIFY(m_service->corrections[0].fromGauge);
         QCOMPARE(m_service->entries.size(), before);
     }
+    void aStudyOfTheGaugeTakesItsReadings() {
+        m_service->cutPart();
+        show();
+        Sheet* sheet = m_bench->sheets->open(QStringLiteral("Study"));
+        auto* reading = new QLineEdit(sheet);
+        reading->setProperty("takesReadings", true);
+        sheet->body()->addWidget(reading);
+        QStringList taken;
+        connect(reading, &QLineEdit::returnPressed, reading, [&] { taken << reading->text(); });
+        reading->show();
+        burst(reading, "+0.0125mm");
+        QCOMPARE(taken, QStringList{QStringLiteral("0.0125")});
+        QVERIFY(m_service->entries.empty());
+    }
     void aCorrectionTenTimesTooLargeIsAskedAbout() {
         m_service->runParts(2);
         show();

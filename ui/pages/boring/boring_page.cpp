@@ -4,7 +4,9 @@
 #include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QVBoxLayout>
 #include <array>
 
@@ -277,6 +279,16 @@ void BoringPage::onGauge(const GaugeReading& reading) {
             form->takeGauge(reading);
             context().notify(form->message());
             return;
+        }
+        // A study of the gauge itself: its field takes the reading as typed.
+        for (QLineEdit* field : sheet->findChildren<QLineEdit*>()) {
+            if (field->property("takesReadings").toBool() && field->isVisible()) {
+                const double value_mm = judgeReading(reading, 0.0, LengthUnit::Millimetre).value_mm;
+                field->setText(QString::number(value_mm, 'g', 12));
+                QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, QStringLiteral("\r"));
+                QCoreApplication::sendEvent(field, &enter);
+                return;
+            }
         }
     }
     if (context().session.signedOn()) {

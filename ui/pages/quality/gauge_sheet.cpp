@@ -239,6 +239,7 @@ void GaugeSheets::openStudy(const Gauge& gauge, bool crossed) {
     auto* form = new QFormLayout;
     auto* tolerance = field(form, tr("Width of the tolerance, mm"), "studyTolerance", QStringLiteral("0.030"));
     auto* reading = field(form, tr("Reading, mm"), "studyReading", QString());
+    reading->setProperty("takesReadings", true);  // a gauge's frame is meant for this field, not for a bore
     auto* prompt = makeLabel(TextRole::Title, sheet, true);
     prompt->setObjectName(QStringLiteral("studyPrompt"));
     sheet->body()->addWidget(prompt);
