@@ -423,10 +423,12 @@ ui::Services ConsoleApplication::services() {
     };
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
     serveFiles(services);
-    m_quality = std::make_unique<QualityDesk>(
-        QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
-                           [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
-                           [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
+    if (!m_quality) {  // pages hold on to it
+        m_quality = std::make_unique<QualityDesk>(
+            QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
+                               [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
+                               [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
+    }
     services.qualityService = &m_quality->service();
     for (const auto& room : m_rooms) {
         room->serve(services);

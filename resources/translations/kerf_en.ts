@@ -6818,6 +6818,10 @@
             <source>Report</source>
             <translation>Report</translation>
         </message>
+        <message>
+            <source>%1, part %2</source>
+            <translation>%1, part %2</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>

@@ -6815,6 +6815,10 @@
             <source>Report</source>
             <translation>보고서</translation>
         </message>
+        <message>
+            <source>%1, part %2</source>
+            <translation>%1, 공작물 %2</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>

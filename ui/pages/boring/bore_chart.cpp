@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <vector>
 
 #include "ui/pages/boring/boring_texts.h"
 
@@ -162,7 +164,8 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         painter->setPen(look().color(Token::Text));
         painter->drawText(box, Qt::AlignCenter, value);
     }
-    for (const Bad& bad : m_bad) {
+    std::vector<QRectF> words;
+    for (const Bad& bad : std::views::reverse(m_bad)) {
         const QPointF centre = at(bad.part, bad.diameter_mm);
         painter->setPen(
             look().pen(bad.verdict == quality::Verdict::Scrap ? Token::Alarm1 : Token::Alarm2, Stroke::Bold));
@@ -174,8 +177,13 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
             centre.x() + 2.0 * r + width > plot.right() ? centre.x() - 2.0 * r - width : centre.x() + 2.0 * r;
         // Beside the mark, towards the middle of the chart: the edge may already hold the value.
         const double y = bad.diameter_mm > m_view.targetDiameter_mm ? centre.y() : centre.y() - metrics.height();
-        painter->setPen(look().color(Token::Text));
-        painter->drawText(QRectF(x, y, width, metrics.height()), Qt::AlignLeft, word);
+        const QRectF box(x, y, width, metrics.height());
+        // Two words never lie on each other: the sign stays, the word of the newest one is written.
+        if (std::ranges::none_of(words, [&box](const QRectF& other) { return other.intersects(box); })) {
+            painter->setPen(look().color(Token::Text));
+            painter->drawText(box, Qt::AlignLeft, word);
+            words.push_back(box);
+        }
     }
     for (const double part : m_changes) {
         const double x = at(part, m_view.targetDiameter_mm).x();

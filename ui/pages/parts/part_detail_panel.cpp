@@ -139,9 +139,13 @@ void PartDetailPanel::showPart() {
         m_facts->setText(m_problem.empty() ? tr("Touch a row of the table.") : sentenceText(m_problem, m_look.units()));
     } else {
         const PartRow& row = m_part->part;
-        setTitle(tr("Part %1, lot %2").arg(row.number).arg(QString::fromStdString(row.lotName)));
-        QStringList facts{QString::fromStdString(row.partTypeName),
-                          QDateTime::fromMSecsSinceEpoch(row.endedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"))};
+        setTitle(row.lotName.empty() ? tr("%1, part %2").arg(processName(row.process)).arg(row.number)
+                                     : tr("Part %1, lot %2").arg(row.number).arg(QString::fromStdString(row.lotName)));
+        QStringList facts;
+        if (!row.partTypeName.empty()) {
+            facts << QString::fromStdString(row.partTypeName);
+        }
+        facts << QDateTime::fromMSecsSinceEpoch(row.endedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
         const double time_s = static_cast<double>(row.machineEnd_ns - row.machineBegin_ns) * 1e-9;
         facts << tr("cut in %1 s").arg(UnitSystem::fixed(time_s, 0));
         if (!row.serial.empty()) {
