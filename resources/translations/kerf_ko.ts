@@ -301,7 +301,7 @@
         </message>
         <message>
             <source>An advised cut was made at the planned feed; its controlled time is what control would have taken.</source>
-            <translation>조언 절삭은 계획 이송으로 가공했으며, 제어 시간은 제어했을 때 걸렸을 시간입니다.</translation>
+            <translation>추천 절삭은 계획 이송으로 가공했으며, 제어 시간은 제어했을 때 걸렸을 시간입니다.</translation>
         </message>
         <message>
             <source>cut</source>
@@ -409,11 +409,11 @@
         </message>
         <message>
             <source>Next bore</source>
-            <translation>다음 보어</translation>
+            <translation>다음 내경</translation>
         </message>
         <message>
             <source>Next bore, %1</source>
-            <translation>다음 보어, %1</translation>
+            <translation>다음 내경, %1</translation>
         </message>
         <message>
             <source>Overview</source>
@@ -707,11 +707,11 @@
         </message>
         <message>
             <source>Gains and trim of the stored tuning of this job.</source>
-            <translation>이 작업에 저장된 튜닝의 게인과 트림.</translation>
+            <translation>이 작업에 저장된 튜닝의 게인과 보정.</translation>
         </message>
         <message>
             <source>Gains stored for this speed range; the trim does not fit: tune before production.</source>
-            <translation>이 속도 범위에 저장된 게인; 트림은 맞지 않습니다: 생산 전에 튜닝하십시오.</translation>
+            <translation>이 속도 범위에 저장된 게인; 보정은 맞지 않습니다: 생산 전에 튜닝하십시오.</translation>
         </message>
         <message>
             <source>Gains of this tuning.</source>
@@ -1024,7 +1024,7 @@
         </message>
         <message>
             <source>time</source>
-            <translation>시각</translation>
+            <translation>시간</translation>
         </message>
         <message>
             <source>shift X / Y / Z, %1</source>
@@ -1285,7 +1285,7 @@
         </message>
         <message>
             <source>advising</source>
-            <translation>조언 중</translation>
+            <translation>추천 중</translation>
         </message>
         <message>
             <source>controlling</source>
@@ -1305,7 +1305,7 @@
         </message>
         <message>
             <source>advise</source>
-            <translation>조언</translation>
+            <translation>추천</translation>
         </message>
         <message>
             <source>control</source>
@@ -1420,7 +1420,7 @@
         </message>
         <message>
             <source>Emergency stop: the control has stopped the machine.</source>
-            <translation>비상정지: 컨트롤러가 기계를 세웠습니다.</translation>
+            <translation>비상정지: 제어기가 기계를 세웠습니다.</translation>
         </message>
         <message>
             <source>End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.</source>
@@ -1472,11 +1472,11 @@
         </message>
         <message>
             <source>No feed schedule is loaded: choose a part type and a lot first.</source>
-            <translation>이송 계획이 없습니다. 먼저 품목과 로트를 고르십시오.</translation>
+            <translation>이송 계획이 없습니다. 먼저 품종과 로트를 고르십시오.</translation>
         </message>
         <message>
             <source>No feed schedule is loaded: this bore is cut at its programmed feed.</source>
-            <translation>이송 계획이 없어 이 보어는 프로그램 이송으로 가공합니다.</translation>
+            <translation>이송 계획이 없어 이 내경은 프로그램 이송으로 가공합니다.</translation>
         </message>
         <message>
             <source>No tone is given; expected one frequency in Hz or more.</source>
@@ -1512,11 +1512,11 @@
         </message>
         <message>
             <source>Ready: the next bore is cut at its programmed feed.</source>
-            <translation>준비됨: 다음 보어는 프로그램 이송으로 가공합니다.</translation>
+            <translation>준비됨: 다음 내경은 프로그램 이송으로 가공합니다.</translation>
         </message>
         <message>
             <source>Ready: the next bore is cut with the schedule shown.</source>
-            <translation>준비됨: 다음 보어는 표시된 이송 계획으로 가공합니다.</translation>
+            <translation>준비됨: 다음 내경은 표시된 이송 계획으로 가공합니다.</translation>
         </message>
         <message>
             <source>Refine the learned trim: %1 mm expected instead of %2 mm.</source>
@@ -1584,7 +1584,7 @@
         </message>
         <message>
             <source>The bore is cut with another feed than planned. The estimate uses the feed really cut.</source>
-            <translation>보어가 계획과 다른 이송으로 가공됩니다. 추정에는 실제 가공 이송을 씁니다.</translation>
+            <translation>내경이 계획과 다른 이송으로 가공됩니다. 추정에는 실제 가공 이송을 씁니다.</translation>
         </message>
         <message>
             <source>The boring loop does not know this command.</source>
@@ -1600,19 +1600,19 @@
         </message>
         <message>
             <source>The control is still busy with earlier commands.</source>
-            <translation>컨트롤러가 아직 앞선 명령을 처리하고 있습니다.</translation>
+            <translation>제어기가 아직 앞선 명령을 처리하고 있습니다.</translation>
         </message>
         <message>
             <source>The control no longer answers: cable, network or the control itself.</source>
-            <translation>컨트롤러가 응답하지 않습니다: 케이블, 네트워크 또는 컨트롤러 자체.</translation>
+            <translation>제어기가 응답하지 않습니다: 케이블, 네트워크 또는 제어기 자체.</translation>
         </message>
         <message>
             <source>The control refused the command: is it switched on, homed and idle?</source>
-            <translation>컨트롤러가 명령을 거부했습니다. 전원이 켜져 있고 원점 복귀를 마쳤으며 대기 중입니까?</translation>
+            <translation>제어기가 명령을 거부했습니다. 전원이 켜져 있고 원점 복귀를 마쳤으며 대기 중입니까?</translation>
         </message>
         <message>
             <source>The control takes no commands: linuxcncrsh does not answer.</source>
-            <translation>컨트롤러가 명령을 받지 않습니다. linuxcncrsh가 응답하지 않습니다.</translation>
+            <translation>제어기가 명령을 받지 않습니다. linuxcncrsh가 응답하지 않습니다.</translation>
         </message>
         <message>
             <source>The data file %1 cannot be read: check its permissions.</source>
@@ -1700,7 +1700,7 @@
         </message>
         <message>
             <source>The feed follows the schedule along the bore.</source>
-            <translation>보어를 따라 이송이 계획대로 움직입니다.</translation>
+            <translation>내경을 따라 이송이 계획대로 움직입니다.</translation>
         </message>
         <message>
             <source>The feed schedule has a value outside its range; the last one stays.</source>
@@ -1740,7 +1740,7 @@
         </message>
         <message>
             <source>The last part is not stored yet: no new part until it is.</source>
-            <translation>마지막 공작물이 아직 저장되지 않았습니다. 저장될 때까지 새 공작물을 시작할 수 없습니다.</translation>
+            <translation>직전 공작물이 아직 저장되지 않았습니다. 저장될 때까지 새 공작물을 시작할 수 없습니다.</translation>
         </message>
         <message>
             <source>The length of a blank segment must be above 0 and at most %1 mm.</source>
@@ -1772,7 +1772,7 @@
         </message>
         <message>
             <source>The operator's feed knob, a limit of the control, or its acceleration keeps the feed away from the schedule.</source>
-            <translation>작업자의 이송 오버라이드, 컨트롤러의 한계 또는 가속도 때문에 이송이 계획에서 벗어납니다.</translation>
+            <translation>작업자의 이송 오버라이드, 제어기의 한계 또는 가속도 때문에 이송이 계획에서 벗어납니다.</translation>
         </message>
         <message>
             <source>The part belongs to no lot: no estimator can learn from it.</source>
@@ -1796,7 +1796,7 @@
         </message>
         <message>
             <source>The schedule wants %1 of the programmed feed; this control allows %2.</source>
-            <translation>계획은 프로그램 이송의 %1배를 원하지만 이 컨트롤러는 %2배까지 허용합니다.</translation>
+            <translation>계획은 프로그램 이송의 %1배를 원하지만 이 제어기는 %2배까지 허용합니다.</translation>
         </message>
         <message>
             <source>The spindle cannot bend by %1 mm; its deflection must be above 0. Measure again.</source>
@@ -1848,11 +1848,11 @@
         </message>
         <message>
             <source>This control cannot do that.</source>
-            <translation>이 컨트롤러는 할 수 없습니다.</translation>
+            <translation>이 제어기는 할 수 없습니다.</translation>
         </message>
         <message>
             <source>This control has no program for that process.</source>
-            <translation>이 컨트롤러에는 그 공정의 프로그램이 없습니다.</translation>
+            <translation>이 제어기에는 그 공정의 프로그램이 없습니다.</translation>
         </message>
         <message>
             <source>This lot is closed already, or there is none of that number.</source>
@@ -1896,19 +1896,19 @@
         </message>
         <message>
             <source>A bore is measured at 1 to %1 depths.</source>
-            <translation>보어는 1~%1개 깊이에서 측정합니다.</translation>
+            <translation>내경은 1~%1개 깊이에서 측정합니다.</translation>
         </message>
         <message>
             <source>A bore of %1 mm cannot be: without any bending it would be %2 mm. Measure again.</source>
-            <translation>%1 mm 보어는 있을 수 없습니다. 휨이 전혀 없어도 %2 mm가 됩니다. 다시 측정하십시오.</translation>
+            <translation>%1 mm 내경은 있을 수 없습니다. 휨이 전혀 없어도 %2 mm가 됩니다. 다시 측정하십시오.</translation>
         </message>
         <message>
             <source>A bore of part %1 was corrected; everything after it was computed again.</source>
-            <translation>공작물 %1의 보어 값이 수정되어 이후 값을 모두 다시 계산했습니다.</translation>
+            <translation>공작물 %1의 내경 값이 수정되어 이후 값을 모두 다시 계산했습니다.</translation>
         </message>
         <message>
             <source>A bore of part %1 was taken out; everything after it was computed again.</source>
-            <translation>공작물 %1의 보어 값이 제외되어 이후 값을 모두 다시 계산했습니다.</translation>
+            <translation>공작물 %1의 내경 값이 제외되어 이후 값을 모두 다시 계산했습니다.</translation>
         </message>
         <message>
             <source>A value is being stored; try again in a moment.</source>
@@ -1920,7 +1920,7 @@
         </message>
         <message>
             <source>Depths must differ and lie inside the bore; %1 mm does not.</source>
-            <translation>측정 깊이는 서로 다르고 보어 안에 있어야 합니다. %1 mm는 맞지 않습니다.</translation>
+            <translation>측정 깊이는 서로 다르고 내경 안에 있어야 합니다. %1 mm는 맞지 않습니다.</translation>
         </message>
         <message>
             <source>Feed exponent by experience</source>
@@ -1992,7 +1992,7 @@
         </message>
         <message>
             <source>The bores differ from their prediction by more than chance: T² %1, limit %2.</source>
-            <translation>보어가 예측과 우연 이상으로 다릅니다: T² %1, 한계 %2.</translation>
+            <translation>내경이 예측과 우연 이상으로 다릅니다: T² %1, 한계 %2.</translation>
         </message>
         <message>
             <source>The lot asks for an estimator that this program does not have.</source>
@@ -2008,11 +2008,11 @@
         </message>
         <message>
             <source>The part type has no such depth.</source>
-            <translation>이 공작물 종류에는 그런 측정 깊이가 없습니다.</translation>
+            <translation>이 품종에는 그런 측정 깊이가 없습니다.</translation>
         </message>
         <message>
             <source>The part type's parameters cannot be read; they need numbers under their keys.</source>
-            <translation>공작물 종류의 파라미터를 읽을 수 없습니다. 각 항목에 숫자가 있어야 합니다.</translation>
+            <translation>품종의 파라미터를 읽을 수 없습니다. 각 항목에 숫자가 있어야 합니다.</translation>
         </message>
         <message>
             <source>The process changed with part %1: the law is learned anew from there.</source>
@@ -2032,11 +2032,11 @@
         </message>
         <message>
             <source>This bore has a value already; correct that one instead.</source>
-            <translation>이 보어에는 이미 값이 있습니다. 그 값을 수정하십시오.</translation>
+            <translation>이 내경에는 이미 값이 있습니다. 그 값을 수정하십시오.</translation>
         </message>
         <message>
             <source>This part has no finished bore to measure.</source>
-            <translation>이 공작물에는 측정할 완성된 보어가 없습니다.</translation>
+            <translation>이 공작물에는 측정할 완성된 내경이 없습니다.</translation>
         </message>
         <message>
             <source>This value was replaced or taken out meanwhile; look at the newest one first.</source>
@@ -2232,7 +2232,7 @@
         </message>
         <message>
             <source>The force cannot see a tone at this spindle speed</source>
-            <translation>이 회전수에서는 힘으로 볼 수 없는 주파수가 있음</translation>
+            <translation>이 주축 회전수에서는 힘으로 볼 수 없는 주파수가 있음</translation>
         </message>
         <message>
             <source>The force sensor has drifted</source>
@@ -2344,7 +2344,7 @@
         </message>
         <message>
             <source>Air tap: Z and spindle move, no work.</source>
-            <translation>공중 탭: Z와 주축만 움직이고 가공하지 않습니다.</translation>
+            <translation>에어 탭: Z와 주축만 움직이고 가공하지 않습니다.</translation>
         </message>
         <message>
             <source>An emergency stop or an abort at the control stopped the tap before it was out.</source>
@@ -2452,7 +2452,7 @@
         </message>
         <message>
             <source>No cut to learn from yet: mill one part, advising or controlled.</source>
-            <translation>아직 배울 절삭이 없습니다. 조언 또는 제어로 공작물 하나를 가공하십시오.</translation>
+            <translation>아직 배울 절삭이 없습니다. 추천 또는 제어로 공작물 하나를 가공하십시오.</translation>
         </message>
         <message>
             <source>No milling setup is loaded.</source>
@@ -2488,7 +2488,7 @@
         </message>
         <message>
             <source>Ready: the first tap of the job is an air tap.</source>
-            <translation>준비됨: 작업의 첫 탭은 공중 탭입니다.</translation>
+            <translation>준비됨: 작업의 첫 탭은 에어 탭입니다.</translation>
         </message>
         <message>
             <source>Ready: the next cut holds the reference force.</source>
@@ -2552,7 +2552,7 @@
         </message>
         <message>
             <source>The air tap shows another pitch than the one entered.</source>
-            <translation>공중 탭의 피치가 입력한 피치와 다릅니다.</translation>
+            <translation>에어 탭의 피치가 입력한 피치와 다릅니다.</translation>
         </message>
         <message>
             <source>The cutting force collapsed within half a revolution while the tool was in the work.</source>
@@ -2772,7 +2772,7 @@
         </message>
         <message>
             <source>Largest trim</source>
-            <translation>최대 트림</translation>
+            <translation>최대 보정</translation>
         </message>
         <message>
             <source>Mean force</source>
@@ -2836,7 +2836,7 @@
         </message>
         <message>
             <source>A part type needs a name.</source>
-            <translation>공작물 종류에는 이름이 필요합니다.</translation>
+            <translation>품종에는 이름이 필요합니다.</translation>
         </message>
         <message>
             <source>A recipe needs %1 numbers.</source>
@@ -2848,7 +2848,7 @@
         </message>
         <message>
             <source>Overhang where the bore is measured</source>
-            <translation>보어를 측정하는 돌출 길이</translation>
+            <translation>내경을 측정하는 돌출 길이</translation>
         </message>
         <message>
             <source>Parts in the lot</source>
@@ -2860,15 +2860,15 @@
         </message>
         <message>
             <source>There is a lot of this name for the part type already; give another name.</source>
-            <translation>이 공작물 종류에 같은 이름의 로트가 이미 있습니다. 다른 이름을 쓰십시오.</translation>
+            <translation>이 품종에 같은 이름의 로트가 이미 있습니다. 다른 이름을 쓰십시오.</translation>
         </message>
         <message>
             <source>There is a part type of this name already; give another name.</source>
-            <translation>같은 이름의 공작물 종류가 이미 있습니다. 다른 이름을 쓰십시오.</translation>
+            <translation>같은 이름의 품종이 이미 있습니다. 다른 이름을 쓰십시오.</translation>
         </message>
         <message>
             <source>There is no such part type.</source>
-            <translation>그런 공작물 종류가 없습니다.</translation>
+            <translation>그런 품종이 없습니다.</translation>
         </message>
         <message>
             <source>This change needs a reason.</source>
@@ -3072,7 +3072,7 @@
         </message>
         <message>
             <source>The control did not start the tapping program.</source>
-            <translation>컨트롤러가 탭 프로그램을 시작하지 않았습니다.</translation>
+            <translation>제어기가 탭 프로그램을 시작하지 않았습니다.</translation>
         </message>
         <message>
             <source>The depth must be from 1 to 200 revolutions.</source>
@@ -3092,7 +3092,7 @@
         </message>
         <message>
             <source>The learned trim of these gains is not loaded.</source>
-            <translation>이 게인의 학습된 트림이 로드되지 않았습니다.</translation>
+            <translation>이 게인의 학습된 보정이 로드되지 않았습니다.</translation>
         </message>
         <message>
             <source>The loop was switched before the tap began.</source>
@@ -3108,7 +3108,7 @@
         </message>
         <message>
             <source>The tapping loop is off: switch it to advise or control to abort the tap.</source>
-            <translation>탭 루프가 꺼져 있습니다: 탭을 중단하려면 조언이나 제어로 전환하십시오.</translation>
+            <translation>탭 루프가 꺼져 있습니다: 탭을 중단하려면 추천이나 제어로 전환하십시오.</translation>
         </message>
         <message>
             <source>This tap takes %1 s; at most %2 s can be recorded: a higher speed or less depth.</source>
@@ -3688,11 +3688,11 @@
         </message>
         <message>
             <source>%1 finished parts are not recorded.</source>
-            <translation>완성된 부품 %1개가 기록되지 않았습니다.</translation>
+            <translation>완성된 공작물 %1개가 기록되지 않았습니다.</translation>
         </message>
         <message>
             <source>%1 finished parts had waited beside the data file; they are stored now.</source>
-            <translation>완성된 부품 %1개가 데이터 파일 옆에서 기다리고 있었으며 이제 저장되었습니다.</translation>
+            <translation>완성된 공작물 %1개가 데이터 파일 옆에서 기다리고 있었으며 이제 저장되었습니다.</translation>
         </message>
         <message>
             <source>%1 items that waited beside the data file are of another version: they are kept in a file beside it.</source>
@@ -3704,11 +3704,11 @@
         </message>
         <message>
             <source>A finished part was not recorded</source>
-            <translation>완성된 부품이 기록되지 않았습니다</translation>
+            <translation>완성된 공작물이 기록되지 않았습니다</translation>
         </message>
         <message>
             <source>A part was begun at the control while finished parts could not be stored, and there is no place left to keep them.</source>
-            <translation>완성된 부품을 저장할 수 없는 동안 제어기에서 부품이 시작되었고, 보관할 자리가 더 없습니다.</translation>
+            <translation>완성된 공작물을 저장할 수 없는 동안 제어기에서 공작물이 시작되었고, 보관할 자리가 더 없습니다.</translation>
         </message>
         <message>
             <source>Audit entry %1 is not the one that had been written: this is another file.</source>
@@ -3716,7 +3716,7 @@
         </message>
         <message>
             <source>Begin no part at the control until storing goes on. Note these parts down by hand.</source>
-            <translation>저장이 다시 될 때까지 제어기에서 부품을 시작하지 마십시오. 이 부품들은 손으로 적어 두십시오.</translation>
+            <translation>저장이 다시 될 때까지 제어기에서 공작물을 시작하지 마십시오. 이 공작물들은 손으로 적어 두십시오.</translation>
         </message>
         <message>
             <source>One of the first %1 kept setups, tunings or models was changed after it was kept.</source>
@@ -3772,7 +3772,7 @@
         </message>
         <message>
             <source>This part and those after it stand nowhere: neither figures nor feed of them are kept.</source>
-            <translation>이 부품과 그 뒤의 부품은 어디에도 남지 않습니다. 수치도 이송도 보관되지 않습니다.</translation>
+            <translation>이 공작물과 그 뒤의 공작물은 어디에도 남지 않습니다. 수치도 이송도 보관되지 않습니다.</translation>
         </message>
         <message>
             <source>An abort came first: this was not sent any more.</source>
@@ -3792,7 +3792,7 @@
         </message>
         <message>
             <source>The control took the command, but no part began: see its own message (soft limit, tool, spindle).</source>
-            <translation>제어기가 명령을 받았지만 부품이 시작되지 않았습니다. 제어기의 메시지를 보십시오(소프트 리밋, 공구, 주축).</translation>
+            <translation>제어기가 명령을 받았지만 공작물이 시작되지 않았습니다. 제어기의 메시지를 보십시오(소프트 리밋, 공구, 주축).</translation>
         </message>
         <message>
             <source>The file with the passwords of linuxcncrsh cannot be read.</source>
@@ -3972,15 +3972,15 @@
         </message>
         <message>
             <source>the spindle's angle jumps by %1 rev at sample %2; expected an angle that rises, falls or begins again after whole revolutions.</source>
-            <translation>스핀들 각도가 샘플 %2에서 %1회전 건너뜁니다. 각도는 늘거나 줄거나 정수 회전마다 다시 시작해야 합니다.</translation>
+            <translation>주축 각도가 샘플 %2에서 %1회전 건너뜁니다. 각도는 늘거나 줄거나 정수 회전마다 다시 시작해야 합니다.</translation>
         </message>
         <message>
             <source>the spindle's angle does not move in the whole record.</source>
-            <translation>기록 전체에서 스핀들 각도가 움직이지 않습니다.</translation>
+            <translation>기록 전체에서 주축 각도가 움직이지 않습니다.</translation>
         </message>
         <message>
             <source>the spindle turns %1 rev one way and %2 rev the other; expected a cut in one direction.</source>
-            <translation>스핀들이 한쪽으로 %1회전, 반대쪽으로 %2회전합니다. 한 방향으로 가공한 기록이어야 합니다.</translation>
+            <translation>주축이 한쪽으로 %1회전, 반대쪽으로 %2회전합니다. 한 방향으로 가공한 기록이어야 합니다.</translation>
         </message>
         <message>
             <source>%1 is no figure of this process.</source>
@@ -4116,7 +4116,7 @@
         </message>
         <message>
             <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
-            <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 스핀들의 넓은 추정</translation>
+            <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 주축의 넓은 추정</translation>
         </message>
         <message>
             <source>A recorded day is played: nothing can be commanded.</source>
@@ -4557,11 +4557,11 @@
         </message>
         <message>
             <source>bore ⌀</source>
-            <translation>보어 ⌀</translation>
+            <translation>내경 ⌀</translation>
         </message>
         <message>
             <source>The bore of each part appears here once its diameter is entered.</source>
-            <translation>지름을 입력하면 공작물마다 보어가 여기에 나타납니다.</translation>
+            <translation>지름을 입력하면 공작물마다 내경이 여기에 나타납니다.</translation>
         </message>
         <message>
             <source>upper</source>
@@ -4573,7 +4573,7 @@
         </message>
         <message>
             <source>Bore against its tolerance, last 25 parts</source>
-            <translation>공차 대비 보어, 최근 25개</translation>
+            <translation>공차 대비 내경, 최근 25개</translation>
         </message>
         <message>
             <source>expected</source>
@@ -4593,7 +4593,7 @@
         <message>
             <source>Bore ⌀, %1 – last 25 parts of lot %2</source>
             <comment>unit, lot</comment>
-            <translation>보어 ⌀, %1 – 로트 %2의 최근 25개</translation>
+            <translation>내경 ⌀, %1 – 로트 %2의 최근 25개</translation>
         </message>
         <message>
             <source>Nothing can be stored at the moment: %1</source>
@@ -4695,7 +4695,7 @@
         </message>
         <message>
             <source>Cut one part in Advise and one in Control with the same setup: the comparison appears here after the second.</source>
-            <translation>같은 설정으로 하나는 조언, 하나는 제어로 절삭하십시오. 두 번째가 끝나면 여기에 비교가 나타납니다.</translation>
+            <translation>같은 설정으로 하나는 추천, 하나는 제어로 절삭하십시오. 두 번째가 끝나면 여기에 비교가 나타납니다.</translation>
         </message>
         <message>
             <source>second half</source>
@@ -4902,7 +4902,7 @@
         <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
-            <translation>기다리는 공작물 없음</translation>
+            <translation>측정 대기 공작물 없음</translation>
         </message>
         <message>
             <source>none fitted</source>
@@ -4914,7 +4914,7 @@
         </message>
         <message>
             <source>Enter the bore</source>
-            <translation>보어 입력</translation>
+            <translation>내경 입력</translation>
         </message>
         <message>
             <source>Gauge</source>
@@ -4922,7 +4922,7 @@
         </message>
         <message>
             <source>Undo last</source>
-            <translation>마지막 취소</translation>
+            <translation>직전 입력 취소</translation>
         </message>
         <message>
             <source>Correct</source>
@@ -4939,7 +4939,7 @@
         </message>
         <message>
             <source>No part waits for a diameter</source>
-            <translation>지름을 기다리는 공작물이 없습니다</translation>
+            <translation>측정 대기 공작물이 없습니다</translation>
         </message>
         <message>
             <source>For %1 type all figures.</source>
@@ -5003,7 +5003,7 @@
         </message>
         <message>
             <source>The gauge sent %1, but no part waits for a diameter: left out.</source>
-            <translation>게이지가 %1을(를) 보냈으나 지름을 기다리는 공작물이 없어 버렸습니다.</translation>
+            <translation>게이지가 %1을(를) 보냈으나 측정 대기 공작물이 없어 버렸습니다.</translation>
         </message>
         <message>
             <source>the gauge sent %1: that fits only in inch. Set the gauge to mm.</source>
@@ -5101,7 +5101,7 @@
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
-            <translation>보어를 따른 이송, %1</translation>
+            <translation>내경을 따른 이송, %1</translation>
         </message>
         <message>
             <source>overhang</source>
@@ -5117,7 +5117,7 @@
         </message>
         <message>
             <source>last part</source>
-            <translation>앞 공작물</translation>
+            <translation>직전 공작물</translation>
         </message>
         <message>
             <source>The feed schedule appears here as soon as a lot is running.</source>
@@ -5125,7 +5125,7 @@
         </message>
         <message>
             <source>Feed along the bore: schedule, last part, live cut</source>
-            <translation>보어를 따른 이송: 계획, 앞 공작물, 현재 가공</translation>
+            <translation>내경을 따른 이송: 계획, 직전 공작물, 현재 가공</translation>
         </message>
         <message>
             <source>live %1</source>
@@ -5230,7 +5230,7 @@
         <message>
             <source>trim, %1</source>
             <comment>largest learned trim, unit</comment>
-            <translation>트림, %1</translation>
+            <translation>보정, %1</translation>
         </message>
         <message>
             <source>Safe Z gain %1 to %2 1/s; unstable from about %3 1/s, %4 dB away.</source>
@@ -5585,7 +5585,7 @@
         </message>
         <message>
             <source>part type no.</source>
-            <translation>공작물 종류 번호</translation>
+            <translation>품종 번호</translation>
         </message>
         <message>
             <source>tap no.</source>
@@ -5634,7 +5634,7 @@
         </message>
         <message>
             <source>Next lot of part type</source>
-            <translation>다음 로트의 공작물 종류</translation>
+            <translation>다음 로트의 품종</translation>
         </message>
         <message>
             <source>Lot</source>
@@ -5666,7 +5666,7 @@
         </message>
         <message>
             <source>New part type</source>
-            <translation>새 공작물 종류</translation>
+            <translation>새 품종</translation>
         </message>
         <message>
             <source>Go on with it</source>
@@ -5695,7 +5695,7 @@
         </message>
         <message>
             <source>Part type</source>
-            <translation>공작물 종류</translation>
+            <translation>품종</translation>
         </message>
         <message>
             <source>Parts</source>
@@ -5723,7 +5723,7 @@
         </message>
         <message>
             <source>The newest recipe of the part type holds for a new lot, and stays with it.</source>
-            <translation>새 로트에는 공작물 종류의 최신 레시피가 적용되고 끝까지 유지됩니다.</translation>
+            <translation>새 로트에는 품종의 최신 레시피가 적용되고 끝까지 유지됩니다.</translation>
         </message>
         <message>
             <source>being stored</source>
@@ -5842,11 +5842,11 @@
         </message>
         <message>
             <source>Finished parts wait</source>
-            <translation>완성된 부품이 기다립니다</translation>
+            <translation>완성된 공작물이 기다립니다</translation>
         </message>
         <message>
             <source>The store does not take %1 finished parts. Ending Kerf keeps them beside the data file; the next start stores them.</source>
-            <translation>완성된 부품 %1개가 저장되지 않고 있습니다. Kerf를 끝내면 데이터 파일 옆에 보관되고, 다음 시작 때 저장됩니다.</translation>
+            <translation>완성된 공작물 %1개가 저장되지 않고 있습니다. Kerf를 끝내면 데이터 파일 옆에 보관되고, 다음 시작 때 저장됩니다.</translation>
         </message>
         <message>
             <source>Stay</source>
@@ -5986,7 +5986,7 @@
         </message>
         <message>
             <source>This bore then waits for a diameter again.</source>
-            <translation>그러면 이 보어는 다시 지름을 기다립니다.</translation>
+            <translation>그러면 이 내경은 다시 지름을 기다립니다.</translation>
         </message>
         <message>
             <source>%1 becomes %2.</source>
@@ -6110,7 +6110,7 @@
         </message>
         <message>
             <source>gain margin, times</source>
-            <translation>이득 여유, 배</translation>
+            <translation>게인 여유, 배</translation>
         </message>
         <message>
             <source>peak of this cut</source>
@@ -6118,7 +6118,7 @@
         </message>
         <message>
             <source>Feed law</source>
-            <translation>이송 법칙</translation>
+            <translation>이송 제어 방식</translation>
         </message>
         <message>
             <source>Teach reference from this cut</source>
@@ -6166,7 +6166,7 @@
         </message>
         <message>
             <source>Start the program at the control.</source>
-            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
+            <translation>제어기에서 프로그램을 시작하십시오.</translation>
         </message>
         <message>
             <source>This machine has no milling loop.</source>
@@ -6250,7 +6250,7 @@
         </message>
         <message>
             <source>Raw force</source>
-            <translation>원시 힘</translation>
+            <translation>순간 절삭력</translation>
         </message>
         <message>
             <source>planned</source>
@@ -6448,7 +6448,7 @@
         <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
-            <translation>이송, 보어 위에서 아래로</translation>
+            <translation>이송, 내경 위에서 아래로</translation>
         </message>
         <message>
             <source>Accept</source>
@@ -6589,7 +6589,7 @@
         <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
-            <translation>컨트롤러에서 프로그램을 시작하십시오.</translation>
+            <translation>제어기에서 프로그램을 시작하십시오.</translation>
         </message>
         <message>
             <source>No link to the machine.</source>
@@ -6645,7 +6645,7 @@
         </message>
         <message>
             <source>The last part was aborted.</source>
-            <translation>앞 공작물은 중단되었습니다.</translation>
+            <translation>직전 공작물은 중단되었습니다.</translation>
         </message>
         <message>
             <source>cutting</source>
@@ -6848,7 +6848,7 @@
         </message>
         <message>
             <source>Part type</source>
-            <translation>공작물 종류</translation>
+            <translation>품종</translation>
         </message>
         <message>
             <source>Lot</source>
@@ -6895,7 +6895,7 @@
         </message>
         <message>
             <source>Search: lot, part type, serial number</source>
-            <translation>검색: 로트, 공작물 종류, 일련번호</translation>
+            <translation>검색: 로트, 품종, 일련번호</translation>
         </message>
         <message>
             <source>This lot</source>
@@ -7326,7 +7326,7 @@
         </message>
         <message>
             <source>a part type needs a name</source>
-            <translation>공작물 종류 이름이 필요함</translation>
+            <translation>품종 이름이 필요함</translation>
         </message>
         <message>
             <source>nothing is changed</source>
@@ -7346,7 +7346,7 @@
         </message>
         <message>
             <source>The part type is there.</source>
-            <translation>공작물 종류를 만들었습니다.</translation>
+            <translation>품종을 만들었습니다.</translation>
         </message>
         <message>
             <source>Revision %1 is back.</source>
@@ -7358,7 +7358,7 @@
         </message>
         <message>
             <source>New part type</source>
-            <translation>새 공작물 종류</translation>
+            <translation>새 품종</translation>
         </message>
         <message>
             <source>%1 to %2; default %3, %4</source>
@@ -7367,7 +7367,7 @@
         </message>
         <message>
             <source>Name of the part type</source>
-            <translation>공작물 종류 이름</translation>
+            <translation>품종 이름</translation>
         </message>
         <message>
             <source>Reason for the change</source>
@@ -7395,7 +7395,7 @@
         </message>
         <message>
             <source>Make the part type</source>
-            <translation>공작물 종류 만들기</translation>
+            <translation>품종 만들기</translation>
         </message>
         <message>
             <source>Rev.</source>
@@ -7821,7 +7821,7 @@
         </message>
         <message>
             <source>start it at the control</source>
-            <translation>컨트롤러에서 시작</translation>
+            <translation>제어기에서 시작</translation>
         </message>
         <message>
             <source>no proposal yet</source>
@@ -7845,7 +7845,7 @@
         </message>
         <message>
             <source>the loop is off: abort at the control</source>
-            <translation>루프 꺼짐: 컨트롤러에서 중단</translation>
+            <translation>루프 꺼짐: 제어기에서 중단</translation>
         </message>
     </context>
     <context>
@@ -8022,7 +8022,7 @@
         </message>
         <message>
             <source>time</source>
-            <translation>시각</translation>
+            <translation>시간</translation>
         </message>
     </context>
     <context>
@@ -8193,7 +8193,7 @@
         </message>
         <message>
             <source>the last part is not stored yet</source>
-            <translation>마지막 공작물이 아직 저장되지 않았습니다</translation>
+            <translation>직전 공작물이 아직 저장되지 않았습니다</translation>
         </message>
         <message>
             <source>a part is being cut</source>
