@@ -56,7 +56,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     m_buttons->addWidget(m_gauge, 1);
     m_buttons->addWidget(m_channelsButton, 1);
     m_buttons->addWidget(m_correct, 1);
-    m_buttons->addWidget(m_undo, 1);
+    m_buttons->addWidget(m_undo, 2);
     auto* answers = new QWidget(m_rows);
     m_answers = new QHBoxLayout(answers);
     m_answers->setContentsMargins(0, 0, 0, 0);
