@@ -398,6 +398,7 @@ void addThermalCommands(CLI::App& kerf) {
     addThermalVolumetric(*thermal);
     addThermalSimulate(*thermal);
     addThermalTable(*thermal);
+    addThermalRobust(*thermal);
 }
 
 }  // namespace kerf::headless

@@ -22,7 +22,8 @@ struct SimulateArguments {
     std::string schedule{"0:0,10:3000"};
     double hours{6.0};
     std::uint64_t seed{1};
-    std::uint64_t machine{1};
+    std::uint64_t machine{0};
+    std::string season{kSeasonKeys.front()};
     double warmSpeed_rpm{0.0};
     double warm_min{120.0};
     double pause_min{15.0};
@@ -75,11 +76,14 @@ double speedAt(const std::vector<SpeedStep>& steps, double t_min) {
 
 void simulate(const SimulateArguments& arguments) {
     const std::vector<SpeedStep> steps = scheduleFrom(arguments.schedule);
-    SimulatedDayOptions options{arguments.machine, arguments.seed,
+    constexpr std::uint64_t kReference = 1;
+    SimulatedDayOptions options{arguments.machine > 0 ? arguments.machine : kReference, arguments.seed,
                                 static_cast<int>(std::lround(arguments.hours * 60.0))};
     options.warmSpeed_rpm = arguments.warmSpeed_rpm;
     options.warm_min = arguments.warm_min;
     options.pause_min = arguments.pause_min;
+    options.hardSeed = arguments.machine;
+    options.season = *seasonOf(arguments.season);
     const auto [history, room_degC] = simulateDay(options, [&](int t_min) { return speedAt(steps, t_min); });
     std::string header = "t_min,rpm,amb_true";
     for (const std::string& name : history.sensors) {
@@ -113,7 +117,12 @@ void addThermalSimulate(CLI::App& thermal) {
         ->check(CLI::Range(0.1, 240.0))
         ->capture_default_str();
     command->add_option("--seed", arguments->seed, "Day: room temperature and noise")->capture_default_str();
-    command->add_option("--machine-seed", arguments->machine, "Machine: thermocouples and their mounting")
+    command
+        ->add_option("--machine-seed", arguments->machine,
+                     "0: the reference machine; else one that bites, drawn from this seed (docs/thermal.md)")
+        ->capture_default_str();
+    command->add_option("--season", arguments->season, "What is otherwise on this day")
+        ->check(CLI::IsMember(std::vector<std::string>(kSeasonKeys.begin(), kSeasonKeys.end())))
         ->capture_default_str();
     command->add_option("--warm-rpm", arguments->warmSpeed_rpm, "Run at this speed before the baseline (0: cold start)")
         ->check(CLI::Range(0.0, 30'000.0))

@@ -10,6 +10,7 @@ namespace kerf::headless {
 void addThermalVolumetric(CLI::App& thermal);
 void addThermalSimulate(CLI::App& thermal);
 void addThermalTable(CLI::App& thermal);
+void addThermalRobust(CLI::App& thermal);
 /// Predict from the sensors of a real machine, row by row as CSV, for so long. @throws BadInput
 void predictLive(const std::string& modelPath, const std::string& sensorPath, double seconds);
 

@@ -1099,6 +1099,18 @@
             <source>Use</source>
             <translation>Use</translation>
         </message>
+        <message>
+            <source>the model learns from every measurement by itself</source>
+            <translation>the model learns from every measurement by itself</translation>
+        </message>
+        <message>
+            <source>Measured and learnt from. Today differs from the days trained on: measure every hour.</source>
+            <translation>Measured and learnt from. Today differs from the days trained on: measure every hour.</translation>
+        </message>
+        <message>
+            <source>Measured and learnt from: the coefficients of today follow from the next minute on.</source>
+            <translation>Measured and learnt from: the coefficients of today follow from the next minute on.</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -4410,6 +4422,30 @@
         <message>
             <source>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</source>
             <translation>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</translation>
+        </message>
+        <message>
+            <source>Measure the origin every hour; record this state and train again.</source>
+            <translation>Measure the origin every hour; record this state and train again.</translation>
+        </message>
+        <message>
+            <source>The interval is wider; the model learns from every measurement.</source>
+            <translation>The interval is wider; the model learns from every measurement.</translation>
+        </message>
+        <message>
+            <source>The measurements of today fit a machine that behaves otherwise.</source>
+            <translation>The measurements of today fit a machine that behaves otherwise.</translation>
+        </message>
+        <message>
+            <source>The model has learnt from this measurement already.</source>
+            <translation>The model has learnt from this measurement already.</translation>
+        </message>
+        <message>
+            <source>Today differs from the days trained on: measure</source>
+            <translation>Today differs from the days trained on: measure</translation>
+        </message>
+        <message>
+            <source>Today differs from the days trained on: measure.</source>
+            <translation>Today differs from the days trained on: measure.</translation>
         </message>
     </context>
     <context>

@@ -1098,6 +1098,18 @@
             <source>Use</source>
             <translation>사용</translation>
         </message>
+        <message>
+            <source>the model learns from every measurement by itself</source>
+            <translation>모델이 모든 측정값을 스스로 학습합니다</translation>
+        </message>
+        <message>
+            <source>Measured and learnt from. Today differs from the days trained on: measure every hour.</source>
+            <translation>측정하고 학습했습니다. 오늘은 학습한 날들과 다릅니다: 매시간 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Measured and learnt from: the coefficients of today follow from the next minute on.</source>
+            <translation>측정하고 학습했습니다: 다음 1분부터 오늘의 계수에 반영됩니다.</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -4409,6 +4421,30 @@
         <message>
             <source>The samples are %1 s apart, at most %2 s are expected: is the time in ms?</source>
             <translation>샘플 간격이 %1 s이며 최대 %2 s여야 합니다. 시간이 ms 단위입니까?</translation>
+        </message>
+        <message>
+            <source>Measure the origin every hour; record this state and train again.</source>
+            <translation>매시간 원점을 측정하십시오. 이 상태를 기록하고 다시 학습하십시오.</translation>
+        </message>
+        <message>
+            <source>The interval is wider; the model learns from every measurement.</source>
+            <translation>구간이 넓어집니다. 모델은 모든 측정값에서 학습합니다.</translation>
+        </message>
+        <message>
+            <source>The measurements of today fit a machine that behaves otherwise.</source>
+            <translation>오늘의 측정값은 다르게 거동하는 기계에 들어맞습니다.</translation>
+        </message>
+        <message>
+            <source>The model has learnt from this measurement already.</source>
+            <translation>모델이 이미 이 측정값을 학습했습니다.</translation>
+        </message>
+        <message>
+            <source>Today differs from the days trained on: measure</source>
+            <translation>오늘은 학습한 날들과 다릅니다: 측정하십시오</translation>
+        </message>
+        <message>
+            <source>Today differs from the days trained on: measure.</source>
+            <translation>오늘은 학습한 날들과 다릅니다: 측정하십시오.</translation>
         </message>
     </context>
     <context>

@@ -50,6 +50,7 @@ class TestThermalCommands : public QObject {
     void reportHasSensorsErrorsAndFormula();
     void simulatedDayTrainsAndPredicts();
     void simulationIsReproducible();
+    void seasonsAndHardMachinesAreOtherMachines();
     void badHistoriesAreRefused_data();
     void badHistoriesAreRefused();
     void wrongModelFilesAreRefused_data();
@@ -169,6 +170,38 @@ void TestThermalCommands::simulationIsReproducible() {
     QCOMPARE(csvRows(first.out).size(), 66);
     QCOMPARE(runKerf(arguments).out, first.out);
     QVERIFY(runKerf(arguments.mid(0, arguments.size() - 1) + QStringList{"8"}).out != first.out);
+}
+
+void TestThermalCommands::seasonsAndHardMachinesAreOtherMachines() {
+    const QStringList plain = thermal({"simulate", "--schedule", "0:3000", "--hours", "2", "--seed", "7"});
+    const KerfRun reference = runKerf(plain);
+    QCOMPARE(reference.exitCode, 0);
+    QCOMPARE(runKerf(plain + QStringList{"--machine-seed", "0", "--season", "none"}).out, reference.out);
+    // Digits of the machine before it could be hard.
+    QVERIFY(reference.out.contains(QStringLiteral("t_min,rpm,amb_true,T00")));
+    const auto endOf = [](const KerfRun& run) { return csvRows(run.out).last().last().toDouble(); };
+    const double drift_um = endOf(reference);
+    for (const char* season : {"coolant", "door", "sun", "moved", "nonlinear"}) {
+        const KerfRun run = runKerf(plain + QStringList{"--season", season});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(std::abs(endOf(run) - drift_um) > 0.2, season);
+        QVERIFY2(std::abs(endOf(run)) < 150.0, season);
+    }
+    const KerfRun hard = runKerf(plain + QStringList{"--machine-seed", "5"});
+    QVERIFY(std::abs(endOf(hard) - drift_um) > 0.2);
+    QCOMPARE(runKerf(plain + QStringList{"--machine-seed", "5"}).out, hard.out);
+    QCOMPARE(runKerf(plain + QStringList{"--season", "winter"}).exitCode, 2);
+
+    const KerfRun robust = runKerf(thermal({"robust", "--machines", "2", "--seed", "1", "--csv"}));
+    QVERIFY2(robust.exitCode == 0, qPrintable(robust.err));
+    const auto rows = csvRows(robust.out);
+    QCOMPARE(rows.size(), 5);
+    QCOMPARE(rows[0].join(u','), QStringLiteral("machine_seed,season,rms_uncompensated_um,rms_simple_um,rms_default_um,"
+                                                "rms_measured_um,inside,ratio,worse,unstable_default,unstable_simple"));
+    for (int k = 1; k < rows.size(); ++k) {
+        QCOMPARE(rows[k][9], QStringLiteral("0"));
+        QVERIFY(rows[k][4].toDouble() < 3.0 * rows[k][2].toDouble());
+    }
 }
 
 void TestThermalCommands::badHistoriesAreRefused_data() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/service/thermal/thermal_records.h"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace kerf::thermal_records {
@@ -92,6 +93,33 @@ std::optional<ThermalSetup> setupFromJson(const std::string& text) {
         setup.warmUpSpeed_rpm = body.at("warm_up_speed_rpm").get<double>();
         setup.warmUp_min = body.at("warm_up_min").get<double>();
         return std::optional(setup);
+    });
+}
+
+std::string learntToJson(const Learnt& learnt) {
+    const thermal::DayMeasurement& m = learnt.measurement;
+    return json{{"utc_ms", learnt.utc_ms}, {"fingerprint", std::to_string(learnt.fingerprint)},
+                {"t_min", m.at.time_min},  {"reference", m.at.reference},
+                {"mean_um", m.at.mean_um}, {"spread", m.at.spread},
+                {"term", m.at.term},       {"drift_um", m.drift_um},
+                {"known", m.known}}
+        .dump();
+}
+
+std::optional<Learnt> learntFromJson(const std::string& text) {
+    return reading(text, [](const json& body) {
+        Learnt out;
+        out.utc_ms = body.at("utc_ms").get<std::int64_t>();
+        out.fingerprint = std::strtoull(body.at("fingerprint").get<std::string>().c_str(), nullptr, 10);
+        thermal::DayMeasurement& m = out.measurement;
+        m.at.time_min = body.at("t_min").get<double>();
+        m.at.reference = body.at("reference").get<std::uint32_t>();
+        m.at.mean_um = body.at("mean_um").get<PerAxis>();
+        m.at.spread = body.at("spread").get<PerAxis>();
+        m.at.term = body.at("term").get<std::array<double, thermal::kMaxLayerTerms>>();
+        m.drift_um = body.at("drift_um").get<PerAxis>();
+        m.known = body.at("known").get<std::array<bool, kAxisCount>>();
+        return std::optional(out);
     });
 }
 

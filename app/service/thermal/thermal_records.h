@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/process/thermal/day_layer.h"
 #include "engine/process/thermal/history.h"
 #include "ui/services/thermal_service.h"
 
@@ -19,6 +20,7 @@ inline constexpr const char* kGap = "gap";
 inline constexpr const char* kSession = "session";
 inline constexpr const char* kZero = "gap-zero";
 inline constexpr const char* kSetup = "setup";
+inline constexpr const char* kLearnt = "learnt";
 
 [[nodiscard]] std::string shiftsToJson(const std::vector<ThermalShiftRow>& rows);
 [[nodiscard]] std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text);
@@ -28,6 +30,14 @@ inline constexpr const char* kSetup = "setup";
 [[nodiscard]] std::optional<std::array<double, kAxisCount>> zeroFromJson(const std::string& text);
 [[nodiscard]] std::string setupToJson(const ThermalSetup& setup);
 [[nodiscard]] std::optional<ThermalSetup> setupFromJson(const std::string& text);
+/// What a model learnt of a day, so that a restart goes on with it.
+struct Learnt {
+    std::int64_t utc_ms{0};
+    std::uint64_t fingerprint{0};  ///< of the model's training days
+    thermal::DayMeasurement measurement{};
+};
+[[nodiscard]] std::string learntToJson(const Learnt& learnt);
+[[nodiscard]] std::optional<Learnt> learntFromJson(const std::string& text);
 [[nodiscard]] std::string sessionToJson(const thermal::ThermalHistory& day);
 [[nodiscard]] std::optional<thermal::ThermalHistory> sessionFromJson(const std::string& text);
 

@@ -26,6 +26,7 @@ constexpr std::size_t kRowsShown = 200;
 constexpr std::uint32_t kRecordsRead = 50;
 constexpr std::uint32_t kModelsRead = 2;
 constexpr std::int64_t kWriteEvery_ms = 10'000;
+constexpr std::int64_t kDay_ms = 12LL * 3600 * 1000;  ///< so old may be what was learnt of today
 constexpr double kSameZero_um = 1e-6;
 constexpr const char* kAuthor = "Kerf";
 constexpr const char* kBuiltInDays = "built-in:";
@@ -89,6 +90,11 @@ void StoredThermalService::load(RoomRecordReader& reader) {
         if (!rows) m_view.storeProblem = rows.error();
         return rows ? std::move(*rows) : std::vector<RoomRecordRow>{};
     };
+    for (const RoomRecordRow& row : newest(records::kLearnt, thermal::kMaxDayMeasurements)) {
+        const auto learnt = records::learntFromJson(row.bodyJson);
+        if (learnt && utcNow_ms() - learnt->utc_ms < kDay_ms) m_recalled.push_back(*learnt);
+    }
+    std::ranges::reverse(m_recalled);  // oldest first
     loadModels(reader);
     for (const RoomRecordRow& row : newest(records::kShifts, kRecordsRead)) {
         std::vector<ThermalShiftRow> shifts = records::shiftsFromJson(row.bodyJson);
@@ -171,6 +177,9 @@ void StoredThermalService::install(KeptModel model) {
         return;
     }
     model.card.revision = ++m_modelNumber;
+    for (const records::Learnt& one : m_recalled) {
+        if (one.fingerprint == model.model.fingerprint) (*live)->estimator.recall(one.measurement);
+    }
     m_links.exchange.offer(std::move(*live));
     m_previous = std::move(m_live);
     m_live = std::move(model);
@@ -389,6 +398,7 @@ thermal::ThermalHistory StoredThermalService::sessionDay() const {
 void StoredThermalService::poll() {
     m_links.exchange.collect();
     takeMinutes();
+    takeLearnt();
     takeGap(m_links.engine.status().thermal);
     takeTraining();
     writeShifts(false);
@@ -409,7 +419,17 @@ void StoredThermalService::takeMinutes() {
     changed();
 }
 
+void StoredThermalService::takeLearnt() {
+    thermal::DayMeasurement measurement;
+    while (m_links.exchange.learnt.tryPop(measurement)) {
+        if (!m_live) continue;
+        keep(records::kLearnt, records::learntToJson({utcNow_ms(), m_live->model.fingerprint, measurement}), {},
+             "learnt");
+    }
+}
+
 void StoredThermalService::takeMinute(const ThermalMinute& minute) {
+    if (minute.reference > 1) m_recalled.clear();  // a new reference: what it holds is the loop's to know
     if (minute.reference != m_reference) {
         m_reference = minute.reference;
         m_minutes.clear();

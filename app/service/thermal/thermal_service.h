@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/service/rights.h"
+#include "app/service/thermal/thermal_records.h"
 #include "app/service/thermal/thermal_trainer.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
@@ -64,6 +65,7 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
     void install(KeptModel model);
     void takeMinutes();
+    void takeLearnt();
     void takeMinute(const ThermalMinute& minute);
     void takeGap(const ThermalStatus& status);
     void takeTraining();
@@ -93,6 +95,7 @@ class StoredThermalService final : public ThermalService {
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};
     std::optional<std::array<double, kAxisCount>> m_keptZero{};
+    std::vector<thermal_records::Learnt> m_recalled{};  ///< of this day, from before this start; oldest first
     bool m_firstModel{false};  ///< the training under way is that of the first start: goes live by itself
     std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };

@@ -17,6 +17,8 @@ inline constexpr AlarmCode kMeasureNow = 405;
 inline constexpr AlarmCode kOutside = 406;
 inline constexpr AlarmCode kNoTemperatures = 407;
 
+inline constexpr AlarmCode kDayDiffers = 408;
+
 inline constexpr std::array kSpecs{
     AlarmSpec{kSensorLeftOut, 3, KERF_TEXT("A thermocouple is left out"),
               KERF_TEXT("It is open, shorted, stuck, noisy or away from what its neighbours expect."),
@@ -50,6 +52,10 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("The machine sends no temperatures any more."),
               KERF_TEXT("Nothing is predicted; the last shift stays."),
               KERF_TEXT("Check the temperature module and its cable.")},
+    AlarmSpec{kDayDiffers, 3, KERF_TEXT("Today differs from the days trained on: measure"),
+              KERF_TEXT("The measurements of today fit a machine that behaves otherwise."),
+              KERF_TEXT("The interval is wider; the model learns from every measurement."),
+              KERF_TEXT("Measure the origin every hour; record this state and train again.")},
 };
 
 }  // namespace kerf::thermal_alarm

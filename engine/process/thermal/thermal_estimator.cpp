@@ -8,8 +8,9 @@
 namespace kerf::thermal {
 namespace {
 
-constexpr double kAtRest_K = 0.5;  // deviation up to which the heat terms count fully
-constexpr double kWarm_K = 1.5;    // and from which they do not count
+constexpr double kAtRest_K = 0.5;        // deviation up to which the heat terms count fully
+constexpr double kWarm_K = 1.5;          // and from which they do not count
+constexpr double kDayLasts_min = 720.0;  // without a measurement; then another day has begun
 constexpr double kSmallestHalf_um = 0.1;
 constexpr double kShareLossPerMin = 0.1;  // heat terms leave slowly when the speed signal is lost
 
@@ -73,6 +74,13 @@ void ThermalEstimator::reset() noexcept {
     m_nowKnown = false;
     ++m_now.reference;
     m_measuredRange = {};
+    m_measured_min.reset();
+}
+
+void ThermalEstimator::newDay() noexcept {
+    m_day.clear();
+    m_measuredRange = {};
+    m_measured_min.reset();
 }
 
 void ThermalEstimator::measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known) noexcept {
@@ -80,6 +88,7 @@ void ThermalEstimator::measured(const PerAxis& drift_um, const std::array<bool, 
         return;
     }
     m_day.add({m_now, drift_um, known});
+    m_measured_min = m_now.time_min;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (known[axis] && std::isfinite(drift_um[axis])) {
             Range& range = m_measuredRange[axis];
@@ -96,6 +105,9 @@ void ThermalEstimator::recall(const DayMeasurement& measurement) noexcept {
 
 void ThermalEstimator::applyDay(double time_min, ThermalPrediction& out) noexcept {
     m_now.time_min = time_min;
+    if (m_measured_min && time_min - *m_measured_min > kDayLasts_min) {
+        newDay();
+    }
     for (std::size_t k = 0; k < m_day.terms(); ++k) {
         const double scale_K = m_day.termScale_K(k);
         bool bounded = false;

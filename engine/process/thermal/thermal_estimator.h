@@ -58,7 +58,7 @@ class ThermalEstimator {
     void recall(const DayMeasurement& measurement) noexcept;
     [[nodiscard]] const DayPosterior& day() const noexcept { return m_day; }
     /// The day is over: what was measured says nothing about the next.
-    void newDay() noexcept { m_day.clear(); }
+    void newDay() noexcept;
 
     [[nodiscard]] std::size_t sensors() const noexcept { return m_count; }
     [[nodiscard]] const SensorHealth& health() const noexcept { return m_health; }
@@ -93,6 +93,7 @@ class ThermalEstimator {
     DayPosterior m_day{};
     DayInstant m_now{};
     bool m_nowKnown{false};
+    std::optional<double> m_measured_min{};  ///< last measurement since the reference
     std::array<bool, kAxes> m_axes{};
     std::array<Range, kAxes> m_measuredRange{};  ///< what today's measurements add to the drift's range
 

@@ -52,7 +52,8 @@ class ThermalExchange {
     /// Loop: hand a model back. @pre take() has just given one, or the loop is being destroyed
     void retire(LiveModel* model) noexcept { m_retired.store(model, std::memory_order_release); }
 
-    SpscRing<ThermalMinute> minutes{2048};  ///< loop → service; a full ring drops
+    SpscRing<thermal::DayMeasurement> learnt{32};  ///< loop → service: what the live model has learnt from
+    SpscRing<ThermalMinute> minutes{2048};         ///< loop → service; a full ring drops
 
  private:
     std::atomic<LiveModel*> m_offered{nullptr};

@@ -132,6 +132,9 @@ CommandResult ThermalLoop::adopt() noexcept {
     if (gap.phase != GapPhase::Done || !gap.predictionKnown) {
         return CommandResult::refused(Sentence(KERF_TEXT("There is no measurement beside a prediction yet.")));
     }
+    if (learns()) {
+        return CommandResult::refused(Sentence(KERF_TEXT("The model has learnt from this measurement already.")));
+    }
     if (m_adopted) return CommandResult::refused(Sentence(KERF_TEXT("This measurement has been taken over already.")));
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const double difference_um = gap.measured_um[axis] - gap.predicted_um[axis];
@@ -162,7 +165,9 @@ void ThermalLoop::restart(bool clearShift) noexcept {
     m_nextBaseline = 0;
     m_nextMinute = 0;
     for (LiveModel* model : {m_live, m_next}) {
-        if (model != nullptr) model->estimator.reset();
+        if (model == nullptr) continue;
+        model->estimator.reset();
+        if (clearShift) model->estimator.newDay();
     }
 }
 
@@ -213,6 +218,7 @@ LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& c
     m_status.model = m_live != nullptr ? m_live->revision : 0;
     m_status.setup = m_setup.revision;
     m_status.allowed_um = m_setup.allowed_um;
+    m_status.learns = learns();
     m_status.nextUpdate_s = static_cast<double>(m_due_ns - inputs.time_ns) / kNanosecondPerSecond;
     return verdict();
 }
@@ -261,7 +267,24 @@ thermal::ThermalPrediction ThermalLoop::feed(LiveModel& model, const ThermalMinu
     }
     const auto speed_rpm =
         minute.speedKnown ? std::optional<double>(static_cast<double>(minute.speed_rpm)) : std::nullopt;
-    return model.estimator.update(minute.minutes, speed_rpm, used);
+    const thermal::ThermalPrediction prediction = model.estimator.update(minute.minutes, speed_rpm, used);
+    if (minute.spot) {  // used from the next minute on
+        PerAxis learnt_um{};
+        std::ranges::copy(minute.learnt_um, learnt_um.begin());
+        model.estimator.measured(learnt_um, {true, true, true});
+    }
+    return prediction;
+}
+
+bool ThermalLoop::learns() const noexcept {
+    return m_live != nullptr && m_live->estimator.day().present();
+}
+
+void ThermalLoop::tellLearnt(std::size_t before) noexcept {
+    const thermal::DayPosterior& day = m_live->estimator.day();
+    if (day.count() > 0 && (day.count() != before || before == thermal::kMaxDayMeasurements)) {
+        (void)m_exchange.learnt.tryPush(day.measurement(day.count() - 1));
+    }
 }
 
 void ThermalLoop::watchSpeed(const MachineInputs& inputs) noexcept {
@@ -304,6 +327,7 @@ void ThermalLoop::watchGaps(const MachineInputs& inputs) noexcept {
         gap.half_um[axis] = m_prediction.half_um[axis];
     }
     m_spotPending = true;
+    if (learns() && m_log.baselineDone()) m_due_ns = inputs.time_ns;  // in the state that was measured
 }
 
 void ThermalLoop::runWarmUp(const MachineInputs& inputs, LoopOutputs& outputs) noexcept {
@@ -373,8 +397,16 @@ void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
     }
     minute.minutes = static_cast<double>(inputs.time_ns - m_referenceEnd_ns) / kMinute_ns;
     minute.minutes = std::max(minute.minutes, 0.0);
+    if (m_spotPending) {
+        minute.spot = true;
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            minute.learnt_um[axis] = static_cast<float>(m_status.gap.measured_um[axis] - m_carried_um[axis]);
+        }
+    }
     if (m_live != nullptr) {
+        const std::size_t before = m_live->estimator.day().count();
         const thermal::ThermalPrediction prediction = feed(*m_live, minute);
+        if (minute.spot) tellLearnt(before);
         m_prediction = prediction;
         if (prediction.usable) take(prediction);
     }
@@ -436,6 +468,7 @@ void ThermalLoop::take(const thermal::ThermalPrediction& prediction) noexcept {
     m_status.outside = prediction.outside;
     m_status.speedShare = prediction.speedShare;
     m_status.lostSensors = prediction.lostSensors;
+    m_status.differs = prediction.changed >= thermal::kDayDiffers;
 }
 
 bool ThermalLoop::shiftReadable(const MachineInputs& inputs) const noexcept {
@@ -545,6 +578,7 @@ void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) no
     events.set(thermal_alarm::kShiftTooFast, acting && any(m_status.rateLimited));
     events.set(thermal_alarm::kShiftNotTaken, acting && m_missesOfShift >= kMissesUntilAlarm);
     events.set(thermal_alarm::kOutside, following && m_prediction.outside > kOutsideAlarm);
+    events.set(thermal_alarm::kDayDiffers, following && m_prediction.changed >= thermal::kDayDiffers);
     const bool tooWide =
         std::ranges::any_of(m_prediction.half_um, [this](double half_um) { return half_um > m_setup.allowed_um; });
     m_status.measureNow = following && tooWide;
@@ -580,6 +614,9 @@ LoopVerdict ThermalLoop::verdict() const noexcept {
     if (m_status.outside > kOutsideAlarm) {
         return {LoopState::Limited,
                 Sentence(KERF_TEXT("Outside the training range: the shift fades to hold. Measure the origin."))};
+    }
+    if (m_prediction.changed >= thermal::kDayDiffers) {
+        return {LoopState::Limited, Sentence(KERF_TEXT("Today differs from the days trained on: measure."))};
     }
     return {LoopState::Controlling, Sentence(KERF_TEXT("The work origin follows the predicted drift."))};
 }

@@ -22,6 +22,9 @@ namespace kerf {
 /// the shift fades to hold; with no usable prediction it holds. In the modes Off and Advise everything is computed and
 /// nothing acts.
 ///
+/// A measurement of the origin is learnt from by a model that can: its day's coefficients move, at the next minute. Its
+/// between-day law is kept over a new reference in the same day and restored after a restart by the service.
+///
 /// A new model first runs through the minutes since the baseline, one per cycle, beside the old one; then it takes its
 /// place between two cycles. Neither is made or destroyed here.
 class ThermalLoop final : public ProcessLoop {
@@ -64,6 +67,8 @@ class ThermalLoop final : public ProcessLoop {
     [[nodiscard]] LoopVerdict verdict() const noexcept;
     [[nodiscard]] bool shiftReadable(const MachineInputs& inputs) const noexcept;
     [[nodiscard]] PerAxis predicted() const noexcept;
+    [[nodiscard]] bool learns() const noexcept;
+    void tellLearnt(std::size_t before) noexcept;
 
     ThermalExchange& m_exchange;
     LoopMode m_mode{LoopMode::Off};

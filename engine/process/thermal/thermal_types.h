@@ -74,6 +74,8 @@ struct ThermalStatus {
     double speedShare{0.0};  ///< 0: warm start or speed unknown, temperatures alone
     int lostSensors{0};      ///< of the model's own
     bool measureNow{false};
+    bool learns{false};   ///< the model in force learns from a measurement of the origin
+    bool differs{false};  ///< today differs from the days trained on, by today's measurements
     double allowed_um{0.0};
     double nextUpdate_s{0.0};
     double minutes{0.0};  ///< machine time since the baseline
@@ -106,6 +108,8 @@ struct ThermalMinute {
     std::array<float, kAxisCount> half_um{};
     std::array<float, kAxisCount> shift_um{};     ///< reported by the control
     std::array<float, kAxisCount> measured_um{};  ///< gap sensors, drift
+    bool spot{false};                             ///< measured once, to learn from
+    std::array<float, kAxisCount> learnt_um{};    ///< of a spot: measured drift since the reference
     std::uint64_t present{0};
     std::array<float, kMaxTemperatures> temp_degC{};
 };

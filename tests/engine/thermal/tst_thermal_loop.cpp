@@ -280,6 +280,34 @@ class TestThermalLoop : public QObject {
         bench.runMinutes(3);
         QVERIFY(bench.worstResidual_um() < 2.5);
     }
+    void aMeasurementIsLearntFromAtTheNextMinute() {
+        static const thermal::ThermalModel model =
+            std::move(*thermal::trainHierarchical(thermal::trainingDays(SimulatedThermal::kMachiningCentre), {}));
+        test::ThermalBench bench;
+        bench.offer(model);
+        QVERIFY(bench.warmUp(3000.0, 40.0));
+        bench.runMinutes(1.0);
+        QVERIFY(bench.thermal().learns);
+        QVERIFY(bench.execute(MeasureOrigin{}).done);
+        bench.runMinutes(0.2);
+        QCOMPARE(bench.thermal().gap.phase, GapPhase::Done);
+        thermal::DayMeasurement learnt;
+        QVERIFY(bench.exchange->learnt.tryPop(learnt));
+        QCOMPARE(learnt.drift_um[2], static_cast<double>(static_cast<float>(bench.thermal().gap.measured_um[2])));
+        bench.runMinutes(1.5);
+        QVERIFY(std::abs(bench.thermal().drift_um[2] - bench.thermal().gap.measured_um[2]) < 2.0);
+        // It acts by itself: nothing is left to take over.
+        QVERIFY(!bench.execute(AdoptMeasurement{}).done);
+        // A restart goes on with what the day taught.
+        const std::vector<std::string> names = test::channelNames();
+        auto live = LiveModel::make(model, names, 2);
+        (*live)->estimator.recall(learnt);
+        QCOMPARE((*live)->estimator.day().count(), std::size_t{1});
+        bench.exchange->offer(std::move(*live));
+        bench.runMinutes(2.0);
+        QCOMPARE(bench.thermal().model, 2U);
+        QVERIFY(std::abs(bench.thermal().drift_um[2] - bench.thermal().gap.measured_um[2]) < 3.0);
+    }
     void gapSensorsThatReadNothingAreSaid() {
         ThermalBench bench;
         bench.offer(test::machineModel());

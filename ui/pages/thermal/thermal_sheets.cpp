@@ -243,6 +243,7 @@ void ThermalSheets::openMeasure() {
     });
     adopt->setPredicate([this]() -> QString {
         const GapMeasurement& gap = m_status.thermal.gap;
+        if (m_status.thermal.learns) return tr("the model learns from every measurement by itself");
         return gap.phase == GapPhase::Done && gap.predictionKnown ? QString() : tr("measure first");
     });
     sheet->addButton(
@@ -289,6 +290,10 @@ void ThermalSheets::openMeasure() {
             text = tr("Measuring …");
         } else if (s.gap.phase == GapPhase::Failed) {
             text = sentenceText(s.gap.reason, units);
+        } else if (s.gap.phase == GapPhase::Done && s.learns) {
+            text = s.differs
+                       ? tr("Measured and learnt from. Today differs from the days trained on: measure every hour.")
+                       : tr("Measured and learnt from: the coefficients of today follow from the next minute on.");
         } else if (s.gap.phase == GapPhase::Done) {
             text =
                 tr("Measured. If the difference is outside the interval on a machine that is warm, take it over and "

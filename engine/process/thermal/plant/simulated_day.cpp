@@ -20,7 +20,8 @@ std::string sensorName(std::size_t k) {
 }  // namespace
 
 SimulatedDay simulateDay(const SimulatedDayOptions& options, const std::function<double(int)>& speed_rpm) {
-    ThermalPlant plant(options.machineSeed, options.daySeed);
+    ThermalPlant plant(options.machineSeed, options.daySeed,
+                       hardThermal(options.hardSeed, options.season, options.daySeed));
     if (options.warmSpeed_rpm > 0.0) {
         plant.advance(options.warmSpeed_rpm, options.warm_min * kMinute_s);
         plant.advance(0.0, options.pause_min * kMinute_s);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/process/thermal/history.h"
+#include "engine/process/thermal/plant/hard_thermal.h"
 
 /// Days of the simulated machine as training and test data.
 namespace kerf::thermal {
@@ -17,6 +18,8 @@ struct SimulatedDayOptions {
     double warmSpeed_rpm{0.0};  ///< > 0: the machine ran at this speed before the baseline
     double warm_min{120.0};
     double pause_min{15.0};
+    std::uint64_t hardSeed{0};  ///< > 0: a machine that bites (see HardThermal)
+    Season season{Season::None};
 };
 
 struct SimulatedDay {

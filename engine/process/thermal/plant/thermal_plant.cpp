@@ -86,7 +86,11 @@ constexpr std::size_t kRoomCouples = 3;
 
 }  // namespace
 
-ThermalPlant::ThermalPlant(std::uint64_t machineSeed, std::uint64_t daySeed) noexcept {
+ThermalPlant::ThermalPlant(std::uint64_t machineSeed, std::uint64_t daySeed) noexcept
+    : ThermalPlant(machineSeed, daySeed, HardThermal{}) {}
+
+ThermalPlant::ThermalPlant(std::uint64_t machineSeed, std::uint64_t daySeed, const HardThermal& hard) noexcept
+    : m_hard(hard) {
     Random random(machineSeed);
     std::size_t couple = 0;
     for (std::size_t node = 0; node < kPlantNodes; ++node) {
@@ -118,6 +122,8 @@ void ThermalPlant::restart(std::uint64_t daySeed) noexcept {
     m_roomMean_degC = m_random.uniform(20.0, 24.0);
     m_roomSwing_K = m_random.uniform(0.5, 2.0);
     m_roomPhase = m_random.uniform(0.0, 2.0 * std::numbers::pi);
+    m_roomMean_degC += m_hard.room_K;
+    m_roomSwing_K *= m_hard.swing;
     m_wander_K = 0.0;
     moveRoom(0.0);
     m_temp_degC.fill(m_room_degC);
@@ -139,7 +145,7 @@ void ThermalPlant::step(double speed_rpm, double dt_s) noexcept {
     moveRoom(dt_s);
     std::array<double, kPlantNodes> heat_W{};
     for (std::size_t i = 0; i < kPlantNodes; ++i) {
-        heat_W[i] = kToRoom_WPerK[i] * (m_room_degC - m_temp_degC[i]);
+        heat_W[i] = kToRoom_WPerK[i] * m_hard.toRoom[i] * (m_room_degC - m_temp_degC[i]);
     }
     for (const Link& link : kLinks) {
         const auto a = static_cast<std::size_t>(link.a);
@@ -152,7 +158,8 @@ void ThermalPlant::step(double speed_rpm, double dt_s) noexcept {
     const double friction = krpm * std::sqrt(krpm);
     const auto bearing = [&](PlantNode node, double watt) {
         const auto i = static_cast<std::size_t>(node);
-        heat_W[i] += watt * friction * std::exp(-kGreaseThinning_perK * (m_temp_degC[i] - 20.0));
+        heat_W[i] += watt * m_hard.bearing * friction *
+                     std::exp(-kGreaseThinning_perK * m_hard.thinning * (m_temp_degC[i] - 20.0));
     };
     bearing(N::FrontBearing, kFrontBearing_W);
     bearing(N::RearBearing, kRearBearing_W);
@@ -161,6 +168,7 @@ void ThermalPlant::step(double speed_rpm, double dt_s) noexcept {
         const auto right = static_cast<std::size_t>(N::HeadRight);
         heat_W[right] += kFan_WPerK * (m_room_degC - m_temp_degC[right]);
     }
+    addSeason(heat_W);
     for (std::size_t i = 0; i < kPlantNodes; ++i) {
         m_temp_degC[i] += heat_W[i] * dt_s / kCapacity_JPerK[i];
     }
@@ -168,6 +176,19 @@ void ThermalPlant::step(double speed_rpm, double dt_s) noexcept {
         const double node_degC = one.node == kRoom ? m_room_degC : m_temp_degC[one.node];
         const double target_degC = one.contact * node_degC + (1.0 - one.contact) * m_room_degC;
         one.value_degC += -std::expm1(-dt_s / one.lag_s) * (target_degC - one.value_degC);
+    }
+}
+
+void ThermalPlant::addSeason(std::array<double, kPlantNodes>& heat_W) const noexcept {
+    if (m_hard.coolant_WPerK > 0.0 && std::fmod(m_time_s, 2.0 * m_hard.coolantHalf_s) < m_hard.coolantHalf_s) {
+        for (const N node : {N::Table, N::Saddle, N::Quill}) {
+            const auto i = static_cast<std::size_t>(node);
+            heat_W[i] += m_hard.coolant_WPerK * (m_room_degC + m_hard.coolant_K - m_temp_degC[i]);
+        }
+    }
+    if (m_hard.sun_W > 0.0 && m_time_s >= m_hard.sunFrom_s && m_time_s < m_hard.sunTo_s) {
+        heat_W[static_cast<std::size_t>(N::ColumnLeft)] += m_hard.sun_W;
+        heat_W[static_cast<std::size_t>(N::Bed)] += m_hard.sun_W / 3.0;
     }
 }
 
@@ -217,9 +238,10 @@ std::array<double, kAxisCount> ThermalPlant::drift_um() const noexcept {
     for (const Share& share : kShares) {
         const auto i = static_cast<std::size_t>(share.node);
         const double rise_K = m_temp_degC[i] - m_reference_degC[i];
-        drift[0] += share.x_umPerK * rise_K;
-        drift[1] += share.y_umPerK * rise_K;
-        drift[2] += share.z_umPerK * rise_K;
+        const double felt_K = rise_K * m_hard.drift[i] * (1.0 + m_hard.bend_perK * rise_K);
+        drift[0] += share.x_umPerK * felt_K;
+        drift[1] += share.y_umPerK * felt_K;
+        drift[2] += share.z_umPerK * felt_K;
     }
     return drift;
 }

@@ -8,6 +8,7 @@
 
 #include "engine/core/random.h"
 #include "engine/port/machine_port.h"
+#include "engine/process/thermal/plant/hard_thermal.h"
 
 /// A vertical machining centre as eighteen lumps of heat, sixty-four thermocouples and three gap sensors.
 ///
@@ -25,7 +26,6 @@
 /// Everything runs in the cycle: no allocation, lock, throw or I/O. Same seed, same machine and day.
 namespace kerf::thermal {
 
-inline constexpr std::size_t kPlantNodes = 18;
 enum class PlantNode : std::uint8_t {
     FrontBearing,
     RearBearing,
@@ -51,6 +51,8 @@ class ThermalPlant {
  public:
     /// `machineSeed` makes the machine (offsets, mounting), `daySeed` the room and the noise of one day.
     ThermalPlant(std::uint64_t machineSeed, std::uint64_t daySeed) noexcept;
+    /// The same with what bites; `hard` as it is by default changes no digit.
+    ThermalPlant(std::uint64_t machineSeed, std::uint64_t daySeed, const HardThermal& hard) noexcept;
 
     /// Everything at room temperature, time 0, drift reference here.
     void restart(std::uint64_t daySeed) noexcept;
@@ -88,6 +90,7 @@ class ThermalPlant {
  private:
     void step(double speed_rpm, double dt_s) noexcept;
     void moveRoom(double dt_s) noexcept;
+    void addSeason(std::array<double, kPlantNodes>& heat_W) const noexcept;
 
     struct Thermocouple {
         std::size_t node{0};
@@ -97,6 +100,7 @@ class ThermalPlant {
         double lag_s{0.0};
         double value_degC{0.0};
     };
+    HardThermal m_hard{};
     std::array<Thermocouple, kMaxTemperatures> m_couples{};
     std::array<double, kPlantNodes> m_temp_degC{};
     std::array<double, kPlantNodes> m_reference_degC{};
