@@ -76,12 +76,13 @@ class LinuxCncControl {
     }
 
  private:
-    /// There is one of each per computer, as there is one HAL. When the first was killed; 0 if one is not there.
+    /// The newest of each: one that a broken run has left behind is not ours. When the first was killed; 0 if one is
+    /// not there.
     [[nodiscard]] static std::int64_t killAll(const QStringList& names) {
         QList<int> processes;
         for (const QString& name : names) {
             QProcess find;
-            find.start(QStringLiteral("pgrep"), {QStringLiteral("-x"), name});
+            find.start(QStringLiteral("pgrep"), {QStringLiteral("-n"), QStringLiteral("-x"), name});
             find.waitForFinished();
             processes.append(find.readAllStandardOutput().trimmed().toInt());
             if (processes.back() <= 1) {
