@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/live_publisher.h"
+#include "engine/port/state_keys.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -13,40 +14,6 @@ namespace {
 
 QJsonValue number(const Reading& reading) {
     return reading.good() ? QJsonValue(reading.value) : QJsonValue(QJsonValue::Null);
-}
-
-const char* key(ProgramState state) {
-    switch (state) {
-        case ProgramState::Running:
-            return "running";
-        case ProgramState::Paused:
-            return "paused";
-        case ProgramState::Finished:
-            return "finished";
-        case ProgramState::Aborted:
-            return "aborted";
-        case ProgramState::Idle:
-            break;
-    }
-    return "idle";
-}
-
-const char* key(LoopState state) {
-    switch (state) {
-        case LoopState::Advising:
-            return "advising";
-        case LoopState::Controlling:
-            return "controlling";
-        case LoopState::Limited:
-            return "limited";
-        case LoopState::Held:
-            return "held";
-        case LoopState::Faulted:
-            return "faulted";
-        case LoopState::Off:
-            break;
-    }
-    return "off";
 }
 
 QJsonValue force(const Status& status) {
@@ -65,7 +32,7 @@ std::string liveText(const Status& status, const Capabilities& capabilities, con
     live[QLatin1String("estop")] = status.emergencyStop;
     live[QLatin1String("feedhold")] = status.feedHold;
     live[QLatin1String("held")] = status.held;
-    live[QLatin1String("program")] = QLatin1String(key(status.program));
+    live[QLatin1String("program")] = QLatin1String(stateKey(status.program));
     live[QLatin1String("process")] = QLatin1String(processKey(status.programProcess));
     live[QLatin1String("part")] = static_cast<qint64>(status.partSequence);
     live[QLatin1String("override")] = status.operatorOverride;
@@ -101,7 +68,7 @@ std::string liveText(const Status& status, const Capabilities& capabilities, con
         const LoopStatus& loop = status.loops[static_cast<std::size_t>(id)];
         if (loop.fitted) {
             loops.append(QJsonObject{{QStringLiteral("process"), QLatin1String(processKey(id))},
-                                     {QStringLiteral("state"), QLatin1String(key(loop.state))}});
+                                     {QStringLiteral("state"), QLatin1String(stateKey(loop.state))}});
         }
     }
     live[QLatin1String("loops")] = loops;

@@ -14,6 +14,7 @@
 #include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
 #include "engine/machine/linuxcnc/shared_link.h"
+#include "engine/port/state_keys.h"
 
 namespace kerf::headless {
 namespace {
@@ -62,22 +63,6 @@ Json readingJson(const Reading& reading) {
     return reading.good() ? Json(reading.value) : Json(nullptr);
 }
 
-const char* programName(ProgramState state) {
-    switch (state) {
-        case ProgramState::Running:
-            return "running";
-        case ProgramState::Paused:
-            return "paused";
-        case ProgramState::Finished:
-            return "finished";
-        case ProgramState::Aborted:
-            return "aborted";
-        case ProgramState::Idle:
-            break;
-    }
-    return "idle";
-}
-
 Json signalsJson(const MachineInputs& in) {
     Json json;
     json["link"] = in.link == LinkState::Up ? "up" : "down";
@@ -85,7 +70,7 @@ Json signalsJson(const MachineInputs& in) {
     json["emergency_stop"] = in.emergencyStop;
     json["feed_hold"] = in.feedHold;
     json["operator_override"] = in.operatorOverride;
-    json["program"] = programName(in.program);
+    json["program"] = stateKey(in.program);
     json["actual_feed_mm_per_s"] = readingJson(in.actualFeed_mmPerS);
     json["applied_feed_scale"] = readingJson(in.appliedFeedScale);
     json["spindle_speed_rpm"] = readingJson(in.spindleSpeed_rpm);

@@ -8,6 +8,7 @@
 #include "app/headless/commands.h"
 #include "app/machines/machine_module_loader.h"
 #include "app/rehearsal/rehearsal.h"
+#include "engine/port/state_keys.h"
 
 namespace kerf::headless {
 namespace {
@@ -47,9 +48,9 @@ void writeRow(CsvOutput& csv, const rehearsal::Row& row) {
         alarms += (alarms.empty() ? "" : "+") + std::to_string(code);
     }
     const auto state = [&](ProcessId id) {
-        return row.console ? rehearsal::stateKey(row.states[static_cast<std::size_t>(id)]) : "";
+        return row.console ? stateKey(row.states[static_cast<std::size_t>(id)]) : "";
     };
-    csv.row(row.t_s, linkKey(in.link), in.machineOn, rehearsal::programKey(in.program), in.actualFeed_mmPerS.value,
+    csv.row(row.t_s, linkKey(in.link), in.machineOn, stateKey(in.program), in.actualFeed_mmPerS.value,
             in.programmedFeed_mmPerS.value, row.plannedFeed_mmPerS, in.appliedFeedScale.value, in.feedHold,
             row.stopLatched, quoted(row.stopReason), in.workOffset_um[0].value, in.workOffset_um[1].value,
             in.workOffset_um[2].value, in.toolTrim_um.value, in.zTrim_um.value, state(ProcessId::Boring),

@@ -75,7 +75,5 @@ struct Summary {
                                const std::function<void(const Row&)>& eachRow);
 
 [[nodiscard]] nlohmann::ordered_json summaryJson(const Scenario& scenario, const Summary& summary);
-[[nodiscard]] const char* stateKey(LoopState state) noexcept;
-[[nodiscard]] const char* programKey(ProgramState state) noexcept;
 
 }  // namespace kerf::rehearsal

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/rehearsal/rehearsal.h"
+#include "engine/port/state_keys.h"
 
 namespace kerf::rehearsal {
 namespace {
@@ -25,40 +26,6 @@ const char* kindKey(StopKind kind) {
 }
 
 }  // namespace
-
-const char* stateKey(LoopState state) noexcept {
-    switch (state) {
-        case LoopState::Advising:
-            return "advising";
-        case LoopState::Controlling:
-            return "controlling";
-        case LoopState::Limited:
-            return "limited";
-        case LoopState::Held:
-            return "held";
-        case LoopState::Faulted:
-            return "faulted";
-        case LoopState::Off:
-            break;
-    }
-    return "off";
-}
-
-const char* programKey(ProgramState state) noexcept {
-    switch (state) {
-        case ProgramState::Running:
-            return "running";
-        case ProgramState::Paused:
-            return "paused";
-        case ProgramState::Finished:
-            return "finished";
-        case ProgramState::Aborted:
-            return "aborted";
-        case ProgramState::Idle:
-            break;
-    }
-    return "idle";
-}
 
 Json summaryJson(const Scenario& scenario, const Summary& summary) {
     Json json;

@@ -2,15 +2,13 @@
 #include "app/service/boring/boring_service.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "app/service/boring/boring_view.h"
 #include "engine/process/boring/boring_alarms.h"
 
 namespace kerf {
 namespace {
 
-constexpr std::size_t kPartsShown = 25;
-constexpr double kTwoSided95 = 1.959963984540054;
 constexpr const char* kControlAuthor = "control";
 constexpr const char* kUndone = "undone";
 
@@ -29,34 +27,6 @@ void answer(const BoringService::Done& done, const Result<void>& result) {
 }
 
 }  // namespace
-
-void openBoringLot(StoreWriter& writer, const BoringLotRequest& request,
-                   std::function<void(const Result<LotId>&)> done) {
-    using Answer = const Result<Receipt>&;
-    const auto failed = [done](Answer receipt) { done(tl::unexpected(receipt.error())); };
-    writer.submit(EnsureMachine{request.machineName, request.machineKind}, [&writer, request, done,
-                                                                            failed](Answer machine) {
-        if (!machine) {
-            return failed(machine);
-        }
-        const EnsurePartType type{ProcessId::Boring, request.partTypeName, recipeJson(request.recipe), request.author};
-        writer.submit(type, [&writer, request, done, failed, machineId = machine->id](Answer partType) {
-            if (!partType) {
-                return failed(partType);
-            }
-            const EnsureLot lot{machineId,       partType->id,    partType->second,
-                                request.lotName, request.lotSize, boring::estimatorKey(request.estimator),
-                                request.author};
-            writer.submit(lot, [&writer, request, done, failed](Answer opened) {
-                if (!opened) {
-                    return failed(opened);
-                }
-                writer.submit(SetActiveLot{ProcessId::Boring, opened->id, request.author},
-                              [done, failed, id = opened->id](Answer active) { active ? done(id) : failed(active); });
-            });
-        });
-    });
-}
 
 Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Links& links, LotReader& reader,
                                                                        LotId lot) {
@@ -500,133 +470,16 @@ std::unique_ptr<Subscription> StoredBoringService::onChanged(std::function<void(
 }
 
 void StoredBoringService::rebuild() {
-    const BoringRecipe& recipe = m_records.recipe();
-    BoringServiceView view;
-    view.revision = m_view.revision + 1;
-    view.partType = m_lot.partTypeName;
-    view.lot = m_lot.name;
-    view.lotSize = m_lot.size;
-    view.lotClosed = m_lot.closedUtc_ms.has_value();
-    view.recipeRevision = m_recipeRevision;
-    view.targetDiameter_mm = recipe.targetDiameter_mm;
-    view.settingRing_mm = recipe.settingRing_mm;
-    view.lowerTolerance_mm = recipe.lowerTolerance_mm;
-    view.upperTolerance_mm = recipe.upperTolerance_mm;
-    view.depths = recipe.depths;
-    view.estimator = boring::estimatorKey(m_kind);
-    view.storeProblem = m_storeProblem.empty() ? m_links.writer.problem() : m_storeProblem;
-    for (const auto& step : m_records.tracker().steps()) {
-        const boring::Estimate estimate = boring::estimateOf(step.after);
-        if (!estimate.ready) {
-            continue;
-        }
-        const auto& p = estimate.covariance;
-        view.estimates.push_back(
-            {step.visit.part,
-             {estimate.law.lnC, estimate.law.alpha, estimate.law.beta},
-             {kTwoSided95 * std::sqrt(std::max(0.0, p[0])), kTwoSided95 * std::sqrt(std::max(0.0, p[3])),
-              kTwoSided95 * std::sqrt(std::max(0.0, p[5]))}});
-    }
-    const boring::FeedAdvice advice = m_records.advice();
-    view.nextSchedule = m_next;
-    view.nextPrediction = m_predictions[m_next.revision];
-    view.nextRestsOn = m_records.restsOn();
-    if (const auto* announced = m_records.announcedNext(); announced != nullptr && m_hasMemory) {
-        view.announced = announced->kind == boring::StretchKind::Reground   ? BoringChange::Reground
-                         : announced->kind == boring::StretchKind::Material ? BoringChange::Material
-                                                                            : BoringChange::Insert;
-    }
-    view.nextLimited = advice.limited;
-    view.nextReason = advice.limited ? advice.reason : m_records.reason();
-    view.scheduleAccepted = m_accepted && m_accepted->revision == m_next.revision;
-    m_view = std::move(view);
-    fillParts();
-    fillCapability();
-}
-
-void StoredBoringService::fillCapability() {
-    for (std::uint8_t depth = 0; depth < m_view.depths.size(); ++depth) {
-        double sum = 0.0;
-        double squares = 0.0;
-        std::uint32_t count = 0;
-        for (const BorePartView& part : m_view.parts) {
-            if (const MeasurementRow* row = m_records.measured(part.id, depth)) {
-                const double off_mm = *row->diameter_mm - m_view.targetDiameter_mm;  // small numbers: no cancellation
-                sum += off_mm;
-                squares += off_mm * off_mm;
-                ++count;
-            }
-        }
-        if (count < CapabilityView::kFewestParts) {
-            continue;
-        }
-        const double mean_mm = sum / count;
-        const double variance_mm2 = (squares - sum * mean_mm) / (count - 1.0);
-        const double room_mm = std::min(m_view.upperTolerance_mm - m_view.targetDiameter_mm - mean_mm,
-                                        m_view.targetDiameter_mm + mean_mm - m_view.lowerTolerance_mm);
-        if (variance_mm2 <= 0.0) {
-            continue;
-        }
-        const double cpk = room_mm / (3.0 * std::sqrt(variance_mm2));
-        if (!m_view.capability || cpk < m_view.capability->cpk) {
-            m_view.capability = CapabilityView{cpk, depth, count};
-        }
-    }
-}
-
-void StoredBoringService::fillParts() {
-    const auto& all = m_records.parts();
-    const std::size_t first = all.size() > kPartsShown ? all.size() - kPartsShown : 0;
-    for (std::size_t i = first; i < all.size(); ++i) {
-        const ServicePart& part = all[i];
-        BorePartView shown;
-        shown.id = part.id;
-        shown.number = part.number;
-        shown.cut = part.complete;
-        shown.schedule = part.schedule;
-        shown.feed = part.feed;
-        for (const MeasurementRow& row : m_records.rows()) {
-            if (row.part != part.id || row.kind == MeasurementKind::Void) {
-                continue;
-            }
-            const bool standing = m_records.standing(row.id) != nullptr;
-            const bool replacedByValue = std::ranges::any_of(m_records.rows(), [&](const MeasurementRow& later) {
-                return later.replaces == row.id && later.kind == MeasurementKind::Correction;
-            });
-            if (!replacedByValue) {
-                shown.measurements.push_back({row.id, row.station, row.diameter_mm.value_or(0.0), !standing,
-                                              row.kind == MeasurementKind::Correction});
-            }
-        }
-        shown.complete = part.complete;
-        for (std::uint8_t depth = 0; depth < m_records.depthsOf(part) && part.complete; ++depth) {
-            if (m_records.measured(part.id, depth) == nullptr) {
-                shown.complete = false;
-                if (!m_view.awaiting) {
-                    m_view.awaiting = part.id;
-                    m_view.awaitingDepth = depth;
-                }
-            }
-        }
-        if (const auto predicted = m_predictions.find(part.schedule.revision); predicted != m_predictions.end()) {
-            shown.predicted = predicted->second;
-        }
-        shown.predicted.resize(m_view.depths.size());
-        for (const auto& step : m_records.tracker().steps()) {
-            if (step.visit.part == part.number && step.perturbed()) {
-                shown.perturbed = true;
-                shown.perturbedReason =
-                    m_kind == boring::EstimatorKind::Kalman
-                        ? Sentence(
-                              KERF_TEXT("The bores differ from their prediction by more than chance: T² %1, limit %2."),
-                              SentenceArg(step.statistic(), 1),
-                              SentenceArg(boring::changeThreshold(step.visit.count), 1))
-                        : Sentence(
-                              KERF_TEXT("Three measurements in a row lie more than 3σ off the target deflection."));
-            }
-        }
-        m_view.parts.push_back(std::move(shown));
-    }
+    BoringViewBasis basis{m_lot, m_records, m_predictions};
+    basis.recipeRevision = m_recipeRevision;
+    basis.kind = m_kind;
+    basis.next = m_next;
+    basis.accepted = m_accepted && m_accepted->revision == m_next.revision;
+    basis.showsAnnounced = m_hasMemory;
+    const std::uint64_t revision = m_view.revision + 1;
+    m_view = boringView(basis);
+    m_view.revision = revision;
+    m_view.storeProblem = m_storeProblem.empty() ? m_links.writer.problem() : m_storeProblem;
 }
 
 }  // namespace kerf

@@ -109,8 +109,6 @@ class StoredBoringService final : public BoringService {
     void adopt(const BoringSchedule& schedule, const Predictions& predictions, bool accepted);
     void send();
     void rebuild();
-    void fillParts();
-    void fillCapability();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;
     [[nodiscard]] Result<MeasurementRow> correctedRow(const BoreCorrection& correction) const;

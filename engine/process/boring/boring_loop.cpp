@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kFollowTolerance = 0.05;                   // share of the wanted feed
 constexpr std::int64_t kFollowPatience_ns = 2'000'000'000;  // machine time
-constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Boring) + 1U) << 24U;
 
 bool usable(const BoringSchedule& s) {
     const bool numbers = std::isfinite(s.lnC) && std::isfinite(s.beta) && s.alpha > 0.0 && std::isfinite(s.alpha);
@@ -66,27 +65,24 @@ LoopVerdict BoringLoop::step(const MachineInputs& inputs, const Capabilities& ca
         program.spindleSpeed_rpm = m_next.spindleSpeed_rpm;
         program.from_mm = m_next.overhangFrom_mm;
         program.to_mm = m_next.overhangTo_mm;
-        outputs.request.number = kRequestBase + ++m_requestCount;
+        outputs.request.number = m_program.nextRequest();
         outputs.request.action = program;
     }
 
-    const bool ours = inputs.programProcess == ProcessId::Boring && inputs.link == LinkState::Up;
-    const bool running = ours && (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
-    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
-        if (m_inPart) {
-            m_part.complete = false;
-            endPart(inputs, events);
-        }
+    const ProgramTurn turn = m_program.follow(inputs);
+    if (turn.cutOff) {
+        endPart(inputs, false, events);
+    }
+    if (turn.begins) {
         beginPart(inputs);
     }
-    if (m_inPart && ours && !running) {
-        m_part.complete = inputs.program == ProgramState::Finished;
-        endPart(inputs, events);
+    if (turn.ends) {
+        endPart(inputs, turn.finished, events);
     }
-    m_status.cutting = m_inPart && running;
+    m_status.cutting = turn.running;
     m_status.overhang_mm = inputs.overhang_mm;
     m_status.nextSchedule = m_next.revision;
-    if (!m_inPart || !running) {
+    if (!turn.running) {
         events.clear(boring_alarm::kOverhangLost);
         events.clear(boring_alarm::kSpindleSpeedLost);
         events.clear(boring_alarm::kFeedNotFollowing);
@@ -166,18 +162,16 @@ void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part.begin_ns = inputs.time_ns;
     m_part.schedule = m_next;
     m_part.lot = m_next.lot;
-    m_lastSequence = inputs.partSequence;
-    m_inPart = true;
     m_offScheduleSince_ns = -1;
     m_status.activeSchedule = m_next.revision;
     m_status.progress = 0.0;
 }
 
-void BoringLoop::endPart(const MachineInputs& inputs, EventSink& events) noexcept {
+void BoringLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
+    m_part.complete = complete;
     m_part.end_ns = inputs.time_ns;
     events.finishPart(m_part);
-    m_inPart = false;
-    m_status.partsCut += m_part.complete ? 1U : 0U;
+    m_status.partsCut += complete ? 1U : 0U;
 }
 
 void BoringLoop::trace(double overhang_mm, double feed_mmPerRev) noexcept {

@@ -3,6 +3,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/cycle/program_follower.h"
 
 namespace kerf {
 
@@ -24,18 +25,16 @@ class BoringLoop final : public ProcessLoop {
 
  private:
     void beginPart(const MachineInputs& inputs) noexcept;
-    void endPart(const MachineInputs& inputs, EventSink& events) noexcept;
+    void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     [[nodiscard]] LoopVerdict follow(const MachineInputs& inputs, const Capabilities& capabilities,
                                      LoopOutputs& outputs, EventSink& events) noexcept;
     void trace(double overhang_mm, double feed_mmPerRev) noexcept;
 
+    ProgramFollower m_program{ProcessId::Boring};
     LoopMode m_mode{LoopMode::Off};
     BoringSchedule m_next{};
     PartRecord m_part{};
-    bool m_inPart{false};
     bool m_startWanted{false};
-    std::uint32_t m_requestCount{0};
-    std::uint32_t m_lastSequence{0};
     std::int64_t m_offScheduleSince_ns{-1};
     BoringStatus m_status{};
 };

@@ -14,7 +14,6 @@ namespace {
 
 using milling::FeedController;
 
-constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Milling) + 1U) << 24U;
 constexpr double kStanding = 0.02;          // share of the planned feed below which the axis counts as standing
 constexpr double kSpindleSlow = 0.5;        // share of the programmed speed
 constexpr double kRunUp_s = 0.3;            // the axis may go on before the spindle has been up to speed
@@ -24,10 +23,6 @@ constexpr double kShortestPeriod_s = 0.06;  // of the law: three times the lag o
 constexpr double kInWork = 0.5;             // share of the reference from which a collapse can be told
 constexpr double kSpeedTolerance = 0.3;
 constexpr double kPeakOverLimit = 2.0;  // a single sample this far over the limit stops at once
-
-bool cutting(const MachineInputs& inputs) {
-    return inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused;
-}
 
 Sentence forceDetail(Quality quality) {
     switch (quality) {
@@ -77,7 +72,7 @@ CommandResult MillingLoop::handle(const Command& command) noexcept {
         return load(restored->tool);
     }
     if (std::holds_alternative<NewMillingTool>(command.action)) {
-        if (m_inPart) {
+        if (m_program.inPart()) {
             return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
         }
         m_wear.reset();
@@ -95,7 +90,7 @@ CommandResult MillingLoop::handle(const Command& command) noexcept {
 }
 
 CommandResult MillingLoop::load(const MillingSetup& setup) noexcept {
-    if (m_inPart) {
+    if (m_program.inPart()) {
         return CommandResult::refused(
             Sentence(KERF_TEXT("A part is being cut: law and reference can be changed now, the rest after it.")));
     }
@@ -115,7 +110,7 @@ CommandResult MillingLoop::load(const MillingSetup& setup) noexcept {
 }
 
 CommandResult MillingLoop::load(const MillingToolState& tool) noexcept {
-    if (m_inPart) {
+    if (m_program.inPart()) {
         return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
     }
     const bool sound = std::isfinite(tool.firstStiffness) && std::isfinite(tool.lastStiffness) &&
@@ -129,7 +124,7 @@ CommandResult MillingLoop::load(const MillingToolState& tool) noexcept {
 }
 
 CommandResult MillingLoop::load(const MillingBlank& blank) noexcept {
-    if (m_inPart) {
+    if (m_program.inPart()) {
         return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
     }
     if (const std::optional<Sentence> why = milling::whyUnusable(blank)) {
@@ -179,7 +174,7 @@ CommandResult MillingLoop::setReference(double reference_N) noexcept {
 
 void MillingLoop::setMode(LoopMode mode) noexcept {
     if (mode == LoopMode::Control && m_mode != LoopMode::Control) {
-        if (m_inPart && !m_paused) {  // from the feed really made on, not from what advising would have made
+        if (m_program.inPart() && !m_paused) {  // from the feed really made on, not from what advising would have made
             m_wanted_mmPerS =
                 std::min(m_feedKnown ? m_made_mmPerS : m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS);
         }
@@ -202,7 +197,7 @@ void MillingLoop::requestStart(const Capabilities& capabilities, LoopOutputs& ou
     program.spindleSpeed_rpm = m_setup.spindleSpeed_rpm;
     program.from_mm = m_setup.from_mm;
     program.to_mm = m_setup.to_mm;
-    outputs.request.number = kRequestBase + ++m_requestCount;
+    outputs.request.number = m_program.nextRequest();
     outputs.request.action = program;
 }
 
@@ -214,18 +209,17 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
         m_startWanted = false;
         requestStart(capabilities, outputs);
     }
-    const bool ours = inputs.programProcess == ProcessId::Milling && inputs.link == LinkState::Up;
-    const bool running = ours && cutting(inputs);
-    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
-        if (m_inPart) {
-            endPart(inputs, false, events);
-        }
+    const ProgramTurn turn = m_program.follow(inputs);
+    if (turn.cutOff) {
+        endPart(inputs, false, events);
+    }
+    if (turn.begins) {
         beginPart(inputs);
     }
-    if (m_inPart && ours && !running) {
-        endPart(inputs, inputs.program == ProgramState::Finished, events);
+    if (turn.ends) {
+        endPart(inputs, turn.finished, events);
     }
-    m_status.cutting = m_inPart && running;
+    m_status.cutting = turn.running;
     if (!m_status.cutting) {
         for (const AlarmSpec& alarm : milling_alarm::kSpecs) {
             if (alarm.code != milling_alarm::kToolWorn) {
@@ -249,8 +243,6 @@ void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part.process = ProcessId::Milling;
     m_part.partSequence = inputs.partSequence;
     m_part.begin_ns = inputs.time_ns;
-    m_lastSequence = inputs.partSequence;
-    m_inPart = true;
     m_paused = true;
     m_limitedSince_ns = -1;
     m_spindleWas = false;
@@ -282,7 +274,6 @@ void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     m_part.forceMean_N = m_part.milling.meanForce_N;
     m_part.forcePeak_N = m_part.milling.peakForce_N;
     events.finishPart(m_part);
-    m_inPart = false;
     m_status.partsCut += complete ? 1U : 0U;
     if (complete && m_part.milling.stiffnessMean != 0.0) {
         m_wear.addPart(m_part.milling.stiffnessMean);
@@ -381,7 +372,7 @@ double MillingLoop::lnCb() const noexcept {
 /// Who keeps the stop says when it ends; one from before a restart is this loop's as well.
 void MillingLoop::followStop(const StopSlot& stop) noexcept {
     if (m_stopWatch.released(stop)) {
-        m_releaseWanted = m_stopAlarm != 0 && m_inPart;
+        m_releaseWanted = m_stopAlarm != 0 && m_program.inPart();
         m_stopAlarm = m_releaseWanted ? m_stopAlarm : AlarmCode{0};
     }
     if (stop.active() && m_stopAlarm == 0) {

@@ -3,6 +3,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
 #include "engine/process/milling/cut_record.h"
 #include "engine/process/milling/feed_controller.h"
@@ -52,6 +53,7 @@ class MillingLoop final : public ProcessLoop {
     void wish(const MachineInputs& inputs, LoopOutputs& outputs) const noexcept;
     [[nodiscard]] double gainMargin() const noexcept;
 
+    ProgramFollower m_program{ProcessId::Milling};
     LoopMode m_mode{LoopMode::Off};
     MillingSetup m_setup{};
     MillingLaw m_law{MillingLaw::Model};  ///< wanted; the controller's may be Constant without a force sensor
@@ -67,14 +69,11 @@ class MillingLoop final : public ProcessLoop {
 
     bool m_forceFitted{true};
     bool m_startWanted{false};
-    bool m_inPart{false};
     bool m_paused{true};  ///< the axis stands: pause, hold, or a stop of ours
     bool m_releaseWanted{false};
     AlarmCode m_stopAlarm{0};  ///< of the stop that stands (engine/limits keeps it); 0: none
     Sentence m_stopReason{};
     StopWatch m_stopWatch{};
-    std::uint32_t m_requestCount{0};
-    std::uint32_t m_lastSequence{0};
     std::int64_t m_last_ns{0};
     std::int64_t m_limitedSince_ns{-1};
     double m_wanted_mmPerS{0.0};

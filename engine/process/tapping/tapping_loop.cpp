@@ -10,7 +10,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Tapping) + 1U) << 24U;
 constexpr std::int64_t kReplyPatience_ns = 1'000'000'000;
 constexpr std::int64_t kAcceptedPatience_ns = 10'000'000'000;  ///< a control that has said "accepted" may take longer
 constexpr std::uint32_t kLostTicks = 20;
@@ -160,7 +159,7 @@ bool TappingLoop::refused(const MachineInputs& inputs) const noexcept {
 }
 
 void TappingLoop::request(LoopOutputs& outputs, const decltype(PortRequest::action)& action) noexcept {
-    m_requestNumber = kRequestBase + ++m_requestCount;
+    m_requestNumber = m_program.nextRequest();
     outputs.request.number = m_requestNumber;
     outputs.request.action = action;
 }
@@ -352,8 +351,7 @@ void TappingLoop::record(const MachineInputs& inputs, LoopOutputs& outputs, Even
     if (!inputs.servoRecord) fillGap(inputs.time_ns);
     m_signalLost = m_signalLost || m_lostInARow > kLostTicks;
     if (!inputs.servoRecord && good) follow(inputs.spindleAngle_rev.value, z.value);
-    const bool running = inputs.programProcess == ProcessId::Tapping &&
-                         (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
+    const bool running = m_program.runs(inputs);
     if (!running && inputs.program == ProgramState::Finished) {
         endTap(retracting ? TapOutcome::Aborted : TapOutcome::Counted, events);
         return;

@@ -5,6 +5,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
 #include "engine/process/tapping/drift_watch.h"
 #include "engine/process/tapping/tap_exchange.h"
@@ -76,7 +77,7 @@ class TappingLoop final : public ProcessLoop {
     bool m_gainsSent{false};
     bool m_startSent{false};
     bool m_recording{false};
-    std::uint32_t m_requestCount{0};
+    ProgramFollower m_program{ProcessId::Tapping};
     std::uint32_t m_requestNumber{0};
     std::uint32_t m_lastSequence{0};
     std::int64_t m_phaseSince_ns{0};

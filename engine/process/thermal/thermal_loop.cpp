@@ -15,7 +15,6 @@ namespace {
 
 using thermal::SensorState;
 
-constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Thermal) + 1U) << 24U;
 constexpr double kMinute_ns = 60.0 * kNanosecondPerSecond;
 constexpr double kForecast_min = 10.0;
 constexpr double kGapPatience_s = 20.0;
@@ -343,11 +342,11 @@ void ThermalLoop::runWarmUp(const MachineInputs& inputs, LoopOutputs& outputs) n
         program.process = ProcessId::Thermal;
         program.spindleSpeed_rpm = m_setup.warmUpSpeed_rpm;
         program.revolutions = m_setup.warmUpSpeed_rpm * m_setup.warmUp_min;
-        outputs.request = {kRequestBase + ++m_requestCount, program};
+        outputs.request = {m_program.nextRequest(), program};
         m_warmUpEnd_ns = inputs.time_ns + static_cast<std::int64_t>(m_setup.warmUp_min * kMinute_ns);
     } else if (m_warmUpStopWanted) {
         m_warmUpStopWanted = false;
-        if (m_status.warmUpRunning) outputs.request = {kRequestBase + ++m_requestCount, AbortProgram{}};
+        if (m_status.warmUpRunning) outputs.request = {m_program.nextRequest(), AbortProgram{}};
     }
 }
 

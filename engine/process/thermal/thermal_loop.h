@@ -7,6 +7,7 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/cycle/program_follower.h"
 #include "engine/process/thermal/thermal_exchange.h"
 #include "engine/process/thermal/thermal_log.h"
 
@@ -116,7 +117,7 @@ class ThermalLoop final : public ProcessLoop {
 
     bool m_warmUpWanted{false};
     bool m_warmUpStopWanted{false};
-    std::uint32_t m_requestCount{0};
+    ProgramFollower m_program{ProcessId::Thermal};
     std::int64_t m_warmUpEnd_ns{0};
 };
 

@@ -15,16 +15,12 @@ namespace {
 
 static_assert(kTurningFilters == turning::BroadbandPredictor::kFilters);
 
-constexpr std::uint32_t kRequestBase = (static_cast<std::uint32_t>(ProcessId::Turning) + 1U) << 24U;
 constexpr std::int64_t kCycle_ns = 200'000;
-constexpr std::uint32_t kZeroSamples = 500;  // .1 s in the air before the zero counts
-constexpr double kZeroShare = 1.0 / 500.0;
 constexpr double kDriftAlarm_N = 0.05;
 constexpr double kTouchShare = 0.10;  // of the target force
 constexpr int kTouchSamples = 4;
 constexpr double kExitShare = 0.30;
 constexpr int kExitSamples = 5;
-constexpr int kStuckSamples = 11;                // 2.2 ms without any change: no live sensor is that still
 constexpr double kMeanShare = 1.0 / 250.0;       // mean force over .05 s
 constexpr std::uint32_t kReferenceAfter = 2000;  // .4 s after the touch the force is what this tool takes
 constexpr double kChipRatio = 1.25;              // slower than the watch sees
@@ -34,9 +30,7 @@ constexpr double kTrimMeanShare = 1.0 / 5000.0;
 constexpr double kTrimMeanMost_um = 0.1;
 constexpr double kLimitAlarm = 0.2;  // share of the samples at the limit
 constexpr double kLimitShare = 1.0 / 2500.0;
-constexpr double kRampDown_um = 0.2;            // per sample, the machine's own limit: 2 µm in 2 ms
-constexpr double kSurfaceShare = 1.0 / 1000.0;  // surface figures over .2 s
-constexpr double kSteadyEnd = 0.97;             // the exit of the cut is no part of the second half
+constexpr double kRampDown_um = 0.2;  // per sample, the machine's own limit: 2 µm in 2 ms
 constexpr double kForgetting = 0.98;
 constexpr double kStartVariance = 1.0;  // of a1, b0, b1 at the start of a cut, over the noise
 constexpr double kSureExcitation = 3.0;
@@ -136,7 +130,7 @@ void TurningLoop::startRequest(LoopOutputs& outputs) noexcept {
     program.from_mm = m_next.faceFrom_mm;
     program.to_mm = m_next.faceTo_mm;
     program.depth_um = m_next.depth_um;
-    outputs.request.number = kRequestBase + ++m_requestCount;
+    outputs.request.number = m_program.nextRequest();
     outputs.request.action = program;
 }
 
@@ -149,27 +143,24 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
         m_startWanted = false;
         startRequest(outputs);
     }
-    const bool ours = inputs.programProcess == ProcessId::Turning && inputs.link == LinkState::Up;
-    const bool running = ours && (inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused);
-    if (running && (!m_inPart || inputs.partSequence != m_lastSequence)) {
-        if (m_inPart) {
-            m_part.complete = false;
-            endPart(inputs, events);
-        }
+    const ProgramTurn turn = m_program.follow(inputs);
+    if (turn.cutOff) {
+        endPart(inputs, false, events);
+    }
+    if (turn.begins) {
         beginPart(inputs);
     }
-    if (m_inPart && ours && !running) {
-        m_part.complete = inputs.program == ProgramState::Finished;
-        endPart(inputs, events);
+    if (turn.ends) {
+        endPart(inputs, turn.finished, events);
     }
-    if (m_inPart && inputs.link != LinkState::Up) {  // the trim goes on without us, nobody knows how
+    if (m_program.inPart() && inputs.link != LinkState::Up) {  // the trim goes on without us, nobody knows how
         if (m_status.stage != TurningStage::Out) {
             leave(Sentence(KERF_TEXT("The connection was lost: no trim in the rest of this part.")), 0);
         }
         m_wanted_um = m_trim_um = 0.0;
         return {LoopState::Limited, m_outReason};
     }
-    if (!m_inPart || !running) {
+    if (!turn.running) {
         m_status.stage = TurningStage::Idle;
         m_wanted_um = m_trim_um = 0.0;
         return {m_mode == LoopMode::Control ? LoopState::Controlling : LoopState::Advising,
@@ -183,10 +174,10 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
 
     const FastSample none{};
     const FastSample& fast = inputs.fastCount > 0 ? inputs.fast[inputs.fastCount - 1U] : none;
-    const ForceState force = judge(fast);
-    events.set(turning_alarm::kForceLost, force == ForceState::Lost);
-    events.set(turning_alarm::kForceSaturated, force == ForceState::Saturated);
-    m_status.force_N = {fast.force_N - m_zero_N, fast.stamp_ns, fast.quality};
+    const turning::ForceState force = m_health.judge(fast);
+    events.set(turning_alarm::kForceLost, force == turning::ForceState::Lost);
+    events.set(turning_alarm::kForceSaturated, force == turning::ForceState::Saturated);
+    m_status.force_N = {fast.force_N - m_health.zero_N(), fast.stamp_ns, fast.quality};
     const double span_mm = m_setup.faceTo_mm - m_setup.faceFrom_mm;
     m_status.progress = std::clamp((inputs.position_mm[0].value - m_setup.faceFrom_mm) / span_mm, 0.0, 1.0);
     if (inputs.toolTrim_um.good()) {
@@ -197,15 +188,15 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     }
 
     const bool inLoop = m_status.stage != TurningStage::Out;
-    if (force == ForceState::Lost && inLoop) {
+    if (force == turning::ForceState::Lost && inLoop) {
         leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), turning_alarm::kForceLost);
-    } else if (force == ForceState::Saturated && inLoop) {
+    } else if (force == turning::ForceState::Saturated && inLoop) {
         leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), 0);
-    } else if (inLoop && force == ForceState::Good) {
-        const double zeroed_N = fast.force_N - m_zero_N;
+    } else if (inLoop && force == turning::ForceState::Good) {
+        const double zeroed_N = fast.force_N - m_health.zero_N();
         if (m_status.stage == TurningStage::Air) {
             m_control.idle(zeroed_N);
-            m_above = m_zeroKnown && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
+            m_above = m_health.zeroKnown() && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
             if (m_above >= kTouchSamples) {
                 touch(inputs);
             } else if (m_above == 0) {
@@ -255,29 +246,12 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     return {LoopState::Controlling, Sentence(KERF_TEXT("Out of the cut: the sensor's zero is taken."))};
 }
 
-TurningLoop::ForceState TurningLoop::judge(const FastSample& sample) noexcept {
-    if (sample.quality == Quality::Saturated) {
-        return ForceState::Saturated;
-    }
-    if (sample.quality != Quality::Good || !std::isfinite(sample.force_N)) {
-        return ForceState::Lost;
-    }
-    m_same = sample.force_N == m_lastRaw_N ? m_same + 1 : 0;
-    m_lastRaw_N = sample.force_N;
-    return m_same >= kStuckSamples ? ForceState::Lost : ForceState::Good;
-}
-
 void TurningLoop::takeZero(double raw_N, EventSink& events) noexcept {
-    ++m_airSamples;
-    const double share = std::max(kZeroShare, 1.0 / static_cast<double>(m_airSamples));
-    m_zero_N += share * (raw_N - m_zero_N);
-    m_status.forceZero_N = m_zero_N;
-    if (m_airSamples == kZeroSamples) {
-        const double moved_N = m_zero_N - m_zeroBefore_N;
-        events.set(turning_alarm::kZeroDrifted, m_zeroKnown && std::abs(moved_N) > kDriftAlarm_N,
-                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(moved_N, 3)));
-        m_zeroBefore_N = m_zero_N;
-        m_zeroKnown = true;
+    const std::optional<double> moved_N = m_health.takeZero_N(raw_N);
+    m_status.forceZero_N = m_health.zero_N();
+    if (moved_N) {
+        events.set(turning_alarm::kZeroDrifted, std::abs(*moved_N) > kDriftAlarm_N,
+                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(*moved_N, 3)));
     }
 }
 
@@ -285,7 +259,7 @@ void TurningLoop::touch(const MachineInputs& inputs) noexcept {
     m_status.stage = TurningStage::Entry;
     m_status.touchOff_mm = inputs.position_mm[0];
     m_part.turning.touchOff_mm = inputs.position_mm[0].value;
-    m_part.turning.forceZero_N = m_zero_N;
+    m_part.turning.forceZero_N = m_health.zero_N();
     m_part.turning.controlled = true;
     m_control.beginCut();
     m_motion.clear();
@@ -297,11 +271,7 @@ void TurningLoop::startCount() noexcept {
     m_below = m_jumped = m_moved = 0;
     m_mean_N = m_reference_N = m_trimMean_um = 0.0;
     m_watch.reset(m_process);
-    m_surface_um2 = m_untreated_um2 = 0.0;
-    m_surfaceSum_um2 = m_untreatedSum_um2 = 0.0;
-    m_steadySum_um2 = m_openSteadySum_um2 = m_steadyForce_N = 0.0;
-    m_surfaceCount = 0;
-    m_revolution = m_steady = m_openSteady = Extent{};
+    m_surface.clear(m_motion.samples());
 }
 
 void TurningLoop::cut(double force_N, const MachineInputs& inputs, EventSink& events) noexcept {
@@ -324,7 +294,7 @@ void TurningLoop::cut(double force_N, const MachineInputs& inputs, EventSink& ev
     if (m_below >= kExitSamples) {
         m_status.stage = TurningStage::Air;  // the end of the cut; the zero is taken again
         m_status.acting = false;
-        m_airSamples = 0;
+        m_health.leaveCut();
         m_above = 0;
         return;
     }
@@ -335,7 +305,7 @@ void TurningLoop::cut(double force_N, const MachineInputs& inputs, EventSink& ev
     m_status.depthEstimate_um += std::max(kMeanShare, 1.0 / static_cast<double>(m_cutSamples)) *
                                  (m_control.chip_um() - m_status.depthEstimate_um);
     if (m_status.stage == TurningStage::Cutting) {
-        watchSurface(m_control.error_um(), m_control.untreated_um(), force_N);
+        watchSurface(force_N);
     }
     showTones(events);
 }
@@ -436,29 +406,18 @@ void TurningLoop::leave(const Sentence& reason, AlarmCode cause) noexcept {
     m_part.turning.leftLoop = true;
 }
 
-void TurningLoop::watchSurface(double error_um, double untreated_um, double force_N) noexcept {
-    m_surface_um2 += kSurfaceShare * (error_um * error_um - m_surface_um2);
-    m_untreated_um2 += kSurfaceShare * (untreated_um * untreated_um - m_untreated_um2);
-    if (m_cutSamples > kReferenceAfter && m_below == 0) {  // the archive's figures leave out the touch and the exit
-        m_surfaceSum_um2 += error_um * error_um;
-        m_untreatedSum_um2 += untreated_um * untreated_um;
-        ++m_surfaceCount;
-        m_trace.surface(error_um, untreated_um, m_status.acting && m_mode == LoopMode::Control);
-        if (m_status.progress >= 0.5 && m_status.progress < kSteadyEnd) {
-            m_steady.take(error_um);
-            m_openSteady.take(untreated_um);
-            m_steadySum_um2 += error_um * error_um;
-            m_openSteadySum_um2 += untreated_um * untreated_um;
-            m_steadyForce_N += force_N;
-        }
+void TurningLoop::watchSurface(double force_N) noexcept {
+    turning::SurfaceSample sample;
+    sample.error_um = m_control.error_um();
+    sample.untreated_um = m_control.untreated_um();
+    sample.force_N = force_N;
+    sample.progress = m_status.progress;
+    sample.counts = m_cutSamples > kReferenceAfter && m_below == 0;
+    m_surface.take(sample);
+    m_surface.show(m_status);
+    if (sample.counts) {
+        m_trace.surface(sample.error_um, sample.untreated_um, m_status.acting && m_mode == LoopMode::Control);
     }
-    m_revolution.take(error_um);
-    if (m_revolution.count >= m_motion.samples()) {
-        m_status.surfacePv_um = m_revolution.width();
-        m_revolution = Extent{};
-    }
-    m_status.surfaceRms_um = std::sqrt(m_surface_um2);
-    m_status.untreatedRms_um = std::sqrt(m_untreated_um2);
 }
 
 void TurningLoop::identify(double force_N, const MachineInputs& inputs) noexcept {
@@ -530,7 +489,7 @@ void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_status.nextSetup = m_next.revision;
     m_status.depth_um = m_setup.depth_um;
     m_status.forceTarget_N = m_process.dcGain() * m_setup.depth_um;
-    m_status.forceZero_N = m_zero_N;
+    m_status.forceZero_N = m_health.zero_N();
     m_status.overlap =
         turning::overlapFactor(m_setup.toolRadius_um, m_setup.depth_um, m_setup.feed_umPerRev).value_or(0.0);
     m_part = PartRecord{};
@@ -538,35 +497,23 @@ void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part.partSequence = inputs.partSequence;
     m_part.begin_ns = inputs.time_ns;
     m_part.turning.setup = m_setup;
-    m_lastSequence = inputs.partSequence;
-    m_inPart = true;
-    m_airSamples = 0;
-    m_above = m_same = 0;
+    m_health.begin();
+    m_surface = turning::SurfaceRecord{};
+    m_above = 0;
     m_forceSum_N = m_atLimit = m_trim_um = m_wanted_um = 0.0;
     m_forceTaken = true;
     startCount();
     m_trace.beginPart(inputs.partSequence, m_setup.spindleSpeed_rpm / 60.0);
 }
 
-void TurningLoop::endPart(const MachineInputs& inputs, EventSink& events) noexcept {
+void TurningLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
+    m_part.complete = complete;
     m_part.end_ns = inputs.time_ns;
     m_part.forceMean_N = m_cutSamples > 0 ? m_forceSum_N / static_cast<double>(m_cutSamples) : 0.0;
     m_part.forcePeak_N = m_status.forcePeak_N;
     TurningRecord& record = m_part.turning;
     record.valid = true;
-    if (m_surfaceCount > 0) {
-        record.surfaceRms_um = std::sqrt(m_surfaceSum_um2 / static_cast<double>(m_surfaceCount));
-        record.untreatedRms_um = std::sqrt(m_untreatedSum_um2 / static_cast<double>(m_surfaceCount));
-    }
-    if (m_steady.count > 0) {
-        const auto count = static_cast<double>(m_steady.count);
-        record.steadyRms_um = std::sqrt(m_steadySum_um2 / count);
-        record.openSteadyRms_um = std::sqrt(m_openSteadySum_um2 / count);
-        record.steadyPv_um = m_steady.width();
-        record.openSteadyPv_um = m_openSteady.width();
-        record.steadyForce_N = m_steadyForce_N / count;
-    }
-    record.surfacePv_um = m_status.surfacePv_um;
+    m_surface.fill(record);
     record.controller = m_controller;
     record.controlled = record.controlled && !record.leftLoop;
     record.tones = m_status.tones;
@@ -581,8 +528,7 @@ void TurningLoop::endPart(const MachineInputs& inputs, EventSink& events) noexce
           turning_alarm::kTrimAtLimit, turning_alarm::kBlindTone, turning_alarm::kForceLost}) {
         events.clear(code);
     }
-    m_inPart = false;
-    m_status.partsCut += m_part.complete ? 1U : 0U;
+    m_status.partsCut += complete ? 1U : 0U;
 }
 
 void TurningLoop::report(Status& status) const noexcept {

@@ -3,10 +3,13 @@
 
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
+#include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
 #include "engine/process/turning/cut_watch.h"
 #include "engine/process/turning/depth_control.h"
+#include "engine/process/turning/force_health.h"
 #include "engine/process/turning/identifier.h"
+#include "engine/process/turning/surface_record.h"
 #include "engine/process/turning/turning_trace.h"
 
 namespace kerf {
@@ -43,10 +46,8 @@ class TurningLoop final : public ProcessLoop {
     [[nodiscard]] static std::optional<Sentence> whyUnusable(const TurningSetup& setup) noexcept;
 
  private:
-    enum class ForceState : std::uint8_t { Good, Lost, Saturated };
-
     void beginPart(const MachineInputs& inputs) noexcept;
-    void endPart(const MachineInputs& inputs, EventSink& events) noexcept;
+    void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     void touch(const MachineInputs& inputs) noexcept;
     void takeZero(double raw_N, EventSink& events) noexcept;
     void cut(double force_N, const MachineInputs& inputs, EventSink& events) noexcept;
@@ -56,8 +57,7 @@ class TurningLoop final : public ProcessLoop {
     void showTones(EventSink& events) noexcept;
     /// `cause`: alarm of the stop that this is; 0: the loop joins again with the next part.
     void leave(const Sentence& reason, AlarmCode cause) noexcept;
-    [[nodiscard]] ForceState judge(const FastSample& sample) noexcept;
-    void watchSurface(double error_um, double untreated_um, double force_N) noexcept;
+    void watchSurface(double force_N) noexcept;
     void noteForce(double force_N) noexcept;
     [[nodiscard]] Sentence cuttingReason() const noexcept;
     void identify(double force_N, const MachineInputs& inputs) noexcept;
@@ -65,6 +65,7 @@ class TurningLoop final : public ProcessLoop {
     [[nodiscard]] turning::DepthControlParams controlParams(const TurningSetup& setup) const noexcept;
     void startRequest(LoopOutputs& outputs) noexcept;
 
+    ProgramFollower m_program{ProcessId::Turning};
     LoopMode m_mode{LoopMode::Off};
     TurningSetup m_next{};
     TurningSetup m_setup{};
@@ -81,19 +82,12 @@ class TurningLoop final : public ProcessLoop {
     bool m_outFaulted{false};
     AlarmCode m_outCause{0};
     StopWatch m_stopWatch{};
-    bool m_inPart{false};
     bool m_startWanted{false};
-    std::uint32_t m_requestCount{0};
-    std::uint32_t m_lastSequence{0};
 
-    double m_zero_N{0.0};
-    double m_zeroBefore_N{0.0};
-    std::uint32_t m_airSamples{0};
-    bool m_zeroKnown{false};
+    turning::ForceHealth m_health{};
+    turning::SurfaceRecord m_surface{};
     int m_above{0};
     int m_below{0};
-    double m_lastRaw_N{0.0};
-    int m_same{0};
     std::uint32_t m_cutSamples{0};
     double m_mean_N{0.0};
     double m_reference_N{0.0};
@@ -102,30 +96,7 @@ class TurningLoop final : public ProcessLoop {
     double m_trim_um{0.0};
     double m_trimMean_um{0.0};
     double m_atLimit{0.0};
-    double m_surface_um2{0.0};
-    double m_untreated_um2{0.0};
-    struct Extent {
-        double high{0.0};
-        double low{0.0};
-        std::uint64_t count{0};
-        void take(double value) noexcept {
-            high = count == 0 || value > high ? value : high;
-            low = count == 0 || value < low ? value : low;
-            ++count;
-        }
-        [[nodiscard]] double width() const noexcept { return high - low; }
-    };
-    Extent m_revolution{};
     double m_forceSum_N{0.0};
-    double m_surfaceSum_um2{0.0};
-    double m_untreatedSum_um2{0.0};
-    std::uint64_t m_surfaceCount{0};
-    /// Second half of the face.
-    double m_steadySum_um2{0.0};
-    double m_openSteadySum_um2{0.0};
-    double m_steadyForce_N{0.0};
-    Extent m_steady{};
-    Extent m_openSteady{};
     int m_moved{0};
     mutable double m_forceLow_N{0.0};  ///< since the last chart sample
     mutable double m_forceHigh_N{0.0};
