@@ -28,7 +28,7 @@ bool acts(LoopState state) {
 
 class Run {
  public:
-    Run(const Scenario& scenario, MachinePort* linuxCnc) : m_scenario(scenario) {
+    Run(const Scenario& scenario, MachinePort* linuxCnc, CycleWatch* watch) : m_scenario(scenario), m_watch(watch) {
         if (linuxCnc == nullptr) {
             m_simulated = simulatedMachine(scenario);
             (void)m_simulated->connect();
@@ -113,7 +113,13 @@ class Run {
         const bool stalled = now_ns < m_stalledUntil_ns;
         m_silent = m_console == nullptr || stalled;
         if (!m_silent) {
+            if (m_watch != nullptr) {
+                m_watch->begins();
+            }
             m_console->step(now_ns);
+            if (m_watch != nullptr) {
+                m_watch->ends();
+            }
             m_console->takeAnswers(m_summary.commands);
         } else if (m_simulated != nullptr) {
             m_simulated->read(now_ns, m_unheard);  // the machine goes on
@@ -227,6 +233,7 @@ class Run {
     }
 
     const Scenario& m_scenario;
+    CycleWatch* m_watch;
     std::unique_ptr<SimulatedMachine> m_simulated;
     MachinePort* m_port{nullptr};
     std::unique_ptr<Console> m_console;
@@ -254,8 +261,8 @@ class Run {
 }  // namespace
 
 Summary rehearse(const Scenario& scenario, MachinePort* linuxCnc, double every_s,
-                 const std::function<void(const Row&)>& eachRow) {
-    return Run(scenario, linuxCnc).run(every_s, eachRow);
+                 const std::function<void(const Row&)>& eachRow, CycleWatch* watch) {
+    return Run(scenario, linuxCnc, watch).run(every_s, eachRow);
 }
 
 }  // namespace kerf::rehearsal

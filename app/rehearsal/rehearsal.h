@@ -69,10 +69,22 @@ struct Summary {
     double stepZTrim_um{0.0};
 };
 
+/// Told around each cycle of the console, on the thread that runs it.
+class CycleWatch {
+ public:
+    CycleWatch() = default;
+    CycleWatch(const CycleWatch&) = delete;
+    CycleWatch& operator=(const CycleWatch&) = delete;
+    virtual ~CycleWatch() = default;
+    virtual void begins() noexcept = 0;
+    virtual void ends() noexcept = 0;
+};
+
 /// Runs the real cycle with its supervisor, loops and limiter against the machine. `linuxCnc`: the connected machine
-/// of a scenario for it, else null. `eachRow` is called every `every_s` (0: every cycle), and at the end.
+/// of a scenario for it, else null. `eachRow` is called every `every_s` (0: every cycle), and at the end;
+/// `watch` around each cycle of the console.
 [[nodiscard]] Summary rehearse(const Scenario& scenario, MachinePort* linuxCnc, double every_s,
-                               const std::function<void(const Row&)>& eachRow);
+                               const std::function<void(const Row&)>& eachRow, CycleWatch* watch = nullptr);
 
 [[nodiscard]] nlohmann::ordered_json summaryJson(const Scenario& scenario, const Summary& summary);
 

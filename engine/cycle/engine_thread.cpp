@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "engine/cycle/real_time.h"
+
 namespace kerf {
 namespace {
 
@@ -77,6 +79,10 @@ void EngineThread::run() noexcept {
     // from everything else.
     const auto wantsRealTime = [this] { return !m_simulated || m_cycle.simulationSpeed() == 1.0; };
     bool realTime = wantsRealTime();
+    prefault();
+    if (!m_simulated) {  // its pages stay, whatever else this computer does
+        (void)lockMemory();
+    }
     m_stats.realTimeScheduling = realTime && schedule(true);
     std::int64_t deadline_ns = monotonic_ns();
     std::int64_t nextSample_ns = deadline_ns;

@@ -293,7 +293,9 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         slow.feedScale = 0.2;
         QVERIFY(cycleUntil(
             [this] {
-                return m_inputs.actualFeed_mmPerS.value > 0.0 && m_inputs.actualFeed_mmPerS.value < 0.25 * programmed();
+                const bool taken = m_inputs.appliedFeedScale.good() && m_inputs.appliedFeedScale.value < 0.21;
+                return taken && m_inputs.actualFeed_mmPerS.value > 0.0 &&
+                       m_inputs.actualFeed_mmPerS.value < 0.25 * programmed();
             },
             slow));
         double fastest = 0.0;

@@ -3,7 +3,9 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
+#include <sys/resource.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 
@@ -13,14 +15,23 @@ struct Counts {
     std::uint64_t allocations{0};
     std::uint64_t locks{0};
     std::uint64_t throws{0};
+    std::uint64_t faultsBefore{0};
 };
 thread_local Counts t_counts;
+
+/// Pages this thread has touched for the first time, or again after they were taken away.
+std::uint64_t pageFaultsSoFar() noexcept {
+    rusage usage{};
+    (void)getrusage(RUSAGE_THREAD, &usage);
+    return static_cast<std::uint64_t>(usage.ru_minflt) + static_cast<std::uint64_t>(usage.ru_majflt);
+}
 }  // namespace
 
 namespace kerf::test {
 
 CycleGuard::CycleGuard() noexcept {
     t_counts = Counts{};
+    t_counts.faultsBefore = pageFaultsSoFar();
     t_counts.armed = true;
 }
 CycleGuard::~CycleGuard() {
@@ -34,6 +45,10 @@ std::uint64_t CycleGuard::locks() const noexcept {
 }
 std::uint64_t CycleGuard::throws() const noexcept {
     return t_counts.throws;
+}
+
+std::uint64_t CycleGuard::pageFaults() const noexcept {
+    return pageFaultsSoFar() - t_counts.faultsBefore;
 }
 
 bool CycleGuard::available() noexcept {
@@ -51,6 +66,7 @@ extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 
 void* malloc(std::size_t size) {
@@ -64,6 +80,21 @@ void* calloc(std::size_t count, std::size_t size) {
 void* realloc(void* block, std::size_t size) {
     t_counts.allocations += t_counts.armed ? 1U : 0U;
     return __libc_realloc(block, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+    t_counts.allocations += t_counts.armed ? 1U : 0U;
+    return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    return memalign(alignment, size);
+}
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+    void* found = memalign(alignment, size);
+    if (found == nullptr) {
+        return ENOMEM;
+    }
+    *block = found;
+    return 0;
 }
 void free(void* block) {
     t_counts.allocations += (t_counts.armed && block != nullptr) ? 1U : 0U;
