@@ -17,9 +17,9 @@
 ///   value line  one part: characteristics apart by 0x0F, the fields of one by 0x14, in the order
 ///               K0001 K0002 K0004 K0005 #K0006 K0007 K0008 K0010 K0011 K0012; attribute characteristics (K2004 1, 5,
 ///               6) K0020 K0021 (unnamed) K0002 K0004 … K0012
-/// Text is Windows-1252 unless a byte order mark or its own bytes say otherwise; in here it is UTF-8. Files in the wild
-/// are often slightly off: they are read, and what was odd is listed. What cannot be understood (a value, time,
-/// attribute or index that is none) is a Problem with line and field; nothing is guessed.
+/// Text is Windows-1252 unless a byte order mark or its own bytes say otherwise (Korean in CP949 too); in here UTF-8.
+/// Files in the wild are often slightly off: they are read, and what was odd is listed. What cannot be understood (a
+/// value, time, attribute or index that is none) is a Problem with line and field; nothing is guessed.
 namespace kerf::dfq {
 
 /// A calendar time without a zone, as the file has it.
@@ -28,8 +28,10 @@ struct Time {
     double second{0.0};
     friend bool operator==(const Time&, const Time&) = default;
 };
+/// What comes first where slashes stand between day, month and year: the file as a whole tells.
+enum class SlashDates : std::uint8_t { MonthFirst, DayFirst };
 /// dd.MM.yyyy/HH:mm:ss and the other orders in circulation; empty when it is no time.
-[[nodiscard]] std::optional<Time> timeOf(std::string_view text);
+[[nodiscard]] std::optional<Time> timeOf(std::string_view text, SlashDates slashes = SlashDates::MonthFirst);
 [[nodiscard]] std::string timeText(const Time& time);
 /// A number with point or comma and optional exponent; all of the text.
 [[nodiscard]] std::optional<double> numberOf(std::string_view text);
@@ -73,7 +75,7 @@ struct Oddity {
     std::string text{};
 };
 
-enum class Encoding : std::uint8_t { Windows1252, Utf8, Utf16 };
+enum class Encoding : std::uint8_t { Windows1252, Utf8, Utf16, Cp949 };
 [[nodiscard]] const char* encodingName(Encoding encoding);
 
 struct File {

@@ -47,7 +47,8 @@ bool isEmpty(const std::vector<std::string_view>& fields) {
 
 std::size_t timePlace(const std::vector<std::string_view>& fields) {
     for (std::size_t i = 2; i < std::min<std::size_t>(fields.size(), 5); ++i) {
-        if (timeOf(trimmed(fields[i]))) {
+        const std::string_view field = trimmed(fields[i]);
+        if (timeOf(field) || timeOf(field, SlashDates::DayFirst)) {
             return i;
         }
     }
@@ -100,7 +101,7 @@ LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics) {
     }
     std::vector<std::size_t> starts;
     for (std::size_t i = 2; i < tokens.size(); ++i) {
-        if (tokens[i].size() > 7 && timeOf(tokens[i])) {
+        if (tokens[i].size() > 7 && (timeOf(tokens[i]) || timeOf(tokens[i], SlashDates::DayFirst))) {
             starts.push_back(i - 2);
         }
     }

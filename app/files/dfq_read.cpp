@@ -25,7 +25,7 @@ bool isZeroTime(std::string_view text) {
 
 class Reader {
  public:
-    explicit Reader(File& file) : m_file(file) {
+    explicit Reader(File& file, SlashDates slashes = SlashDates::MonthFirst) : m_file(file), m_slashes(slashes) {
         for (const Entry& entry : file.entries) {
             note(entry);
         }
@@ -37,6 +37,9 @@ class Reader {
         }
     }
 
+    /// A date was met that only makes sense with the day first: the whole file is to be read so.
+    [[nodiscard]] bool wantsDayFirst() const noexcept { return m_dayFirst; }
+
     tl::expected<void, Problem> run(std::string_view bytes) {
         Encoding encoding{};
         const std::string text = decoded(bytes, encoding);
@@ -44,18 +47,28 @@ class Reader {
         if (encoding != Encoding::Windows1252) {
             odd(0, fmt::format("the text is {}, not Windows-1252", encodingName(encoding)));
         }
+        if (m_slashes == SlashDates::DayFirst) {
+            odd(0, "dates with the day in front of the month and slashes");
+        }
         bool bareFeeds = false;
+        bool pairs = false;
+        bool blanks = false;
         for (std::size_t begin = 0; begin < text.size() && !m_problem;) {
             const auto end = std::min(text.find_first_of("\r\n", begin), text.size());
             ++m_line;
             const std::string_view line = std::string_view(text).substr(begin, end - begin);
             const bool pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
             bareFeeds = bareFeeds || (end < text.size() && !pair);
+            pairs = pairs || pair;
+            blanks = blanks || line.ends_with(' ') || line.ends_with('\t');
             takeLine(line);
             begin = end + (pair ? 2 : 1);
         }
         if (bareFeeds) {
-            odd(0, "lines end without CR LF");
+            odd(0, pairs ? "some lines end without CR LF" : "lines end without CR LF");
+        }
+        if (blanks) {
+            odd(0, "blanks at the ends of lines");
         }
         if (m_problem) {
             return tl::unexpected(*m_problem);
@@ -190,6 +203,9 @@ class Reader {
             if (error != std::errc{} || stop != text.data() + text.size() || count > kMostCharacteristics) {
                 bad("K0100", fmt::format("'{}' is no number of characteristics", text));
                 return;
+            }
+            if (m_announced) {
+                odd(m_line, "K0100 once more: files put one behind the other");
             }
             m_announced = count;
         } else if (key > 0 && key < 100) {
@@ -363,9 +379,10 @@ class Reader {
             offset = zone != std::string_view::npos;
             local = local.substr(0, zone);
         }
-        value.time = timeOf(local);
+        value.time = timeOf(local, m_slashes);
         if (!value.time) {
             if (!isZeroTime(text)) {
+                m_dayFirst = m_slashes == SlashDates::MonthFirst && timeOf(local, SlashDates::DayFirst).has_value();
                 bad("K0004", fmt::format("'{}' is no time; expected dd.MM.yyyy/HH:mm:ss", text));
                 return;
             }
@@ -379,8 +396,19 @@ class Reader {
         }
     }
 
-    void setEvents(Value& value, const std::string& text) {
+    void setEvents(Value& value, std::string& text) {
         value.events.clear();
+        if (text.find_first_not_of("0123456789 ,;") == std::string::npos &&
+            text.find_first_of(" ;") != std::string::npos) {
+            odd(0, "events apart by blanks or semicolons instead of commas");
+            std::string numbers;
+            for (std::size_t at = text.find_first_of("0123456789"); at != std::string::npos;) {
+                const std::size_t end = std::min(text.find_first_of(" ,;", at), text.size());
+                numbers.append(numbers.empty() ? 0 : 1, ',').append(text, at, end - at);
+                at = text.find_first_of("0123456789", end);
+            }
+            text = numbers;
+        }
         for (const std::string_view piece : split(text, ',')) {
             const std::string_view number = trimmed(piece);
             std::uint32_t event = 0;
@@ -495,6 +523,8 @@ class Reader {
     std::set<std::uint32_t> m_missing{};
     std::vector<Field> m_pending{};
     bool m_inFront{false};  ///< K lines of a value stand before its value line
+    SlashDates m_slashes;
+    bool m_dayFirst{false};  ///< failed at a date that only stands with its day first
 };
 
 }  // namespace
@@ -522,7 +552,7 @@ const std::string* File::find(int key, std::uint32_t index) const {
 
 tl::expected<File, Problem> read(std::string_view bytes) {
     File file;
-    if (auto done = Reader(file).run(bytes); !done) {
+    if (auto done = readValues(bytes, file); !done) {
         return tl::unexpected(done.error());
     }
     return file;
@@ -530,7 +560,13 @@ tl::expected<File, Problem> read(std::string_view bytes) {
 
 tl::expected<void, Problem> readValues(std::string_view bytes, File& file) {
     const Encoding described = file.encoding;
-    auto done = Reader(file).run(bytes);
+    File before = file;
+    Reader reader(file);
+    auto done = reader.run(bytes);
+    if (!done && reader.wantsDayFirst()) {
+        file = std::move(before);
+        done = Reader(file, SlashDates::DayFirst).run(bytes);
+    }
     if (described != Encoding::Windows1252) {
         file.encoding = described;
     }

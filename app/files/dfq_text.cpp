@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/files/dfq.h"
+#include "app/files/text_encoding.h"
 
 namespace kerf::dfq {
 namespace {
@@ -172,7 +173,8 @@ bool takeClock(std::string_view text, Time& time) {
 }  // namespace
 
 const char* encodingName(Encoding encoding) {
-    return encoding == Encoding::Windows1252 ? "windows-1252" : encoding == Encoding::Utf8 ? "utf-8" : "utf-16";
+    constexpr std::array<const char*, 4> kNames{"windows-1252", "utf-8", "utf-16", "cp949"};
+    return kNames[static_cast<std::size_t>(encoding)];
 }
 
 std::string decoded(std::string_view bytes, Encoding& encoding) {
@@ -202,6 +204,10 @@ std::string decoded(std::string_view bytes, Encoding& encoding) {
     if (looksLikeUtf8(bytes)) {
         encoding = Encoding::Utf8;
         return std::string(bytes);
+    }
+    if (const auto guess = files::decodeText(bytes); guess.encoding == files::Encoding::Cp949 && !guess.damaged) {
+        encoding = Encoding::Cp949;
+        return guess.utf8;
     }
     encoding = Encoding::Windows1252;
     std::string text;
@@ -258,7 +264,7 @@ std::optional<double> numberOf(std::string_view text) {
     return error == std::errc{} && whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<Time> timeOf(std::string_view text) {
+std::optional<Time> timeOf(std::string_view text, SlashDates slashes) {
     Time time;
     const auto first = takeNumber(text);
     if (!first || text.empty()) {
@@ -281,8 +287,10 @@ std::optional<Time> timeOf(std::string_view text) {
         case '.':  // d.M.y
             time.day = *first, time.month = *second, time.year = *third;
             break;
-        case '/':  // M/d/y
-            time.month = *first, time.day = *second, time.year = *third;
+        case '/':  // M/d/y or d/M/y
+            time.month = slashes == SlashDates::MonthFirst ? *first : *second;
+            time.day = slashes == SlashDates::MonthFirst ? *second : *first;
+            time.year = *third;
             break;
         default:  // y-M-d
             time.year = *first, time.month = *second, time.day = *third;

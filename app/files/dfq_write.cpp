@@ -27,7 +27,7 @@ bool fieldFitsALine(const Field& field) {
             return false;  // readers take it for a separator
         }
     }
-    if (field.key == 5 && timeOf(text)) {
+    if (field.key == 5 && (timeOf(text) || timeOf(text, SlashDates::DayFirst))) {
         return false;  // a time in the place of the events would make an attribute characteristic of it
     }
     return text.empty() || (text.front() != ' ' && text.front() != '\t' && text.back() != ' ' && text.back() != '\t');

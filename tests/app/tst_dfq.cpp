@@ -292,12 +292,13 @@ class TestDfq : public QObject {
         QCOMPARE(*file.values.front().value, 1.5);
         QVERIFY(copiesEqually(file));
     }
-    void trailingSeparatorsAndBlanksAreNoOddities() {
+    void trailingSeparatorsAreNoOdditiesTrailingBlanksAre() {
         const auto file = readOrFail(
             "K0100 1 \r\nK2001/1 a  \r\n1.5\x14"
             "0\x14"
             "01.02.2020/03:04:05  \x0F\r\n\r\n\x1A");
-        QVERIFY(file.oddities.empty());
+        QCOMPARE(file.oddities.size(), std::size_t{1});
+        QVERIFY(mentions(file, "blanks at the ends of lines"));
         QCOMPARE(file.values.size(), std::size_t{1});
         QCOMPARE(*file.find(2001, 1), "a"s);
     }
@@ -549,6 +550,41 @@ class TestDfq : public QObject {
             RC_ASSERT(copiesEqually(file));
         });
         QVERIFY(held);
+    }
+    void datesWithSlashesAreReadByWhatTheWholeFileSays() {
+        const auto line = [](const char* first, const char* second) {
+            return std::string("1\x14") + "0\x14" + first + "\x0F" + "2\x14" + "0\x14" + second + "\r\n";
+        };
+        const auto american = readOrFail(kHead + line("05/06/2020 03:04:05", "06/13/2020 03:04:05"));
+        QVERIFY((american.values[0].time == dfq::Time{2020, 5, 6, 3, 4, 5.0}));
+        // The thirteenth is no month: every date of the file has its day first, the one before it too.
+        const auto european = readOrFail(kHead + line("05/06/2020 03:04:05", "13/06/2020 03:04:05"));
+        QVERIFY((european.values[0].time == dfq::Time{2020, 6, 5, 3, 4, 5.0}));
+        QVERIFY((european.values[1].time == dfq::Time{2020, 6, 13, 3, 4, 5.0}));
+        QVERIFY(mentions(european, "the day in front"));
+        QVERIFY(copiesEqually(european));
+        QVERIFY(!dfq::read(kHead + line("13/06/2020 03:04:05", "06/13/2020 03:04:05")));  // both cannot be
+    }
+    void slightlyOddFilesSayWhatIsOdd() {
+        const std::string values =
+            "1\x14"
+            "0\x14"
+            "1.2.2020/3:04:05\x14"
+            "1 3;4\x0F"
+            "2\x14"
+            "0  \r\n";
+        const auto file = readOrFail(kHead + values);
+        QVERIFY((file.values[0].events == std::vector<std::uint32_t>{1, 3, 4}));
+        QVERIFY(mentions(file, "events apart by blanks") && mentions(file, "blanks at the ends"));
+        QVERIFY(copiesEqually(file));
+        QVERIFY(mentions(readOrFail(kHead + values + kHead + values), "once more"));
+        // "내경" in CP949, as a Korean plant's own machines write it.
+        const auto korean = readOrFail(
+            "K0100 1\r\nK2002/1 \xB3\xBB\xB0\xE6\r\n1\x14"
+            "0\r\n");
+        QVERIFY(korean.encoding == dfq::Encoding::Cp949);
+        QCOMPARE(*korean.find(2002, 1), "\xEB\x82\xB4\xEA\xB2\xBD"s);
+        QVERIFY(copiesEqually(korean));
     }
     /// Whatever bytes come, reading ends; what was read copies equally.
     void fuzzedFilesAreReadOrRefused() {
