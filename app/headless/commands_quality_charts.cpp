@@ -154,7 +154,7 @@ Series ofFile(const ChartsOptions& options) {
 
 Series ofLot(const ChartsOptions& options) {
     const StoredLot stored = storedLot(options.folder, options.lot);
-    const LotQuality quality = analyseLot(stored.history, stored.limits, options.params);
+    const LotQuality quality = analyseLot(stored.history, stored.limits, stored.announced, options.params);
     Series series;
     const bool bores = stored.history.lot.process == ProcessId::Boring;
     series.source = bores ? "one-step error of the bores" : "first judged figure";

@@ -173,7 +173,7 @@ void read(const DfqOptions& options) {
 
 void write(const DfqOptions& options) {
     const StoredLot stored = storedLot(options.folder, options.lot);
-    const LotQuality quality = analyseLot(stored.history, stored.limits);
+    const LotQuality quality = analyseLot(stored.history, stored.limits, stored.announced);
     const dfq::File file =
         lotDfq(stored.history, quality, options.history ? DfqContent::History : DfqContent::Standing);
     writeDfqFile(options.out, file);

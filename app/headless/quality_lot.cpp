@@ -7,6 +7,7 @@
 
 #include "app/files/table.h"
 #include "app/headless/data_file.h"
+#include "app/service/boring/boring_memory.h"
 #include "app/service/quality/stored_quality_service.h"
 
 namespace kerf::headless {
@@ -76,6 +77,9 @@ StoredLot storedLot(const std::string& folder, const std::string& lot) {
         stored.history = std::move(*history);
     }
     stored.limits = figureLimits(*reader, stored.history.lot.process);
+    if (id > 0) {
+        stored.announced = valueOf(announcedIn(*reader, id), path);
+    }
     return stored;
 }
 

@@ -11,6 +11,7 @@ namespace kerf::headless {
 struct StoredLot {
     LotHistory history{};
     std::vector<FigureLimit> limits{};
+    std::vector<boring::AnnouncedChange> announced{};
 };
 
 /// By name, or by number when no lot has that name. @throws BadInput: no data file, no such lot, several of that name

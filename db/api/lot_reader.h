@@ -30,8 +30,10 @@ class LotReader {
     /// Everything about one lot; empty optional: no such lot.
     [[nodiscard]] virtual Result<std::optional<LotHistory>> history(LotId lot) = 0;
     /// The newest parts of a lot with schedule, feed and measurements, but without estimator states and proposed
-    /// schedules: to be looked at, whatever the lot's size. Empty optional: no such lot.
-    [[nodiscard]] virtual Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count) = 0;
+    /// schedules: to be looked at, whatever the lot's size. `last`: that part and those before it. Empty optional: no
+    /// such lot.
+    [[nodiscard]] virtual Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count,
+                                                                        std::optional<PartId> last) = 0;
 };
 
 }  // namespace kerf

@@ -25,14 +25,14 @@ QString select(const char* columns, const char* rest) {
     return QStringLiteral("SELECT %1 %2").arg(QLatin1String(columns), QLatin1String(rest));
 }
 
-std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot, std::uint32_t from = 0) {
+std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot, std::uint32_t from, std::uint32_t to) {
     Statement find(
         database,
         QStringLiteral("SELECT %1, f.points, %2 FROM parts p %3 LEFT JOIN feed_traces f ON f.part_id = "
-                       "p.id LEFT JOIN schedules s ON s.id = p.schedule_id WHERE p.lot_id = ? AND p.number >= ? "
-                       "ORDER BY p.number")
+                       "p.id LEFT JOIN schedules s ON s.id = p.schedule_id WHERE p.lot_id = ? AND p.number BETWEEN "
+                       "? AND ? ORDER BY p.number")
             .arg(QLatin1String(kPartColumns), QLatin1String(kScheduleColumns), QLatin1String(kPartJoins)));
-    find.bind(lot).bind(from).run();
+    find.bind(lot).bind(from).bind(to).run();
     std::vector<PartDetail> parts;
     while (find.next()) {
         PartDetail detail;
@@ -62,9 +62,10 @@ std::optional<LotHistory> headOfLot(const QSqlDatabase& database, LotId lot) {
     return history;
 }
 
-/// Parts from a number on, with every measurement of theirs.
-void addParts(const QSqlDatabase& database, LotHistory& history, std::uint32_t from) {
-    history.parts = partsOfLot(database, history.lot.id, from);
+/// Parts from one number to another, with every measurement of theirs.
+void addParts(const QSqlDatabase& database, LotHistory& history, std::uint32_t from = 0,
+              std::uint32_t to = UINT32_MAX) {
+    history.parts = partsOfLot(database, history.lot.id, from, to);
     std::map<PartId, std::size_t> place;
     for (std::size_t i = 0; i < history.parts.size(); ++i) {
         place[history.parts[i].part.id] = i;
@@ -72,8 +73,8 @@ void addParts(const QSqlDatabase& database, LotHistory& history, std::uint32_t f
     // CROSS JOIN keeps the order: the lot's parts first, then their measurements by index.
     Statement measured(database, select(kMeasurementColumns,
                                         "FROM parts p CROSS JOIN measurements m ON m.part_id = p.id WHERE p.lot_id = ? "
-                                        "AND p.number >= ? ORDER BY m.id"));
-    measured.bind(history.lot.id).bind(from);
+                                        "AND p.number BETWEEN ? AND ? ORDER BY m.id"));
+    measured.bind(history.lot.id).bind(from).bind(to);
     history.measurements = readAll(measured, readMeasurement);
     for (const MeasurementRow& row : history.measurements) {
         history.parts[place.at(row.part)].part.measurements.push_back(row);
@@ -156,7 +157,7 @@ Result<std::optional<LotHistory>> DatabaseReader::history(LotId lot) {
             return std::nullopt;
         }
         LotHistory& history = *found;
-        addParts(database(), history, 0);
+        addParts(database(), history);
         std::map<PartId, std::size_t> place;
         for (std::size_t i = 0; i < history.parts.size(); ++i) {
             place[history.parts[i].part.id] = i;
@@ -185,16 +186,20 @@ Result<std::optional<LotHistory>> DatabaseReader::history(LotId lot) {
     });
 }
 
-Result<std::optional<LotHistory>> DatabaseReader::newestParts(LotId lot, std::uint32_t count) {
+Result<std::optional<LotHistory>> DatabaseReader::newestParts(LotId lot, std::uint32_t count,
+                                                              std::optional<PartId> last) {
     return guarded([&]() -> std::optional<LotHistory> {
         const Snapshot snapshot(database());
         std::optional<LotHistory> found = headOfLot(database(), lot);
         if (found) {
+            Statement end(database(), "SELECT number FROM parts WHERE lot_id = ? AND id = ?");
+            const bool ends = last && end.bind(lot).bind(*last).run().next();
+            const std::uint32_t to = ends ? static_cast<std::uint32_t>(end.integer(0)) : UINT32_MAX;
             Statement first(database(),
-                            "SELECT MIN(number) FROM (SELECT number FROM parts WHERE lot_id = ? ORDER BY "
-                            "number DESC LIMIT ?)");
-            first.bind(lot).bind(count).run();
-            addParts(database(), *found, first.next() ? static_cast<std::uint32_t>(first.integer(0)) : 0);
+                            "SELECT MIN(number) FROM (SELECT number FROM parts WHERE lot_id = ? AND number <= ? ORDER "
+                            "BY number DESC LIMIT ?)");
+            first.bind(lot).bind(to).bind(count).run();
+            addParts(database(), *found, first.next() ? static_cast<std::uint32_t>(first.integer(0)) : 0, to);
         }
         return found;
     });

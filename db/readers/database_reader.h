@@ -37,7 +37,8 @@ class DatabaseReader final : public PartReader,
     [[nodiscard]] Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) override;
     [[nodiscard]] Result<std::optional<LotId>> activeLot(ProcessId process) override;
     [[nodiscard]] Result<std::optional<RecipeRevision>> recipeOf(LotId lot) override;
-    [[nodiscard]] Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count) override;
+    [[nodiscard]] Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count,
+                                                                std::optional<PartId> last) override;
     [[nodiscard]] Result<std::optional<LotHistory>> history(LotId lot) override;
 
     [[nodiscard]] Result<std::optional<std::string>> setting(const std::string& key) override;

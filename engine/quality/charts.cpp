@@ -21,8 +21,8 @@ struct RuleName {
 constexpr std::array<RuleName, kRules> kNames{{
     {"nelson1", KERF_TEXT("one beyond 3σ")},
     {"nelson2", KERF_TEXT("9 in a row on one side")},
-    {"nelson3", KERF_TEXT("6 in a row rising or falling")},
-    {"nelson4", KERF_TEXT("14 in a row alternating")},
+    {"nelson3", KERF_TEXT("6 rising or falling")},
+    {"nelson4", KERF_TEXT("14 alternating")},
     {"nelson5", KERF_TEXT("2 of 3 beyond 2σ")},
     {"nelson6", KERF_TEXT("4 of 5 beyond 1σ")},
     {"nelson7", KERF_TEXT("15 in a row within 1σ")},
@@ -31,8 +31,8 @@ constexpr std::array<RuleName, kRules> kNames{{
     {"western2", KERF_TEXT("2 of 3 beyond 2σ")},
     {"western3", KERF_TEXT("4 of 5 beyond 1σ")},
     {"western4", KERF_TEXT("8 in a row on one side")},
-    {"ewma", KERF_TEXT("small lasting error (EWMA)")},
-    {"cusum", KERF_TEXT("small lasting error (CUSUM)")},
+    {"ewma", KERF_TEXT("lasting error (EWMA)")},
+    {"cusum", KERF_TEXT("lasting error (CUSUM)")},
 }};
 
 }  // namespace

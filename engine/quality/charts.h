@@ -45,7 +45,7 @@ using RuleSet = std::bitset<kRules>;
 /// Keys of the commands: nelson1 … nelson8, western1 … western4, ewma, cusum.
 [[nodiscard]] const char* ruleKey(Rule rule) noexcept;
 [[nodiscard]] std::optional<Rule> ruleOf(std::string_view key) noexcept;
-/// "one beyond 3σ" and the like, English, marked for translation.
+/// "one beyond 3σ" and the like, English, marked for translation; short enough for an argument of a Sentence.
 [[nodiscard]] const char* ruleText(Rule rule) noexcept;
 
 [[nodiscard]] constexpr RuleSet rules(std::initializer_list<Rule> list) noexcept {

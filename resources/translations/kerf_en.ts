@@ -614,6 +614,22 @@
             <source>preliminary</source>
             <translation>preliminary</translation>
         </message>
+        <message>
+            <source>tool from part %1</source>
+            <translation>tool from part %1</translation>
+        </message>
+        <message>
+            <source>entered by %1</source>
+            <translation>entered by %1</translation>
+        </message>
+        <message>
+            <source>read from the gauge</source>
+            <translation>read from the gauge</translation>
+        </message>
+        <message>
+            <source>typed on the keypad</source>
+            <translation>typed on the keypad</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -656,6 +672,66 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>ShopText</name>
+        <message>
+            <source>%1 s ago</source>
+            <translation>%1 s ago</translation>
+        </message>
+        <message>
+            <source>%1 min ago</source>
+            <translation>%1 min ago</translation>
+        </message>
+        <message>
+            <source>%1 h ago</source>
+            <translation>%1 h ago</translation>
+        </message>
+        <message>
+            <source>The shop's database is not prepared for consoles.</source>
+            <translation>The shop's database is not prepared for consoles.</translation>
+        </message>
+        <message>
+            <source>The shop does not let this console in: enrol it.</source>
+            <translation>The shop does not let this console in: enrol it.</translation>
+        </message>
+        <message>
+            <source>This console is newer than the shop: bring the shop up to date.</source>
+            <translation>This console is newer than the shop: bring the shop up to date.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be read for the shop.</source>
+            <translation>The data file cannot be read for the shop.</translation>
+        </message>
+        <message>
+            <source>The shop's address cannot be used.</source>
+            <translation>The shop's address cannot be used.</translation>
+        </message>
+        <message>
+            <source>The shop is out of reach.</source>
+            <translation>The shop is out of reach.</translation>
+        </message>
+        <message>
+            <source>%1 entries wait here; nothing is lost.</source>
+            <translation>%1 entries wait here; nothing is lost.</translation>
+        </message>
+        <message>
+            <source>Everything is in the shop.</source>
+            <translation>Everything is in the shop.</translation>
+        </message>
+        <message>
+            <source>The shop is being called.</source>
+            <translation>The shop is being called.</translation>
+        </message>
+        <message>
+            <source>%1 entries were put aside there: have them looked at.</source>
+            <translation>%1 entries were put aside there: have them looked at.</translation>
+        </message>
+        <message>
+            <source>Last contact %1.</source>
+            <comment>an age</comment>
+            <translation>Last contact %1.</translation>
         </message>
     </context>
     <context>
@@ -1193,6 +1269,52 @@
         <message>
             <source>hierarchical over days</source>
             <translation>hierarchical over days</translation>
+        </message>
+    </context>
+    <context>
+        <name>ToolMemory</name>
+        <message>
+            <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
+            <comment>part type, parts, figures of a tool</comment>
+            <translation>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</translation>
+        </message>
+        <message>
+            <source>left out by %1: %2</source>
+            <translation>left out by %1: %2</translation>
+        </message>
+        <message>
+            <source>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</source>
+            <comment>how many, value, interval</comment>
+            <translation>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</translation>
+        </message>
+        <message>
+            <source>, ln(C·b) %1 ± %2</source>
+            <comment>expected of the first part</comment>
+            <translation>, ln(C·b) %1 ± %2</translation>
+        </message>
+        <message>
+            <source>Tools before</source>
+            <translation>Tools before</translation>
+        </message>
+        <message>
+            <source>A new tool begins from tools of its radius and flutes. There are none yet.</source>
+            <translation>A new tool begins from tools of its radius and flutes. There are none yet.</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>Reason</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
         </message>
     </context>
     <context>
@@ -3560,10 +3682,6 @@
             <translation>%1 readings are too few; a type 1 study needs %2.</translation>
         </message>
         <message>
-            <source>14 in a row alternating</source>
-            <translation>14 in a row alternating</translation>
-        </message>
-        <message>
             <source>15 in a row within 1σ</source>
             <translation>15 in a row within 1σ</translation>
         </message>
@@ -3574,10 +3692,6 @@
         <message>
             <source>4 of 5 beyond 1σ</source>
             <translation>4 of 5 beyond 1σ</translation>
-        </message>
-        <message>
-            <source>6 in a row rising or falling</source>
-            <translation>6 in a row rising or falling</translation>
         </message>
         <message>
             <source>8 in a row beyond 1σ</source>
@@ -3690,10 +3804,6 @@
         <message>
             <source>one beyond 3σ</source>
             <translation>one beyond 3σ</translation>
-        </message>
-        <message>
-            <source>small lasting error (CUSUM)</source>
-            <translation>small lasting error (CUSUM)</translation>
         </message>
         <message>
             <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
@@ -4124,10 +4234,6 @@
             <translation>This lot does not begin from earlier ones; a change is found by its bores.</translation>
         </message>
         <message>
-            <source>small lasting error (EWMA)</source>
-            <translation>small lasting error (EWMA)</translation>
-        </message>
-        <message>
             <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
             <translation>wide guess for any boring spindle about table 1 of Lee (1983)</translation>
         </message>
@@ -4447,6 +4553,38 @@
             <source>Today differs from the days trained on: measure.</source>
             <translation>Today differs from the days trained on: measure.</translation>
         </message>
+        <message>
+            <source>14 alternating</source>
+            <translation>14 alternating</translation>
+        </message>
+        <message>
+            <source>6 rising or falling</source>
+            <translation>6 rising or falling</translation>
+        </message>
+        <message>
+            <source>A reason is needed.</source>
+            <translation>A reason is needed.</translation>
+        </message>
+        <message>
+            <source>There is no such tool.</source>
+            <translation>There is no such tool.</translation>
+        </message>
+        <message>
+            <source>lasting error (CUSUM)</source>
+            <translation>lasting error (CUSUM)</translation>
+        </message>
+        <message>
+            <source>lasting error (EWMA)</source>
+            <translation>lasting error (EWMA)</translation>
+        </message>
+        <message>
+            <source>No stored tuning of this job is left out.</source>
+            <translation>No stored tuning of this job is left out.</translation>
+        </message>
+        <message>
+            <source>This job began from no stored tuning.</source>
+            <translation>This job began from no stored tuning.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4708,6 +4846,10 @@
             <source>Learn them anew</source>
             <translation>Learn them anew</translation>
         </message>
+        <message>
+            <source>Gauge %1 is overdue since %2: have it checked before you rely on it.</source>
+            <translation>Gauge %1 is overdue since %2: have it checked before you rely on it.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -4934,6 +5076,14 @@
         <message>
             <source>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</source>
             <translation>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</translation>
+        </message>
+        <message>
+            <source>none: this console keeps its data to itself</source>
+            <translation>none: this console keeps its data to itself</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>Shop</translation>
         </message>
     </context>
     <context>
@@ -5640,6 +5790,23 @@
         <message>
             <source>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
             <translation>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>Reason</translation>
+        </message>
+        <message>
+            <source>A stored tuning is left out, %1.</source>
+            <comment>by whom and why</comment>
+            <translation>A stored tuning is left out, %1.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
         </message>
     </context>
     <context>
@@ -6354,6 +6521,10 @@
             <source>No</source>
             <translation>No</translation>
         </message>
+        <message>
+            <source>Tools before</source>
+            <translation>Tools before</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingSetupForm</name>
@@ -6729,6 +6900,10 @@
         <message>
             <source>Release stop</source>
             <translation>Release stop</translation>
+        </message>
+        <message>
+            <source>Shop: %1</source>
+            <translation>Shop: %1</translation>
         </message>
     </context>
     <context>
@@ -7197,6 +7372,43 @@
         <message>
             <source>Accepted under concession</source>
             <translation>Accepted under concession</translation>
+        </message>
+        <message>
+            <source>these are the first parts</source>
+            <translation>these are the first parts</translation>
+        </message>
+        <message>
+            <source>these are the newest parts</source>
+            <translation>these are the newest parts</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>Older</translation>
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation>Newer</translation>
+        </message>
+        <message>
+            <source>Older parts</source>
+            <translation>Older parts</translation>
+        </message>
+        <message>
+            <source>Newer parts</source>
+            <translation>Newer parts</translation>
+        </message>
+        <message>
+            <source>Parts of one tool, person or gauge</source>
+            <translation>Parts of one tool, person or gauge</translation>
+        </message>
+        <message>
+            <source>all parts</source>
+            <translation>all parts</translation>
+        </message>
+        <message>
+            <source>Parts %1 to %2: %3</source>
+            <comment>of a lot that is larger than what is read at once</comment>
+            <translation>Parts %1 to %2: %3</translation>
         </message>
     </context>
     <context>

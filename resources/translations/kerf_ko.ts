@@ -614,6 +614,22 @@
             <source>preliminary</source>
             <translation>잠정</translation>
         </message>
+        <message>
+            <source>tool from part %1</source>
+            <translation>공작물 %1부터의 공구</translation>
+        </message>
+        <message>
+            <source>entered by %1</source>
+            <translation>%1 입력</translation>
+        </message>
+        <message>
+            <source>read from the gauge</source>
+            <translation>게이지에서 읽음</translation>
+        </message>
+        <message>
+            <source>typed on the keypad</source>
+            <translation>키패드로 입력</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -656,6 +672,66 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>ShopText</name>
+        <message>
+            <source>%1 s ago</source>
+            <translation>%1초 전</translation>
+        </message>
+        <message>
+            <source>%1 min ago</source>
+            <translation>%1분 전</translation>
+        </message>
+        <message>
+            <source>%1 h ago</source>
+            <translation>%1시간 전</translation>
+        </message>
+        <message>
+            <source>The shop's database is not prepared for consoles.</source>
+            <translation>공장 서버의 데이터베이스가 콘솔용으로 준비되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The shop does not let this console in: enrol it.</source>
+            <translation>공장 서버가 이 콘솔을 허용하지 않습니다. 등록하십시오.</translation>
+        </message>
+        <message>
+            <source>This console is newer than the shop: bring the shop up to date.</source>
+            <translation>이 콘솔이 공장 서버보다 새 버전입니다. 공장 서버를 갱신하십시오.</translation>
+        </message>
+        <message>
+            <source>The data file cannot be read for the shop.</source>
+            <translation>공장 서버로 보낼 데이터 파일을 읽을 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The shop's address cannot be used.</source>
+            <translation>공장 서버 주소를 사용할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The shop is out of reach.</source>
+            <translation>공장 서버에 연결할 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 entries wait here; nothing is lost.</source>
+            <translation>%1개 항목이 여기서 대기 중입니다. 손실은 없습니다.</translation>
+        </message>
+        <message>
+            <source>Everything is in the shop.</source>
+            <translation>모든 항목이 공장 서버에 있습니다.</translation>
+        </message>
+        <message>
+            <source>The shop is being called.</source>
+            <translation>공장 서버에 연결하는 중입니다.</translation>
+        </message>
+        <message>
+            <source>%1 entries were put aside there: have them looked at.</source>
+            <translation>%1개 항목이 서버에서 따로 보관되었습니다. 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>Last contact %1.</source>
+            <comment>an age</comment>
+            <translation>마지막 연결 %1.</translation>
         </message>
     </context>
     <context>
@@ -1192,6 +1268,52 @@
         <message>
             <source>hierarchical over days</source>
             <translation>일별 계층 모델</translation>
+        </message>
+    </context>
+    <context>
+        <name>ToolMemory</name>
+        <message>
+            <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
+            <comment>part type, parts, figures of a tool</comment>
+            <translation>%1, 공작물 %2개: k_x %3 N/mm, ln(C·b) %4</translation>
+        </message>
+        <message>
+            <source>left out by %1: %2</source>
+            <translation>제외함 (%1): %2</translation>
+        </message>
+        <message>
+            <source>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</source>
+            <comment>how many, value, interval</comment>
+            <translation>이전 공구 %1개에서 시작: k_x %2 N/mm (%3 ~ %4)</translation>
+        </message>
+        <message>
+            <source>, ln(C·b) %1 ± %2</source>
+            <comment>expected of the first part</comment>
+            <translation>, ln(C·b) %1 ± %2</translation>
+        </message>
+        <message>
+            <source>Tools before</source>
+            <translation>이전 공구</translation>
+        </message>
+        <message>
+            <source>A new tool begins from tools of its radius and flutes. There are none yet.</source>
+            <translation>새 공구는 반경과 날 수가 같은 이전 공구에서 시작합니다. 아직 없습니다.</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>사유</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
         </message>
     </context>
     <context>
@@ -3559,10 +3681,6 @@
             <translation>측정 %1회로는 부족합니다. 1형 게이지 평가에는 %2회가 필요합니다.</translation>
         </message>
         <message>
-            <source>14 in a row alternating</source>
-            <translation>14점 연속 번갈아 오르내림</translation>
-        </message>
-        <message>
             <source>15 in a row within 1σ</source>
             <translation>15점 연속 1σ 이내</translation>
         </message>
@@ -3573,10 +3691,6 @@
         <message>
             <source>4 of 5 beyond 1σ</source>
             <translation>5점 중 4점이 1σ 밖</translation>
-        </message>
-        <message>
-            <source>6 in a row rising or falling</source>
-            <translation>6점 연속 상승 또는 하락</translation>
         </message>
         <message>
             <source>8 in a row beyond 1σ</source>
@@ -3689,10 +3803,6 @@
         <message>
             <source>one beyond 3σ</source>
             <translation>1점이 3σ 밖</translation>
-        </message>
-        <message>
-            <source>small lasting error (CUSUM)</source>
-            <translation>작고 지속되는 오차 (CUSUM)</translation>
         </message>
         <message>
             <source>The shop has been out of reach for %1 min; %2 entries wait here.</source>
@@ -4123,10 +4233,6 @@
             <translation>이 로트는 이전 로트에서 시작하지 않습니다. 변경은 내경으로 찾아냅니다.</translation>
         </message>
         <message>
-            <source>small lasting error (EWMA)</source>
-            <translation>작고 지속되는 오차 (EWMA)</translation>
-        </message>
-        <message>
             <source>wide guess for any boring spindle about table 1 of Lee (1983)</source>
             <translation>Lee(1983) 표 1을 중심으로 한 모든 보링 주축의 넓은 추정</translation>
         </message>
@@ -4446,6 +4552,38 @@
             <source>Today differs from the days trained on: measure.</source>
             <translation>오늘은 학습한 날들과 다릅니다: 측정하십시오.</translation>
         </message>
+        <message>
+            <source>14 alternating</source>
+            <translation>14개 연속 교대</translation>
+        </message>
+        <message>
+            <source>6 rising or falling</source>
+            <translation>6개 연속 증가 또는 감소</translation>
+        </message>
+        <message>
+            <source>A reason is needed.</source>
+            <translation>사유가 필요합니다.</translation>
+        </message>
+        <message>
+            <source>There is no such tool.</source>
+            <translation>그런 공구가 없습니다.</translation>
+        </message>
+        <message>
+            <source>lasting error (CUSUM)</source>
+            <translation>지속적인 작은 오차 (CUSUM)</translation>
+        </message>
+        <message>
+            <source>lasting error (EWMA)</source>
+            <translation>지속적인 작은 오차 (EWMA)</translation>
+        </message>
+        <message>
+            <source>No stored tuning of this job is left out.</source>
+            <translation>이 작업에서 제외된 저장된 튜닝이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This job began from no stored tuning.</source>
+            <translation>이 작업은 저장된 튜닝에서 시작하지 않았습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4706,6 +4844,10 @@
             <source>Learn them anew</source>
             <translation>새로 학습</translation>
         </message>
+        <message>
+            <source>Gauge %1 is overdue since %2: have it checked before you rely on it.</source>
+            <translation>게이지 %1의 교정 기한이 %2에 지났습니다. 사용하기 전에 교정하십시오.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::Chart</name>
@@ -4932,6 +5074,14 @@
         <message>
             <source>The simulation runs faster than time: it needs no real-time scheduling and asks for none.</source>
             <translation>시뮬레이션이 실제 시간보다 빠르게 돕니다. 실시간 스케줄링이 필요 없어 요청하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>none: this console keeps its data to itself</source>
+            <translation>없음: 이 콘솔은 데이터를 자체 보관합니다</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>공장 서버</translation>
         </message>
     </context>
     <context>
@@ -5638,6 +5788,23 @@
         <message>
             <source>%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
             <translation>%1: 유효지름 6H(ISO 965-1)는 가공 구간에서 p-p %2, 탭이 상한이면 %3까지 허용합니다.</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>사유</translation>
+        </message>
+        <message>
+            <source>A stored tuning is left out, %1.</source>
+            <comment>by whom and why</comment>
+            <translation>저장된 튜닝 하나가 제외되었습니다, %1.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
         </message>
     </context>
     <context>
@@ -6351,6 +6518,10 @@
             <source>No</source>
             <translation>아니요</translation>
         </message>
+        <message>
+            <source>Tools before</source>
+            <translation>이전 공구</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingSetupForm</name>
@@ -6726,6 +6897,10 @@
         <message>
             <source>Release stop</source>
             <translation>정지 해제</translation>
+        </message>
+        <message>
+            <source>Shop: %1</source>
+            <translation>공장 서버: %1</translation>
         </message>
     </context>
     <context>
@@ -7193,6 +7368,43 @@
         <message>
             <source>Accepted under concession</source>
             <translation>특채</translation>
+        </message>
+        <message>
+            <source>these are the first parts</source>
+            <translation>처음 공작물입니다</translation>
+        </message>
+        <message>
+            <source>these are the newest parts</source>
+            <translation>최신 공작물입니다</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>이전</translation>
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation>다음</translation>
+        </message>
+        <message>
+            <source>Older parts</source>
+            <translation>이전 공작물</translation>
+        </message>
+        <message>
+            <source>Newer parts</source>
+            <translation>다음 공작물</translation>
+        </message>
+        <message>
+            <source>Parts of one tool, person or gauge</source>
+            <translation>공구, 작업자 또는 게이지별 공작물</translation>
+        </message>
+        <message>
+            <source>all parts</source>
+            <translation>모든 공작물</translation>
+        </message>
+        <message>
+            <source>Parts %1 to %2: %3</source>
+            <comment>of a lot that is larger than what is read at once</comment>
+            <translation>공작물 %1 ~ %2: %3</translation>
         </message>
     </context>
     <context>

@@ -7,15 +7,19 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/console/lot_report.h"
+#include "app/service/boring/boring_memory.h"
 #include "app/service/quality/gauge_records.h"
 #include "app/service/quality/quality_watch.h"
 #include "app/service/quality/stored_quality_service.h"
 #include "db/writer_thread.h"
 #include "engine/api/quality_alarms.h"
 #include "tests/db/db_test_support.h"
+#include "tests/support/fake_boring_service.h"
 #include "tests/support/page_bench.h"
+#include "ui/pages/boring/boring_page.h"
 #include "ui/pages/parts/parts_page.h"
 #include "ui/pages/quality/quality_page.h"
 
@@ -139,6 +143,171 @@ class TestConsoleQuality : public QObject {
         QVERIFY(study && study->size() == 1);
         QVERIFY(study->front().bodyJson.find("50.001") != std::string::npos);  // with what it was computed from
     }
+    void aCrossedStudyIsDoneByKeys() {
+        m_bench->show<ui::QualityPage>();
+        addGauge();
+        QTRY_VERIFY(m_bench->find<QPushButton>("gauge_G-07") != nullptr);
+        QVERIFY(press("gauge_G-07"));
+        QVERIFY(press("studyCrossed"));
+        auto* reading = m_bench->find<QLineEdit>("studyReading");
+        QVERIFY(reading != nullptr);
+        QTRY_VERIFY(m_bench->window.focusWidget() == reading);
+        const auto valueOf = [](std::uint32_t part, std::uint32_t person, std::uint32_t trial) {
+            return 50.0 + 0.004 * part + 0.0005 * person + 0.0005 * ((7 * part + 3 * person + 5 * trial) % 4);
+        };
+        std::vector<quality::StudyReading> all;
+        for (std::uint32_t person = 0; person < 3; ++person) {
+            for (std::uint32_t trial = 0; trial < 2; ++trial) {
+                for (std::uint32_t part = 0; part < 10; ++part) {
+                    QCOMPARE(
+                        text("studyPrompt"),
+                        QStringLiteral("Person %1, trial %2: part %3").arg(person + 1).arg(trial + 1).arg(part + 1));
+                    if (part == 4 && trial == 1) {  // a wrong one, taken back
+                        type(reading, QStringLiteral("50.5"));
+                        QVERIFY(press("studyUndo"));
+                    }
+                    if (part == 9) {
+                        QVERIFY(press("studySave"));  // not yet
+                        QVERIFY(!m_service->gauges().front().sigma_mm);
+                        reading->setFocus();
+                    }
+                    const QString value = QString::number(valueOf(part, person, trial), 'f', 4);
+                    type(reading, part % 2 == 0 ? value : QString(value).replace(u'.', u','));
+                    all.push_back({part, person, trial, value.toDouble()});
+                }
+            }
+        }
+        QVERIFY(press("studySave"));
+        QTRY_VERIFY(m_service->gauges().front().sigma_mm.has_value());
+        const auto expected = quality::crossedStudy(all, quality::StudyMethod::Anova, 0.03);
+        QVERIFY(expected.has_value());
+        QCOMPARE(*m_service->gauges().front().sigma_mm, expected->ev);
+        QCOMPARE(m_service->gauges().front().sigmaFrom, std::string("anova"));
+        const auto study = m_reader->roomRecords(ProcessId::Boring, kStudyRecord, "G-07", 2);
+        QVERIFY(study && study->size() == 1);
+        const auto json = nlohmann::json::parse(study->front().bodyJson);
+        QCOMPARE(json["readings"].size(), std::size_t{60});
+        QCOMPARE(json["grr_mm"].get<double>(), expected->grr);
+    }
+    void aLongLotIsPagedThrough() {
+        for (std::uint32_t number = kParts + 1; number <= 260; ++number) {
+            cut(number);
+        }
+        m_bench->show<ui::QualityPage>();
+        const auto shown = [this] {
+            const auto points = m_bench->find<ui::Chart>("qualityRaw")->drawn(0);
+            return points.isEmpty() ? std::pair(0, 0) : std::pair(int(points.front().x()), int(points.back().x()));
+        };
+        QCOMPARE(shown(), std::pair(161, 260));
+        QVERIFY(!press("qualityNewer"));
+        QVERIFY(press("qualityOlder"));
+        QCOMPARE(shown(), std::pair(61, 160));
+        QVERIFY(press("qualityOlder"));
+        QCOMPARE(shown(), std::pair(1, 60));
+        QVERIFY(!press("qualityOlder"));
+        QVERIFY(press("qualityNewer"));
+        QCOMPARE(shown(), std::pair(61, 160));
+        QVERIFY(press("qualityNewer"));
+        QCOMPARE(shown(), std::pair(161, 260));
+        // What does not fit into one reading: the worker reads on from where the page stands.
+        const auto some = readQualityLot(*m_reader, m_shop->lot, 50);
+        QVERIFY(some && some->quality.olderParts && !some->quality.newerParts);
+        QCOMPARE(some->quality.parts.front().number, 211U);
+        const auto before = readQualityLot(*m_reader, m_shop->lot, 50, some->quality.parts.front().id - 1);
+        QVERIFY(before && before->quality.olderParts && before->quality.newerParts);
+        QCOMPARE(before->quality.parts.front().number, 161U);
+        QCOMPARE(before->quality.parts.back().number, 210U);
+        const auto first = readQualityLot(*m_reader, m_shop->lot, 260);
+        QVERIFY(first && !first->quality.olderParts);
+    }
+    void partsAreLookedAtByToolPersonAndGauge() {
+        (void)m_shop->must(AddRoomRecord{ProcessId::Boring,
+                                         kChangeRecord,
+                                         std::to_string(m_shop->lot),
+                                         changeJson(21, boring::StretchKind::Insert),
+                                         "Kim",
+                                         {}});
+        MeasurementRow by = test::measured(m_shop->addPart(kParts + 1), 0, 50.0);
+        by.author = "Lee";
+        by.source = MeasurementSource::Gauge;
+        (void)m_shop->must(AcceptMeasurement{by, {}, {}});
+        m_bench->show<ui::QualityPage>();
+        auto* groups = m_bench->find<QComboBox>("qualityGroup");
+        const auto choose = [groups](const char* name) {
+            const int at = groups->findText(QString::fromUtf8(name));
+            groups->setCurrentIndex(at);
+            emit groups->activated(at);
+            return at >= 0;
+        };
+        const auto points = [this] { return m_bench->find<ui::Chart>("qualityRaw")->drawn(0).size(); };
+        QVERIFY(choose("tool from part 1"));
+        QCOMPARE(points(), qsizetype(20));
+        QVERIFY2(text("qualityIndices").startsWith(QStringLiteral("n 20")), qPrintable(text("qualityIndices")));
+        QVERIFY(choose("tool from part 21"));
+        QCOMPARE(points(), qsizetype(26));
+        QVERIFY(choose("entered by Lee"));
+        QCOMPARE(points(), qsizetype(1));
+        QVERIFY(choose("entered by Kim"));
+        QCOMPARE(points(), qsizetype(kParts));
+        QVERIFY(choose("read from the gauge"));
+        QCOMPARE(points(), qsizetype(1));
+        QVERIFY(choose("all parts"));
+        QCOMPARE(points(), qsizetype(kParts + 1));
+    }
+    void anAnnouncedChangeIsNoSignal() {
+        constexpr std::uint32_t kFrom = kParts + 1;
+        for (std::uint32_t number = kFrom; number < kFrom + 8; ++number) {
+            PartRecord record = test::boringPart(number);
+            record.schedule.revision = number;
+            const PartId part = m_shop->must(AddPart{m_shop->lot, record, {}}).id;
+            measure(part, 0, 49.9);  // the new insert presses the bore open less
+            measure(part, 1, 49.9);
+        }
+        const auto at = [&](const LotQuality& lot) {
+            return *std::ranges::find(lot.charted, kFrom, &ChartedPart::number);
+        };
+        const auto untold = readQualityLot(*m_reader, m_shop->lot);
+        QVERIFY(untold && at(untold->quality).point.fired.any() && !at(untold->quality).announced);
+        (void)m_shop->must(AddRoomRecord{ProcessId::Boring,
+                                         kChangeRecord,
+                                         std::to_string(m_shop->lot),
+                                         changeJson(kFrom, boring::StretchKind::Insert),
+                                         "Kim",
+                                         {}});
+        const auto told = readQualityLot(*m_reader, m_shop->lot);
+        QVERIFY(told && !at(told->quality).point.fired.any() && at(told->quality).announced);
+        QVERIFY(std::abs(at(told->quality).error) < std::abs(at(untold->quality).error));
+    }
+    void sentencesNameTheRuleNotItsKey() {
+        for (std::size_t i = 0; i < quality::kRules; ++i) {
+            const char* words = quality::ruleText(static_cast<quality::Rule>(i));
+            QCOMPARE(std::string(SentenceArg(std::string_view(words)).name.data()), std::string(words));  // fits
+        }
+        const auto read = readQualityLot(*m_reader, m_shop->lot);
+        QVERIFY(read.has_value());
+        const std::string said = read->quality.sentence.english();
+        QVERIFY2(said.find("nelson") == std::string::npos && said.find("ewma") == std::string::npos, said.c_str());
+    }
+    void anOverdueGaugeIsSaidWhereItsReadingsAreEntered() {
+        test::FakeBoringService bores;
+        m_bench->services.boringService = &bores;
+        auto* page = m_bench->show<ui::BoringPage>();
+        auto* note = page->findChild<QLabel*>(QStringLiteral("boringGaugeDue"));
+        QVERIFY(note != nullptr && note->isHidden());
+        constexpr std::int64_t kLongAgo_ms = 1'500'000'000'000;
+        m_service->saveGauge({.identity = "G-09", .rangeFrom_mm = 60, .rangeTo_mm = 80, .dueUtc_ms = kLongAgo_ms},
+                             "Kim", {});
+        m_service->saveGauge({.identity = "G-07", .rangeFrom_mm = 40, .rangeTo_mm = 60, .dueUtc_ms = kLongAgo_ms},
+                             "Kim", {});
+        QTRY_VERIFY(!note->isHidden());
+        QVERIFY2(note->text().contains(QStringLiteral("G-07 is overdue since 2017-07-14")), qPrintable(note->text()));
+        QVERIFY(!note->text().contains(QStringLiteral("G-09")));  // not for bores of this size
+        Gauge checked = m_service->gauges().front();
+        checked.dueUtc_ms = 0;
+        m_service->saveGauge(checked, "Kim", {});
+        QTRY_VERIFY(note->isHidden());
+        m_bench.reset();  // the page goes before what it shows
+    }
     void theReportsFiguresAreTheDataFiles() {
         QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("lot.pdf"));
@@ -168,6 +337,28 @@ class TestConsoleQuality : public QObject {
         QVERIFY2(article.contains(QStringLiteral("First article")) && article.contains(QStringLiteral("1 parts")),
                  qPrintable(article));
         QVERIFY(!article.contains(QStringLiteral("Ppk")));
+    }
+    /// KERF_REPORTS: a folder that keeps the files, to be looked at.
+    void theReportIsKoreanOnAKoreanScreen() {
+        QTemporaryDir scratch;
+        const QString folder = qEnvironmentVariable("KERF_REPORTS", scratch.path());
+        const ui::Preferences english = m_bench->look.preferences();
+        ui::Preferences korean = english;
+        korean.language = ui::Language::Korean;
+        m_bench->look.apply(korean);
+        std::optional<Result<void>> written;
+        for (const bool first : {false, true}) {
+            const QString file = folder + (first ? QStringLiteral("/first.pdf") : QStringLiteral("/lot.pdf"));
+            m_service->writeReport(m_shop->lot, first, file.toStdString(),
+                                   [&](const Result<void>& done) { written = done; });
+            QVERIFY(written && written->has_value());
+            const QString report = outputOf(QStringLiteral("pdftotext"), {"-layout", file, "-"});
+            QVERIFY2(report.contains(first ? QStringLiteral("초품 검사")
+                                           : QStringLiteral("공작물 45개: 양품 43, 재가공 가능 1, 폐기 1")),
+                     qPrintable(report));
+            QVERIFY(report.contains(QStringLiteral("날짜, 이름, 서명")));
+        }
+        m_bench->look.apply(english);
     }
     void badPartsAlarmAndEveryJudgedPartGetsAFile() {
         QTemporaryDir folder;
@@ -199,6 +390,45 @@ class TestConsoleQuality : public QObject {
         watch.tellOverdue({{.identity = "G-07", .dueUtc_ms = 1}}, 2);
         watch.tellOverdue({{.identity = "G-07", .dueUtc_ms = 1}}, 3);
         QCOMPARE(std::ranges::count(alarms, quality_alarm::kGaugeOverdue, &AlarmEvent::code), 1);
+    }
+    void everyProcessTellsOfABadPartAsItComes() {
+        (void)m_shop->must(AddRoomRecord{
+            ProcessId::Milling, kFigureLimits, {}, limitsJson({{"waviness_um", {std::nullopt, 50.0, {}}}}), "Kim", {}});
+        (void)m_shop->must(AddRoomRecord{ProcessId::Turning,
+                                         kFigureLimits,
+                                         {},
+                                         limitsJson({{"surface_rms_um", {std::nullopt, 0.8, {}}}}),
+                                         "Kim",
+                                         {}});
+        std::vector<AlarmEvent> alarms;
+        QualityWatch watch({m_scratch->path(), [](const auto& work, const auto& done) { done(work()); },
+                            [&](const AlarmEvent& event) { alarms.push_back(event); },
+                            [] { return std::pair<std::string, std::string>{}; }});
+        std::uint32_t sequence = 0;
+        const auto cutOne = [&](ProcessId process, double waviness_um, double rms_um, double engagedPp_um) {
+            PartRecord record;
+            record.process = process;
+            record.partSequence = ++sequence;
+            record.begin_ns = sequence;
+            record.end_ns = sequence + 1;
+            record.complete = true;
+            record.milling.waviness_um = waviness_um;
+            record.turning.surfaceRms_um = rms_um;
+            record.turning.valid = true;
+            record.tap.job.allowedPp_um = 60.0;
+            record.tap.figures.engagedPp_um = engagedPp_um;
+            (void)m_shop->must(AddPart{{}, record, {}});
+            watch.look({partsWithoutLot(process)});
+        };
+        for (const ProcessId process : {ProcessId::Milling, ProcessId::Turning, ProcessId::Tapping}) {
+            watch.look({partsWithoutLot(process)});
+            alarms.clear();
+            cutOne(process, 20.0, 0.3, 30.0);
+            QVERIFY2(alarms.empty(), processKey(process));
+            cutOne(process, 300.0, 1.5, 300.0);
+            QVERIFY2(std::ranges::count(alarms, quality_alarm::kOutOfTolerance, &AlarmEvent::code) == 1,
+                     processKey(process));
+        }
     }
     void namesOfFilesAreThePlants() {
         LotRow lot;

@@ -59,6 +59,7 @@ struct ChartedPart {
     double tSquaredChance{1.0};  ///< of a T² as large as this, when the law is right
     double action{0.0};     ///< what the controller does: feed in the middle of the bore, mm/rev; 0: nothing to show
     bool perturbed{false};  ///< the estimator took it for a change of the process: the charts begin anew behind it
+    bool announced{false};  ///< the first part after an announced change: the charts begin anew before it
     quality::ChartPoint point{};
 };
 
@@ -69,6 +70,15 @@ struct LotPart {
     bool complete{true};
     std::int64_t endedUtc_ms{0};
     PartJudgement judgement{};
+    std::vector<std::size_t> groups{};  ///< of LotQuality::groups: the ones it belongs to
+};
+
+/// Parts that have something in common: to be looked at by tool, by person, by gauge.
+struct PartGroup {
+    enum class By : std::uint8_t { Tool, Person, Source };
+    By by{By::Tool};
+    std::string name{};  ///< tool: the number of its first part; person: who entered; source: "gauge" or "keypad"
+    std::vector<quality::Capability> capability{};  ///< one per characteristic, over the parts of the group alone
 };
 
 struct QualitySignal {
@@ -82,7 +92,10 @@ struct LotQuality {
     std::uint32_t recipeRevision{0};
     std::vector<Characteristic> characteristics{};
     std::vector<quality::Capability> capability{};  ///< one per characteristic
+    std::vector<PartGroup> groups{};                ///< by kind, then as they came
     std::vector<LotPart> parts{};                   ///< by number
+    bool olderParts{false};                         ///< there are more before the first one …
+    bool newerParts{false};                         ///< … and behind the last one
     std::vector<ChartedPart> charted{};             ///< by number
     std::vector<QualitySignal> found{};
     std::uint32_t good{0}, notJudged{0}, rework{0}, scrap{0};
@@ -153,6 +166,8 @@ class QualityService {
     [[nodiscard]] virtual Sentence problem() const = 0;
     /// Read this lot on a worker; listeners are told when it is there.
     virtual void show(LotId lot) = 0;
+    /// The parts of this lot up to this one.
+    virtual void showUpTo(LotId lot, PartId last) = 0;
 
     /// Any part, with the recipe of its lot or the limits of its process.
     [[nodiscard]] virtual PartJudgement judge(const PartRow& part) = 0;

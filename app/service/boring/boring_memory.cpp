@@ -73,10 +73,11 @@ struct Told {
     }
 };
 
-Result<Told> readTold(RoomRecordReader& records) {
+/// `subject`: of one lot; empty: of all.
+Result<Told> readTold(RoomRecordReader& records, std::initializer_list<const char*> kinds, const std::string& subject) {
     Told told;
-    for (const char* kind : {kChangeRecord, kLotRecord, kMemoryRecord}) {
-        const auto rows = records.roomRecords(ProcessId::Boring, kind, "", kMostRecords);
+    for (const char* kind : kinds) {
+        const auto rows = records.roomRecords(ProcessId::Boring, kind, subject, kMostRecords);
         if (!rows) {
             return tl::unexpected(rows.error());
         }
@@ -96,6 +97,10 @@ Result<Told> readTold(RoomRecordReader& records) {
         }
     }
     return told;
+}
+
+Result<Told> readTold(RoomRecordReader& records) {
+    return readTold(records, {kChangeRecord, kLotRecord, kMemoryRecord}, {});
 }
 
 /// What a stored lot has shown, computed from its surviving bores alone. Empty: nothing measured, or no recipe.
@@ -186,6 +191,14 @@ Result<BoringMemoryBasis> readBoringMemory(LotReader& lots, RoomRecordReader& re
         basis->context = context;
     }
     return basis;
+}
+
+Result<std::vector<boring::AnnouncedChange>> announcedIn(RoomRecordReader& records, LotId lot) {
+    const auto told = readTold(records, {kChangeRecord}, std::to_string(lot));
+    if (!told) {
+        return tl::unexpected(told.error());
+    }
+    return told->announcedIn(lot);
 }
 
 Result<std::vector<boring::MemoryContext>> memoryContextsOf(RoomRecordReader& records, std::span<const LotRow> lots) {

@@ -50,6 +50,9 @@ inline constexpr std::size_t kMemoryLots = 60;
 [[nodiscard]] Result<std::vector<boring::MemoryContext>> memoryContextsOf(RoomRecordReader& records,
                                                                           std::span<const LotRow> lots);
 
+/// Changes announced in one lot, by part.
+[[nodiscard]] Result<std::vector<boring::AnnouncedChange>> announcedIn(RoomRecordReader& records, LotId lot);
+
 /// Lots left out are not handed on.
 [[nodiscard]] boring::LotBegin lotBegin(const BoringMemoryBasis& basis, const BoringRecipe& recipe);
 

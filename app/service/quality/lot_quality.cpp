@@ -18,12 +18,72 @@ constexpr std::uint32_t kFresh_parts = 25;  // a signal older than this is histo
 constexpr std::size_t kSettling_parts = 3;  // after a change, until the law is known again
 constexpr double kHarder = 0.15;            // a feed that has moved by this share over the lot is worth a word
 
-void judgeParts(const LotHistory& history, LotQuality& quality) {
+/// Groups in the order they come, each part with the places of its own.
+class Grouping {
+ public:
+    Grouping(LotQuality& quality, const std::vector<boring::AnnouncedChange>& announced) : m_quality(quality) {
+        m_tools.push_back(1);
+        for (const boring::AnnouncedChange& change : announced) {
+            const bool tool =
+                change.kind == boring::StretchKind::Insert || change.kind == boring::StretchKind::Reground;
+            if (tool && change.part > 1) {
+                m_tools.push_back(change.part);
+            }
+        }
+        std::ranges::sort(m_tools);
+    }
+    void take(const PartRow& row, LotPart& part) {
+        using By = PartGroup::By;
+        if (m_quality.lot.process == ProcessId::Boring) {
+            const auto after = std::ranges::upper_bound(m_tools, row.number);
+            join(part, By::Tool, std::to_string(after == m_tools.begin() ? m_tools.front() : *(after - 1)));
+        }
+        const std::vector<MeasurementRow> held = effectiveMeasurements(row.measurements);
+        if (!held.empty()) {
+            join(part, By::Person, held.back().author);
+            join(part, By::Source, held.back().source == MeasurementSource::Gauge ? "gauge" : "keypad");
+        }
+    }
+    void finish() {
+        for (std::size_t group = 0; group < m_quality.groups.size(); ++group) {
+            for (std::size_t i = 0; i < m_quality.characteristics.size(); ++i) {
+                m_quality.groups[group].capability.push_back(
+                    quality::capability(m_moments[group][i], m_quality.characteristics[i].tolerance, m_quality.steady));
+            }
+        }
+    }
+
+ private:
+    void join(LotPart& part, PartGroup::By by, const std::string& name) {
+        std::size_t at = 0;
+        while (at < m_quality.groups.size() && (m_quality.groups[at].by != by || m_quality.groups[at].name != name)) {
+            ++at;
+        }
+        if (at == m_quality.groups.size()) {
+            m_quality.groups.push_back({by, name, {}});
+            m_moments.emplace_back(m_quality.characteristics.size());
+        }
+        part.groups.push_back(at);
+        for (std::size_t i = 0; i < m_moments[at].size(); ++i) {
+            if (const auto& value = part.judgement.values[i].value; value && std::isfinite(*value)) {
+                m_moments[at][i].add(*value);
+            }
+        }
+    }
+
+    LotQuality& m_quality;
+    std::vector<std::uint32_t> m_tools{};
+    std::vector<std::vector<quality::Moments>> m_moments{};
+};
+
+void judgeParts(const LotHistory& history, const std::vector<boring::AnnouncedChange>& announced, LotQuality& quality) {
     std::vector<quality::Moments> moments(quality.characteristics.size());
+    Grouping groups(quality, announced);
     for (const PartDetail& detail : history.parts) {
         const PartRow& row = detail.part;
-        LotPart part{row.number,   row.id,          row.serial,
-                     row.complete, row.endedUtc_ms, judgePart(row, quality.characteristics)};
+        LotPart part{
+            row.number, row.id, row.serial, row.complete, row.endedUtc_ms, judgePart(row, quality.characteristics), {}};
+        groups.take(row, part);
         for (std::size_t i = 0; i < moments.size(); ++i) {
             if (const auto& value = part.judgement.values[i].value; value && std::isfinite(*value)) {
                 moments[i].add(*value);
@@ -49,10 +109,11 @@ void judgeParts(const LotHistory& history, LotQuality& quality) {
         quality.capability.push_back(
             quality::capability(moments[i], quality.characteristics[i].tolerance, quality.steady));
     }
+    groups.finish();
 }
 
 /// The lot replayed through its own estimator: what every part was predicted to be before it was measured.
-void chartBores(const LotHistory& history, LotQuality& quality) {
+void chartBores(const LotHistory& history, const std::vector<boring::AnnouncedChange>& announced, LotQuality& quality) {
     const Result<BoringRecipe> recipe = recipeFromJson(history.recipe.parametersJson);
     const auto kind = boring::estimatorOf(history.lot.estimator);
     if (!recipe || !kind) {
@@ -60,7 +121,10 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
     }
     // Eq. 11: a deflection errs by the diameter's error over 2 cos φ.
     quality.gaugeSigma_mm = recipe->sigma_mm * 2.0 * std::cos(recipe->phi_deg * std::numbers::pi / 180.0);
-    LotRecords records(*recipe, *kind);
+    boring::LotBegin begin;
+    begin.memory = !announced.empty();  // of this lot alone: what an announced change brings back
+    LotRecords records(*recipe, *kind, begin);
+    records.setAnnounced(announced);
     for (const PartDetail& detail : history.parts) {
         records.addPart({detail.part.id, detail.part.number, detail.part.complete, 0,
                          detail.schedule ? detail.schedule->schedule : BoringSchedule{}, detail.feed});
@@ -69,14 +133,25 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
     const boring::EstimatorParams params = recipe->estimator(*kind);
     boring::EstimatorState before = boring::initialState(params);
     const double middle_mm = 0.5 * (recipe->overhangFrom_mm + recipe->overhangTo_mm);
+    std::uint32_t measured = 0;
+    const auto changedSince = [&](std::uint32_t part) {
+        return std::ranges::any_of(announced, [&](const boring::AnnouncedChange& change) {
+            return change.part > std::max(measured, 1U) && change.part <= part;
+        });
+    };
     for (const boring::LotTracker::Step& step : records.tracker().steps()) {
+        const bool changed = changedSince(step.visit.part);
+        if (changed) {
+            before = records.tracker().stateFor(step.visit.part);
+        }
         const boring::OneStepError error = boring::oneStepError(before, params, step.visit);
         before = step.after;
+        measured = step.visit.part;
         const auto& cut = records.parts();
-        const auto part = std::ranges::find(cut, step.visit.part, &ServicePart::number);
+        const auto part = std::ranges::lower_bound(cut, step.visit.part, {}, &ServicePart::number);
         // A trace without a feed gives an error that is no number: such a part is not charted.
         const bool finite = std::isfinite(error.level) && std::isfinite(error.tSquared);
-        if (error.count == 0 || !finite || part == cut.end()) {
+        if (error.count == 0 || !finite || part == cut.end() || part->number != step.visit.part) {
             continue;
         }
         ChartedPart charted;
@@ -88,6 +163,7 @@ void chartBores(const LotHistory& history, LotQuality& quality) {
         charted.tSquaredChance = quality::chiSquareUpperTail(static_cast<double>(error.count), error.tSquared);
         charted.action = part->schedule.feed_mmPerRev(middle_mm);
         charted.perturbed = step.perturbed();
+        charted.announced = changed;
         quality.charted.push_back(charted);
     }
 }
@@ -119,6 +195,9 @@ void chartFigure(const LotHistory& history, LotQuality& quality) {
 void runCharts(const quality::ChartParams& params, LotQuality& quality) {
     quality::ChartState chart(params);
     for (ChartedPart& part : quality.charted) {
+        if (part.announced) {
+            chart.reset();  // another tool: the sums of the one before say nothing about it
+        }
         part.point = chart.push(part.error, part.tSquared > part.tSquaredLimit);
         for (std::size_t rule = 0; rule < quality::kRules; ++rule) {
             if (part.point.fired[rule]) {
@@ -153,12 +232,12 @@ Sentence sentenceOf(const LotQuality& quality) {
     if (!quality.found.empty() && quality.found.back().part + kFresh_parts > newest) {
         const QualitySignal& last = quality.found.back();
         return Sentence(KERF_TEXT("Not in control: %1 at part %2; look at tool, gauge and blank of that part."),
-                        SentenceArg(std::string_view(quality::ruleKey(last.rule))),
+                        SentenceArg(std::string_view(quality::ruleText(last.rule))),
                         SentenceArg(static_cast<double>(last.part), 0));
     }
     // Since the process was last taken for another one: what an insert or a material changes is no wear.
-    const auto changed =
-        std::ranges::find_if(quality.charted.rbegin(), quality.charted.rend(), &ChartedPart::perturbed);
+    const auto changed = std::ranges::find_if(quality.charted.rbegin(), quality.charted.rend(),
+                                              [](const ChartedPart& part) { return part.perturbed || part.announced; });
     const auto behind = static_cast<std::size_t>(changed - quality.charted.rbegin());
     const std::size_t since =
         changed == quality.charted.rend()
@@ -174,7 +253,7 @@ Sentence sentenceOf(const LotQuality& quality) {
     }
     if (!quality.found.empty()) {
         return Sentence(KERF_TEXT("In control: the law predicts the parts. The last signal was %1 at part %2."),
-                        SentenceArg(std::string_view(quality::ruleKey(quality.found.back().rule))),
+                        SentenceArg(std::string_view(quality::ruleText(quality.found.back().rule))),
                         SentenceArg(static_cast<double>(quality.found.back().part), 0));
     }
     return quality.lot.process == ProcessId::Boring
@@ -185,19 +264,19 @@ Sentence sentenceOf(const LotQuality& quality) {
 }  // namespace
 
 LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>& limits,
-                      const quality::ChartParams& params) {
+                      const std::vector<boring::AnnouncedChange>& announced, const quality::ChartParams& params) {
     LotQuality quality;
     quality.lot = history.lot;
     quality.recipeRevision = history.recipe.revision;
     quality.characteristics = characteristicsOf(history.lot.process, history.recipe.parametersJson, limits);
     if (history.lot.process == ProcessId::Boring) {
-        chartBores(history, quality);
+        chartBores(history, announced, quality);
     } else {
         chartFigure(history, quality);
     }
     runCharts(params, quality);
     quality.steady = isSteady(quality);
-    judgeParts(history, quality);
+    judgeParts(history, announced, quality);
     quality.sentence = sentenceOf(quality);
     return quality;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/service/quality/characteristics.h"
+#include "engine/process/boring/stretch.h"
 #include "engine/quality/capability.h"
 #include "engine/quality/charts.h"
 
@@ -13,7 +14,10 @@
 /// commands and the reports say the same.
 namespace kerf {
 
+/// `announced`: changes of tool or material, as the Boring page took them. After one the charts begin anew, and what is
+/// expected of the next part is drawn from what the lot itself has shown (not from the lots before it).
 [[nodiscard]] LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>& limits,
+                                    const std::vector<boring::AnnouncedChange>& announced = {},
                                     const quality::ChartParams& params = {});
 
 }  // namespace kerf

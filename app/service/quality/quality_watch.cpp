@@ -68,7 +68,7 @@ Result<void> QualityWatch::lookAt(const std::string& path, LotId lot, const std:
             known.alarms.push_back(
                 alarm(quality_alarm::kChartSignal,
                       Sentence(KERF_TEXT("Part %1: %2."), SentenceArg(static_cast<double>(last.part), 0),
-                               SentenceArg(std::string_view(quality::ruleKey(last.rule))))));
+                               SentenceArg(std::string_view(quality::ruleText(last.rule))))));
         }
         known.lastSignal = std::max(known.lastSignal, last.part);
     }

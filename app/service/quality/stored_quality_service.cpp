@@ -26,16 +26,32 @@ std::int64_t now_ms() {
     return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
+std::optional<PartId> newestPart(db::DatabaseReader& reader, LotId lot, ProcessId process) {
+    if (lot > 0) {
+        const auto newest = reader.newestParts(lot, 1, {});
+        return newest && *newest && !(*newest)->parts.empty() ? std::optional((*newest)->parts.back().part.id)
+                                                              : std::nullopt;
+    }
+    PartQuery query;
+    query.process = process;
+    query.limit = 1;
+    const auto newest = reader.parts(query);
+    return newest && !newest->empty() ? std::optional(newest->front().id) : std::nullopt;
+}
+
 }  // namespace
 
-Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::uint32_t count) {
+Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::uint32_t count,
+                                  std::optional<PartId> last) {
     LotHistory history;
+    std::vector<boring::AnnouncedChange> announced;
     if (lot < 0) {
         history.lot.id = lot;
         history.lot.process = static_cast<ProcessId>(-1 - lot);
         PartQuery query;
         query.process = history.lot.process;
         query.limit = count;
+        query.before = last ? std::optional(*last + 1) : std::nullopt;
         auto parts = reader.parts(query);
         if (!parts) {
             return tl::unexpected(parts.error());
@@ -45,7 +61,7 @@ Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::ui
             history.parts.emplace_back().part = std::move(part);
         }
     } else {
-        auto found = reader.newestParts(lot, count);
+        auto found = reader.newestParts(lot, count, last);
         if (!found) {
             return tl::unexpected(found.error());
         }
@@ -53,18 +69,28 @@ Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::ui
             return fail(KERF_TEXT("There is no such lot."));
         }
         history = std::move(**found);
+        auto changes = announcedIn(reader, lot);
+        if (!changes) {
+            return tl::unexpected(changes.error());
+        }
+        announced = std::move(*changes);
     }
     QualityLot result{std::move(history), {}};
-    result.quality = analyseLot(result.history, figureLimits(reader, result.history.lot.process));
+    result.quality = analyseLot(result.history, figureLimits(reader, result.history.lot.process), announced);
+    if (const auto& parts = result.history.parts; !parts.empty()) {
+        result.quality.olderParts = parts.size() == count && parts.front().part.number > 1;
+        result.quality.newerParts = last && newestPart(reader, lot, result.history.lot.process) != parts.back().part.id;
+    }
     return result;
 }
 
-Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot) {
+Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot, std::uint32_t count,
+                                  std::optional<PartId> last) {
     const auto reader = db::DatabaseReader::open(databasePath);
     if (!reader) {
         return tl::unexpected(reader.error());
     }
-    return readQualityLot(**reader, lot);
+    return readQualityLot(**reader, lot, count, last);
 }
 
 /// The first part of a lot that is complete, as a lot of one.
@@ -173,31 +199,40 @@ void StoredQualityService::tell() {
     }
 }
 
-void StoredQualityService::show(LotId lot) {
-    m_wanted = lot;
-    if (m_reading) {
-        return;  // the newest wish is read when this one is there
+void StoredQualityService::want(const Wish& wish) {
+    m_wanted = wish;
+    m_again = m_reading;
+    if (!m_reading) {
+        // Another lot: first what the charts show, then the rest.
+        const bool fresh = m_lot == nullptr || m_lot->lot.id != wish.lot;
+        read(fresh ? Wish{wish.lot, wish.last, kFirstLook_parts} : wish);
     }
+}
+
+// One at a time: the newest wish is read when this one is there.
+void StoredQualityService::read(const Wish& wish) {
     m_reading = true;
     const auto read = std::make_shared<LotQuality>();
     m_links.background(
-        [path = m_links.databasePath, lot, read]() -> Result<void> {
-            auto result = readQualityLot(path, lot);
+        [path = m_links.databasePath, wish, read]() -> Result<void> {
+            auto result = readQualityLot(path, wish.lot, wish.count, wish.last);
             if (!result) {
                 return tl::unexpected(result.error());
             }
             *read = std::move(result->quality);
             return {};
         },
-        [this, lot, read](const Result<void>& done) {
+        [this, wish, read](const Result<void>& done) {
             m_reading = false;
             m_problem = done ? Sentence{} : done.error();
             if (done) {
                 m_lot = read;
             }
+            // After a first look the rest, when there is more.
+            const bool more = done && wish.count == kFirstLook_parts && read->olderParts;
             tell();
-            if (m_wanted && *m_wanted != lot) {
-                show(*m_wanted);
+            if ((std::exchange(m_again, false) || more) && !m_reading && m_wanted) {
+                this->read(*m_wanted);
             }
         });
 }
@@ -251,7 +286,7 @@ void StoredQualityService::setLimits(ProcessId process, const std::vector<Figure
         [this] {
             m_judge.forget();
             if (m_wanted) {
-                show(*m_wanted);
+                want(*m_wanted);
             }
         },
         std::move(done));

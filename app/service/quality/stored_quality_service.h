@@ -22,13 +22,16 @@ struct QualityLot {
     LotHistory history{};
     LotQuality quality{};
 };
+/// The first look at a lot: enough for the charts, so that they stand at once. All that are read at once follow.
+inline constexpr std::uint32_t kFirstLook_parts = 500;
 /// Parts of a lot that are read at once: a page, a report and a chart show the newest ones, whatever the lot's size.
 inline constexpr std::uint32_t kNewestParts = 5'000;
 /// Reads and judges the newest parts of a lot, or of a process without lots.
 [[nodiscard]] Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot,
-                                                std::uint32_t count = kNewestParts);
+                                                std::uint32_t count = kNewestParts, std::optional<PartId> last = {});
 /// On a connection of its own: for a worker.
-[[nodiscard]] Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot);
+[[nodiscard]] Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot,
+                                                std::uint32_t count = kNewestParts, std::optional<PartId> last = {});
 
 /// What a report says beside the parts.
 struct LotPapers {
@@ -65,7 +68,8 @@ class StoredQualityService final : public QualityService {
     [[nodiscard]] const LotQuality* shown() const override { return m_lot ? m_lot.get() : nullptr; }
     [[nodiscard]] bool reading() const override { return m_reading; }
     [[nodiscard]] Sentence problem() const override { return m_problem; }
-    void show(LotId lot) override;
+    void show(LotId lot) override { want({lot, {}, kNewestParts}); }
+    void showUpTo(LotId lot, PartId last) override { want({lot, last, kNewestParts}); }
     [[nodiscard]] PartJudgement judge(const PartRow& part) override { return m_judge.judge(part); }
     [[nodiscard]] std::vector<Characteristic> characteristics(const PartRow& part) override {
         return m_judge.characteristics(part);
@@ -88,6 +92,14 @@ class StoredQualityService final : public QualityService {
     void onChanged(std::function<void()> changed) override { m_listeners.push_back(std::move(changed)); }
 
  private:
+    struct Wish {
+        LotId lot{0};
+        std::optional<PartId> last{};
+        std::uint32_t count{kNewestParts};
+        friend bool operator==(const Wish&, const Wish&) = default;
+    };
+    void want(const Wish& wish);
+    void read(const Wish& wish);
     void tell();
     void store(AddRoomRecord record, std::function<void()> kept, Done done);
     void readRecords();
@@ -95,8 +107,9 @@ class StoredQualityService final : public QualityService {
     Links m_links;
     PartJudge m_judge;
     std::shared_ptr<LotQuality> m_lot{};
-    std::optional<LotId> m_wanted{};
+    std::optional<Wish> m_wanted{};
     bool m_reading{false};
+    bool m_again{false};  ///< wished for while another was being read
     Sentence m_problem{};
     std::map<PartId, Disposition> m_dispositions{};
     std::vector<Gauge> m_gauges{};

@@ -203,6 +203,14 @@ Result<void> LotTracker::voidEntry(EntryId id) {
 }
 
 const EstimatorState& LotTracker::stateBefore(std::uint32_t number) const noexcept {
+    return stateBelow(number, number > 0 ? number - 1 : 0);
+}
+
+const EstimatorState& LotTracker::stateFor(std::uint32_t number) const noexcept {
+    return stateBelow(number, number);
+}
+
+const EstimatorState& LotTracker::stateBelow(std::uint32_t number, std::uint32_t announcedTo) const noexcept {
     const EstimatorState* before = &m_initial;
     std::uint32_t measured = 0;
     for (const Step& step : m_steps) {
@@ -212,7 +220,7 @@ const EstimatorState& LotTracker::stateBefore(std::uint32_t number) const noexce
         before = &step.after;
         measured = step.visit.part;
     }
-    const AnnouncedChange* change = number > 0 ? changeIn(measured, number - 1) : nullptr;
+    const AnnouncedChange* change = changeIn(measured, announcedTo);
     const auto after = change != nullptr ? m_changed.find(change->part) : m_changed.end();
     return after != m_changed.end() ? after->second : *before;
 }

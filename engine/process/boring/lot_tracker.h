@@ -90,6 +90,8 @@ class LotTracker {
     }
     /// With the bores of all parts below `part` and the changes announced for them.
     [[nodiscard]] const EstimatorState& stateBefore(std::uint32_t part) const noexcept;
+    /// What the bores of this part were expected from: a change announced for it counts too.
+    [[nodiscard]] const EstimatorState& stateFor(std::uint32_t part) const noexcept;
     [[nodiscard]] const LotBegin& begin() const noexcept { return m_begin; }
     /// The lot began from the lots before it.
     [[nodiscard]] bool fromMemory() const noexcept { return estimateOf(m_initial).ready; }
@@ -112,6 +114,7 @@ class LotTracker {
     [[nodiscard]] bool appendNewest();
     void stepFrom(std::size_t first);
     [[nodiscard]] std::vector<Stretch> stretchesOfFirst(std::size_t steps) const;
+    [[nodiscard]] const EstimatorState& stateBelow(std::uint32_t part, std::uint32_t announcedTo) const noexcept;
     /// The last change announced for a part in (after, to]; null: none, or no memory.
     [[nodiscard]] const AnnouncedChange* changeIn(std::uint32_t after, std::uint32_t to) const noexcept;
     /// What holds after that change, with the first `steps` steps known.

@@ -2,6 +2,7 @@
 #include "ui/pages/boring/boring_page.h"
 
 #include <QApplication>
+#include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -15,6 +16,7 @@
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/boring/lot_form.h"
 #include "ui/pages/boring/measurement_list.h"
+#include "ui/services/quality_service.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -52,6 +54,13 @@ void BoringPage::build() {
     m_feed = new FeedPanel(look(), this);
     m_next = new NextPartPanel(look(), this);
     m_estimates = new EstimatePanel(look(), this);
+    if (QualityService* quality = context().services.qualityService; quality != nullptr) {
+        quality->onChanged([page = QPointer<BoringPage>(this)] {
+            if (page) {
+                page->showGaugeDue();
+            }
+        });
+    }
     m_entry = new EntryPanel(look(), *m_service,
                              {[this] { return context().session.author(); }, context().withOperator}, this);
 
@@ -136,6 +145,7 @@ void BoringPage::refresh() {
 void BoringPage::showEvent(QShowEvent* event) {
     Page::showEvent(event);
     if (m_entry != nullptr) {
+        showGaugeDue();
         m_entry->field()->setFocus();
     }
     if (m_behind) {
@@ -143,11 +153,28 @@ void BoringPage::showEvent(QShowEvent* event) {
     }
 }
 
+void BoringPage::showGaugeDue() {
+    QualityService* quality = context().services.qualityService;
+    QStringList notes;
+    const double target_mm = m_service->view().targetDiameter_mm;
+    const std::int64_t now_ms = QDateTime::currentMSecsSinceEpoch();
+    for (const Gauge& gauge : quality != nullptr ? quality->gauges() : std::vector<Gauge>{}) {
+        const bool due = gauge.dueUtc_ms > 0 && now_ms > gauge.dueUtc_ms;
+        if (due && target_mm >= gauge.rangeFrom_mm && target_mm <= gauge.rangeTo_mm) {
+            notes << tr("Gauge %1 is overdue since %2: have it checked before you rely on it.")
+                         .arg(QString::fromStdString(gauge.identity),
+                              QDateTime::fromMSecsSinceEpoch(gauge.dueUtc_ms).toString(QStringLiteral("yyyy-MM-dd")));
+        }
+    }
+    m_entry->setGaugeNote(notes.join(u' '));
+}
+
 void BoringPage::onServiceChanged() {
     if (m_service == nullptr) {
         return;
     }
     const BoringServiceView& view = m_service->view();
+    showGaugeDue();
     m_entry->refreshView();  // also while hidden: a gauge enters from any page
     m_behind = !isVisible();
     if (m_behind && m_shownRevision != 0) {

@@ -30,7 +30,7 @@ namespace kerf::ui {
 ///     boringNextRests (what the expected diameters rest on), boringChange (two touches announce a change; its sheet:
 ///     boringChangeInsert, boringChangeReground, boringChangeMaterial, boringChangeNone, boringChangeCancel)
 ///   boringEstimates
-///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringEntryMessage,
+///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringGaugeDue, boringEntryMessage,
 ///     boringChannels (what channel of a gauge's switch measures where; its sheet: boringChannel1Depth0 …,
 ///     boringChannelsClose, boringChannelsForget), boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter),
 ///     boringGauge, boringCorrect, boringUndo, boringMeasureAgain, boringConfirm (the two answers to a plausibility
@@ -53,6 +53,8 @@ class BoringPage : public Page {
  private:
     void build();
     void onServiceChanged();
+    /// An overdue gauge is said where its readings are entered.
+    void showGaugeDue();
     void onStatus(const Status& status);
     void showNote();
     void undoLast();

@@ -19,6 +19,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
       m_service(service),
       m_signing(std::move(signing)),
       m_prompt(makeLabel(TextRole::Title, this)),
+      m_gaugeDue(makeLabel(TextRole::Body, this, true)),
       m_field(new DiameterField(look, this)),
       m_unit(makeLabel(TextRole::Dim, this)),
       m_message(makeLabel(TextRole::Body, this, true)),
@@ -37,6 +38,8 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
       m_left(new QVBoxLayout) {
     setObjectName(QStringLiteral("boringEntry"));
     m_prompt->setObjectName(QStringLiteral("boringEntryPrompt"));
+    m_gaugeDue->setObjectName(QStringLiteral("boringGaugeDue"));
+    m_gaugeDue->hide();
     m_field->setObjectName(QStringLiteral("boringDiameterField"));
     m_unit->setObjectName(QStringLiteral("boringEntryUnit"));
     m_message->setObjectName(QStringLiteral("boringEntryMessage"));
@@ -71,6 +74,7 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     m_fieldRow->addWidget(m_unit);
     m_left->addWidget(m_prompt);
     m_left->addLayout(m_fieldRow);
+    m_left->addWidget(m_gaugeDue);
     m_left->addWidget(m_message, 1);
     m_left->addWidget(m_rows);
     m_columns->addLayout(m_left, 1);
@@ -102,6 +106,11 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
+}
+
+void EntryPanel::setGaugeNote(const QString& note) {
+    m_gaugeDue->setText(note);
+    m_gaugeDue->setVisible(!note.isEmpty());
 }
 
 void EntryPanel::changeEvent(QEvent* event) {

@@ -50,6 +50,8 @@ class EntryPanel : public Card {
     void tellNumLockOff();
     /// A reading that nothing is done with, and why.
     void tellLeftOut(const QString& sentence);
+    /// Said beside the field for as long as it holds; empty: nothing to say.
+    void setGaugeNote(const QString& note);
     [[nodiscard]] const GaugeChannels& channels() const { return m_channels; }
     void setChannels(GaugeChannels channels);
     [[nodiscard]] DiameterField* field() const { return m_field; }
@@ -108,6 +110,7 @@ class EntryPanel : public Card {
     BoringService& m_service;
     Signing m_signing;
     QLabel* m_prompt;
+    QLabel* m_gaugeDue;
     DiameterField* m_field;
     QLabel* m_unit;
     QLabel* m_message;

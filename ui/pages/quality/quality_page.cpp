@@ -18,6 +18,20 @@ namespace kerf::ui {
 namespace {
 
 constexpr std::uint32_t kMostLots = 200;
+constexpr PartId kPartsAhead = 2'500;
+
+/// The oldest part on the charts.
+PartId firstShown(const LotQuality& lot, const PartWindow& window) {
+    std::size_t shown = 0;
+    PartId first = 0;
+    for (auto part = lot.parts.rbegin(); part != lot.parts.rend() && shown < kChartParts; ++part) {
+        if ((window.last == 0 || part->id <= window.last) && (!window.belongs || window.belongs(part->id))) {
+            first = part->id;
+            ++shown;
+        }
+    }
+    return first;
+}
 
 }  // namespace
 
@@ -41,6 +55,9 @@ void QualityPage::build() {
     m_sheets = new QualitySheets(context(), *m_service, this);
     m_lots = new QComboBox(this);
     m_characteristics = new QComboBox(this);
+    m_groups = new QComboBox(this);
+    m_older = new ActionButton(look(), this);
+    m_newer = new ActionButton(look(), this);
     m_sentence = makeLabel(TextRole::Title, this, true);
     m_counts = makeLabel(TextRole::Body, this, true);
     m_indices = makeLabel(TextRole::Body, this, true);
@@ -59,6 +76,9 @@ void QualityPage::build() {
     m_spread = new SpreadChart(look(), m_spreadCard);
     m_lots->setObjectName(QStringLiteral("qualityLot"));
     m_characteristics->setObjectName(QStringLiteral("qualityCharacteristic"));
+    m_groups->setObjectName(QStringLiteral("qualityGroup"));
+    m_older->setObjectName(QStringLiteral("qualityOlder"));
+    m_newer->setObjectName(QStringLiteral("qualityNewer"));
     m_sentence->setObjectName(QStringLiteral("qualitySentence"));
     m_counts->setObjectName(QStringLiteral("qualityCounts"));
     m_indices->setObjectName(QStringLiteral("qualityIndices"));
@@ -71,7 +91,9 @@ void QualityPage::build() {
     m_tools = new QHBoxLayout;
     m_tools->addWidget(m_lots, 2);
     m_tools->addWidget(m_characteristics, 1);
-    for (QPushButton* button : std::initializer_list<QPushButton*>{m_decide, m_gauges, m_limits, m_files}) {
+    m_tools->addWidget(m_groups, 1);
+    for (QPushButton* button :
+         std::initializer_list<QPushButton*>{m_older, m_newer, m_decide, m_gauges, m_limits, m_files}) {
         m_tools->addWidget(button);
     }
     m_residualCard->body()->addWidget(m_residuals, 1);
@@ -99,7 +121,23 @@ void QualityPage::build() {
                : lot->lot.process == ProcessId::Boring ? tr("the recipe holds the limits of a bore")
                                                        : QString();
     });
-    connect(m_lots, &QComboBox::activated, this, [this] { m_service->show(m_lots->currentData().toLongLong()); });
+    m_older->setPredicate([this]() -> QString {
+        const LotQuality* lot = m_service->shown();
+        if (lot == nullptr) {
+            return tr("no lot is shown");
+        }
+        const PartId first = firstShown(*lot, window());
+        const bool more = std::ranges::any_of(lot->parts, [&](const LotPart& part) { return part.id < first; });
+        return more || lot->olderParts ? QString() : tr("these are the first parts");
+    });
+    m_newer->setPredicate([this] { return m_last == 0 ? tr("these are the newest parts") : QString(); });
+    connect(m_lots, &QComboBox::activated, this, [this] {
+        m_last = 0;
+        m_service->show(chosenLot());
+    });
+    connect(m_groups, &QComboBox::activated, this, [this] { showLot(); });
+    connect(m_older, &QPushButton::clicked, this, [this] { turnPage(true); });
+    connect(m_newer, &QPushButton::clicked, this, [this] { turnPage(false); });
     connect(m_characteristics, &QComboBox::activated, this, &QualityPage::showCharacteristic);
     connect(m_gauges, &QPushButton::clicked, this, [this] { m_gaugeSheets->openRegister(); });
     connect(m_decide, &QPushButton::clicked, this, [this] { context().withOperator([this] { decide(); }); });
@@ -112,8 +150,8 @@ void QualityPage::build() {
     });
     if (context().services.boringService != nullptr) {
         m_bores = context().services.boringService->onChanged([this] {
-            if (isVisible() && m_lots->currentIndex() >= 0) {
-                m_service->show(m_lots->currentData().toLongLong());
+            if (isVisible() && m_lots->currentIndex() >= 0 && m_last == 0) {
+                m_service->show(chosenLot());
             }
         });
     }
@@ -130,6 +168,11 @@ void QualityPage::refresh() {
     m_grid->setContentsMargins(gap, gap, gap, gap);
     m_grid->setSpacing(gap);
     m_tools->setSpacing(look().metrics().touchGap());
+    m_older->setText(tr("Older"));
+    m_newer->setText(tr("Newer"));
+    m_older->setAccessibleName(tr("Older parts"));
+    m_newer->setAccessibleName(tr("Newer parts"));
+    m_groups->setAccessibleName(tr("Parts of one tool, person or gauge"));
     m_decide->setText(tr("Decide"));
     m_gauges->setText(tr("Gauges"));
     m_files->setText(tr("Reports"));
@@ -151,9 +194,70 @@ void QualityPage::showEvent(QShowEvent* event) {
     if (m_lots != nullptr) {
         listLots();
         if (m_lots->currentIndex() >= 0) {
-            m_service->show(m_lots->currentData().toLongLong());
+            m_last = 0;
+            m_service->show(chosenLot());
         }
     }
+}
+
+LotId QualityPage::chosenLot() const {
+    return m_lots->currentData().toLongLong();
+}
+
+PartWindow QualityPage::window() const {
+    PartWindow window{m_last, {}};
+    const LotQuality* lot = m_service->shown();
+    const QVariant chosen = m_groups->currentData();
+    if (lot != nullptr && chosen.isValid()) {
+        const std::size_t group = chosen.toULongLong();
+        window.belongs = [lot, group](PartId id) {
+            const auto part = std::ranges::lower_bound(lot->parts, id, {}, &LotPart::id);
+            return part != lot->parts.end() && part->id == id &&
+                   std::ranges::find(part->groups, group) != part->groups.end();
+        };
+    }
+    return window;
+}
+
+void QualityPage::listGroups(const LotQuality& lot) {
+    const QString chosen = m_groups->currentText();
+    const QSignalBlocker quietly(m_groups);
+    m_groups->clear();
+    m_groups->addItem(tr("all parts"));
+    for (std::size_t i = 0; i < lot.groups.size(); ++i) {
+        m_groups->addItem(groupName(lot.groups[i]), QVariant::fromValue(static_cast<qulonglong>(i)));
+    }
+    m_groups->setCurrentIndex(std::max(0, m_groups->findText(chosen)));
+}
+
+// A page of the charts; what lies outside the parts that were read is read on the worker.
+void QualityPage::turnPage(bool older) {
+    const LotQuality* lot = m_service->shown();
+    if (lot == nullptr || lot->parts.empty()) {
+        return;
+    }
+    const auto& parts = lot->parts;
+    const auto at = [&](PartId id) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(parts, id, {}, &LotPart::id) - parts.begin());
+    };
+    if (older) {
+        const std::size_t first = at(firstShown(*lot, window()));
+        m_last = first > 0 ? parts[first - 1].id : parts.front().id - 1;
+        if (first < kChartParts && lot->olderParts) {
+            m_service->showUpTo(chosenLot(), m_last);
+        }
+    } else {
+        const std::size_t next = at(m_last) + kChartParts;
+        if (next < parts.size()) {
+            m_last = parts[next].id;
+        } else if (lot->newerParts) {  // some pages on, so that the next ones are there without reading
+            m_last += kChartParts;
+            m_service->showUpTo(chosenLot(), parts.back().id + kPartsAhead);
+        } else {
+            m_last = 0;
+        }
+    }
+    showLot();
 }
 
 void QualityPage::listLots() {
@@ -183,11 +287,18 @@ void QualityPage::showLot() {
         m_sentence->setText(sentenceText(lot->sentence, look().units()));
     }
     if (lot != nullptr) {
-        m_counts->setText(tr("%1 good, %2 rework possible, %3 scrap, %4 not judged")
-                              .arg(lot->good)
-                              .arg(lot->rework)
-                              .arg(lot->scrap)
-                              .arg(lot->notJudged));
+        QString counts = tr("%1 good, %2 rework possible, %3 scrap, %4 not judged")
+                             .arg(lot->good)
+                             .arg(lot->rework)
+                             .arg(lot->scrap)
+                             .arg(lot->notJudged);
+        if ((lot->olderParts || lot->newerParts) && !lot->parts.empty()) {
+            counts = tr("Parts %1 to %2: %3", "of a lot that is larger than what is read at once")
+                         .arg(lot->parts.front().number)
+                         .arg(lot->parts.back().number)
+                         .arg(counts);
+        }
+        m_counts->setText(counts);
         const int chosen = std::max(0, m_characteristics->currentIndex());
         const QSignalBlocker quietly(m_characteristics);
         m_characteristics->clear();
@@ -195,8 +306,9 @@ void QualityPage::showLot() {
             m_characteristics->addItem(characteristicName(characteristic));
         }
         m_characteristics->setCurrentIndex(std::min(chosen, m_characteristics->count() - 1));
-        m_residuals->setLot(*lot);
-        m_action->setLot(*lot);
+        listGroups(*lot);
+        m_residuals->setLot(*lot, window());
+        m_action->setLot(*lot, window());
         showCharacteristic();
     }
     QStringList notes;
@@ -219,6 +331,8 @@ void QualityPage::showLot() {
         }
     }
     m_gaugeNote->setText(notes.join(u' '));
+    m_older->reconsider();
+    m_newer->reconsider();
     m_decide->reconsider();
     m_files->reconsider();
     m_limits->reconsider();
@@ -231,9 +345,12 @@ void QualityPage::showCharacteristic() {
         return;
     }
     const auto at = static_cast<std::size_t>(std::max(0, chosen));
-    m_raw->setLot(*lot, at);
-    m_spread->setLot(*lot, at);
-    m_indices->setText(at < lot->capability.size() ? capabilityText(lot->capability[at], look().units()) : QString());
+    m_raw->setLot(*lot, at, window());
+    m_spread->setLot(*lot, at, window());
+    const QVariant group = m_groups->currentData();
+    const auto& capability =
+        group.isValid() ? lot->groups[static_cast<std::size_t>(group.toULongLong())].capability : lot->capability;
+    m_indices->setText(at < capability.size() ? capabilityText(capability[at], look().units()) : QString());
 }
 
 const LotPart* QualityPage::undecided() const {

@@ -22,7 +22,8 @@ namespace kerf::ui {
 ///
 /// Object names: qualityPage, qualityLot, qualityCharacteristic, qualitySentence, qualityCounts, qualityIndices,
 /// qualityResiduals, qualityRaw, qualityAction, qualitySpread, qualityDecide, qualityGauges, qualityFiles,
-/// qualityLimits, qualityGaugeNote; sheet of qualityDecide: decideReworked, decideScrapped, decideAccepted
+/// qualityLimits, qualityGaugeNote, qualityGroup, qualityOlder, qualityNewer; sheet of qualityDecide: decideReworked,
+/// decideScrapped, decideAccepted
 class QualityPage : public Page {
     Q_OBJECT
  public:
@@ -38,6 +39,10 @@ class QualityPage : public Page {
     void listLots();
     void showLot();
     void showCharacteristic();
+    void listGroups(const LotQuality& lot);
+    void turnPage(bool older);
+    [[nodiscard]] PartWindow window() const;
+    [[nodiscard]] LotId chosenLot() const;
     void decide();
     [[nodiscard]] const LotPart* undecided() const;
     [[nodiscard]] QString whyNoFile() const;
@@ -51,6 +56,10 @@ class QualityPage : public Page {
     QGridLayout* m_grid{nullptr};
     QComboBox* m_lots{nullptr};
     QComboBox* m_characteristics{nullptr};
+    QComboBox* m_groups{nullptr};
+    ActionButton* m_older{nullptr};
+    ActionButton* m_newer{nullptr};
+    PartId m_last{0};  ///< last part on the charts; 0: the newest
     QLabel* m_sentence{nullptr};
     QLabel* m_counts{nullptr};
     QLabel* m_indices{nullptr};

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "ui/link/texts.h"
 
@@ -17,16 +16,22 @@ struct QualityTexts {
     Q_DECLARE_TR_FUNCTIONS(QualityTexts)
 };
 
-constexpr std::size_t kParts = 100;  // newest parts on the charts
 constexpr std::size_t kClasses = 20;
 constexpr double kControlLimit = 3.0;
 constexpr double kMostShown = 6.0;  // σ; what is farther off lies at the edge, so that it does not flatten the others
 constexpr double kFewestParts = 12.0;
 
+/// Oldest first.
 template <class Item>
-std::span<const Item> newest(const std::vector<Item>& items) {
-    const std::span<const Item> all(items);
-    return all.size() > kParts ? all.last(kParts) : all;
+std::vector<Item> shownOf(const std::vector<Item>& items, const PartWindow& window) {
+    std::vector<Item> shown;
+    for (auto item = items.rbegin(); item != items.rend() && shown.size() < kChartParts; ++item) {
+        if ((window.last == 0 || item->id <= window.last) && (!window.belongs || window.belongs(item->id))) {
+            shown.push_back(*item);
+        }
+    }
+    std::ranges::reverse(shown);
+    return shown;
 }
 
 }  // namespace
@@ -39,6 +44,19 @@ QString characteristicName(const Characteristic& characteristic) {
     // The Boring page's words for the usual depths; any other name as it is.
     const QString depth = QCoreApplication::translate("BoringTexts", characteristic.name.c_str(), "depth of a bore");
     return QualityTexts::tr("Bore ⌀, %1").arg(depth);
+}
+
+QString groupName(const PartGroup& group) {
+    switch (group.by) {
+        case PartGroup::By::Tool:
+            return QualityTexts::tr("tool from part %1").arg(QString::fromStdString(group.name));
+        case PartGroup::By::Person:
+            return QualityTexts::tr("entered by %1").arg(QString::fromStdString(group.name));
+        case PartGroup::By::Source:
+            return group.name == "gauge" ? QualityTexts::tr("read from the gauge")
+                                         : QualityTexts::tr("typed on the keypad");
+    }
+    return {};
 }
 
 QString capabilityText(const quality::Capability& capability, const UnitSystem& units) {
@@ -79,13 +97,13 @@ void ResidualChart::retranslate() {
     setAccessibleName(tr("One-step errors"));
 }
 
-void ResidualChart::setLot(const LotQuality& lot) {
+void ResidualChart::setLot(const LotQuality& lot, const PartWindow& window) {
     std::vector<QPointF> errors;
     std::vector<QPointF> ewma;
     std::vector<Mark> marks;
     double limit = 0.0;
     double widest = kControlLimit + 1.0;
-    const auto parts = newest(lot.charted);
+    const auto parts = shownOf(lot.charted, window);
     for (const ChartedPart& part : parts) {
         errors.emplace_back(part.number, std::clamp(part.error, -kMostShown, kMostShown));
         ewma.emplace_back(part.number, std::clamp(part.point.ewma, -kMostShown, kMostShown));
@@ -121,7 +139,7 @@ void RawChart::retranslate() {
     setAccessibleName(tr("Measured values with their tolerance"));
 }
 
-void RawChart::setLot(const LotQuality& lot, std::size_t characteristic) {
+void RawChart::setLot(const LotQuality& lot, std::size_t characteristic, const PartWindow& window) {
     if (characteristic >= lot.characteristics.size()) {
         setPoints(m_values, {});
         setLimits({});
@@ -136,7 +154,7 @@ void RawChart::setLot(const LotQuality& lot, std::size_t characteristic) {
     const double highest = both ? *what.tolerance.upper + width : std::numeric_limits<double>::max();
     setYAxis(characteristicName(what), length ? "mm" : "");
     std::vector<QPointF> points;
-    const auto parts = newest(lot.parts);
+    const auto parts = shownOf(lot.parts, window);
     for (const LotPart& part : parts) {
         if (const auto& value = part.judgement.values[characteristic].value) {
             points.emplace_back(part.number, std::clamp(*value, lowest, highest));
@@ -173,9 +191,9 @@ void ActionChart::retranslate() {
     setAccessibleName(tr("Control action"));
 }
 
-void ActionChart::setLot(const LotQuality& lot) {
+void ActionChart::setLot(const LotQuality& lot, const PartWindow& window) {
     std::vector<QPointF> points;
-    const auto parts = newest(lot.charted);
+    const auto parts = shownOf(lot.charted, window);
     for (const ChartedPart& part : parts) {
         if (part.action > 0.0) {
             points.emplace_back(part.number, part.action);
@@ -201,11 +219,12 @@ void SpreadChart::retranslate() {
 }
 
 /// Classes as a stepped curve; the tolerance stands as two vertical marks.
-void SpreadChart::setLot(const LotQuality& lot, std::size_t characteristic) {
+void SpreadChart::setLot(const LotQuality& lot, std::size_t characteristic, const PartWindow& window) {
     std::vector<double> values;
     if (characteristic < lot.characteristics.size()) {
         for (const LotPart& part : lot.parts) {
-            if (const auto& value = part.judgement.values[characteristic].value; value && std::isfinite(*value)) {
+            const auto& value = part.judgement.values[characteristic].value;
+            if (value && std::isfinite(*value) && (!window.belongs || window.belongs(part.id))) {
                 values.push_back(*value);
             }
         }
