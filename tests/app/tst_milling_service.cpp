@@ -48,6 +48,13 @@ struct Bench {
     std::unique_ptr<StoredMillingService> service;
 };
 
+std::array<double, kMillingKxFilters> millingToolWeights(std::size_t likely) {
+    std::array<double, kMillingKxFilters> weights{};
+    weights.fill(-10.0);
+    weights[likely] = 0.0;
+    return weights;
+}
+
 }  // namespace
 
 /// What the milling service keeps, and from whom it takes it.
@@ -69,6 +76,72 @@ class TestMillingService : public QObject {
         QVERIFY(bench.save(setup, "Lee"));  // a setter lowers it
         QVERIFY(!bench.choose("Bracket", "Kim"));
         QVERIFY(bench.done([&](auto answer) { bench.service->newTool("Kim", answer); }));
+    }
+    void aNewToolBeginsFromTheOnesBefore() {
+        Bench bench;
+        test::Shop shop(bench.scratch.path());
+        std::uint32_t part = 0;
+        // What a tool leaves behind, as the service writes it after a cut.
+        const auto wornOut = [&](std::uint32_t since, double stiffness, std::size_t likely, double radius_mm) {
+            MillingToolRecord record;
+            record.learnt = true;
+            record.since = since;
+            record.lastPart = since + 10;
+            record.tool.parts = 10;
+            record.tool.firstStiffness = stiffness;
+            record.tool.kxLogWeight.fill(-10.0);
+            record.tool.kxLogWeight[likely] = 0.0;
+            record.partType = StoredMillingService::kFirstPartType;
+            record.toolRadius_mm = radius_mm;
+            record.flutes = 4;
+            part = record.lastPart;
+            (void)shop.must(AddRoomRecord{ProcessId::Milling, "tool", {}, millingToolJson(record), "Kerf", {}});
+        };
+        wornOut(0, 7.9, 1, 5.0);
+        wornOut(10, 8.0, 1, 5.0);
+        wornOut(20, 9.5, 5, 5.0);
+        wornOut(30, 6.0, 4, 3.0);  // another cutter
+        MillingToolRecord fresh;   // a new one goes in, and the console ends
+        fresh.since = 40;
+        fresh.lastPart = part;
+        (void)shop.must(AddRoomRecord{ProcessId::Milling, "tool", {}, millingToolJson(fresh), "Kim", "new tool"});
+        bench.open();
+        const auto& memory = [&]() -> const MillingMemoryView& { return bench.service->view().memory; };
+        QCOMPARE(memory().tools.size(), std::size_t{3});
+        QCOMPARE(memory().tools.front().since, 20U);  // newest first
+        QVERIFY(memory().lnKx && memory().used && memory().lnKx->tools == 3);
+        const double wide = memory().stiffness->half95;
+        const auto restored = [&]() -> std::array<double, kMillingKxFilters> {
+            for (auto command = bench.engine.commands.rbegin(); command != bench.engine.commands.rend(); ++command) {
+                if (const auto* tool = std::get_if<RestoreMillingTool>(&command->action)) {
+                    return tool->tool.kxLogWeight;
+                }
+            }
+            return {};
+        };
+        QCOMPARE(restored(), milling::toolMemory(std::array<milling::PastTool, 3>{{{9.5, millingToolWeights(5), true},
+                                                                                   {8.0, millingToolWeights(1), true},
+                                                                                   {7.9, millingToolWeights(1), true}}})
+                                 .kxLogWeight);
+        // The odd one is left out, with a reason; all after it is computed again, over a restart too.
+        QVERIFY(!bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Lee", "", answer); }));
+        QVERIFY(!bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Kim", "other bar", answer); }));
+        QVERIFY(bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Lee", "other bar", answer); }));
+        for (int restart = 0; restart < 2; ++restart) {
+            QVERIFY(memory().tools.front().leftOut);
+            QCOMPARE(memory().tools.front().reason, std::string("other bar"));
+            QCOMPARE(memory().lnKx->tools, 2U);
+            QVERIFY(std::abs(memory().stiffness->mean - 7.95) < 1e-12 && memory().stiffness->half95 < wide);
+            bench.service->poll();
+            const auto weights = restored();
+            QCOMPARE(std::ranges::max_element(weights) - weights.begin(), std::ptrdiff_t{1});
+            bench.open();
+        }
+        QVERIFY(bench.done([&](auto answer) { bench.service->leaveOut(20, false, "Lee", "was right", answer); }));
+        QCOMPARE(memory().lnKx->tools, 3U);
+        // Another part type: the tool's k_x counts, the material's ln(C b) does not.
+        QVERIFY(bench.choose("Soft", "Park"));
+        QVERIFY(memory().lnKx && !memory().stiffness);
     }
     void partTypesKeepTheirOwnLimitOverARestart() {
         Bench bench;

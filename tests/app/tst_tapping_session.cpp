@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "app/service/tapping/tapping_service.h"
+#include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/process/tapping/tapping_alarms.h"
 #include "tests/support/golden.h"
 #include "tests/support/tapping_bench.h"
@@ -241,6 +242,34 @@ class TestTappingSession : public QObject {
         } else {
             KERF_CLOSE(bench.gains().zKp_perS, 48.0, 1e-9);
         }
+    }
+    void aTuningIsLeftOutAndTakenInAgainWithAReason() {
+        ServiceBench first;
+        QVERIFY(first.tune());
+        std::vector<tapping::StoredTuning> known = first.stored;
+        {
+            ServiceBench bench({}, known);
+            QCOMPARE(bench.service->view().source, GainsSource::Stored);
+            QVERIFY(!bench.service->leaveOut(true, "Lee", "").has_value());
+            QVERIFY(!bench.service->leaveOut(true, "", "other oil").has_value());
+            QVERIFY(!bench.service->leaveOut(false, "Lee", "nothing is out").has_value());
+            QVERIFY(bench.service->leaveOut(true, "Lee", "other oil").has_value());
+            QCOMPARE(bench.service->view().source, GainsSource::Machine);
+            QCOMPARE(bench.service->view().leftOut, std::string("Lee: other oil"));
+            KERF_CLOSE(bench.service->view().inForce.zKp_perS, 48.0, 1e-9);
+            QCOMPARE(bench.stored.size(), 1U);
+            const auto read = formats::tuningFromJson(formats::tuningToJson(bench.stored.back()));
+            QVERIFY(read && read->leftOut == true && read->leftOutReason == "other oil" &&
+                    read->leftOutAuthor == "Lee");
+            known.push_back(*read);
+        }
+        ServiceBench again({}, known);  // a restart
+        QCOMPARE(again.service->view().source, GainsSource::Machine);
+        QVERIFY(again.service->leaveOut(false, "Lee", "it was the oil").has_value());
+        QCOMPARE(again.service->view().source, GainsSource::Stored);
+        QVERIFY(again.service->view().leftOut.empty());
+        known.push_back(first.stored.back());  // the same, accepted anew behind the word against it: stands
+        QCOMPARE(tapping::standing(known).size(), 1U);
     }
     void rollBackAfterAcceptingIsKeptToo() {
         ServiceBench bench;

@@ -73,6 +73,14 @@ class FakeMillingService final : public MillingService {
     void newTool(const std::string& author, Done done) override {
         note({"new tool", author, {}, {}, {}}, done, [] {});
     }
+    void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+                  Done done) override {
+        note({out ? "leave out" : "take in", author, reason, {}, {}}, done, [&] {
+            for (MillingToolView& tool : m_view.memory.tools) {
+                tool.leftOut = tool.since == since ? out : tool.leftOut;
+            }
+        });
+    }
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override {
         return m_listeners.add(std::move(changed));
     }

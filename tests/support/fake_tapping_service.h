@@ -35,6 +35,11 @@ class FakeTappingService : public TappingService {
         calls.push_back((automatic ? "begin automatic " : "begin ") + author);
         return {};
     }
+    [[nodiscard]] Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) override {
+        if (!failWith.empty()) return tl::unexpected(failWith);
+        calls.push_back((out ? "leave out " : "take in ") + author + " " + reason);
+        return {};
+    }
     void setAutomatic(bool automatic) override {
         edit().automatic = automatic;
         calls.emplace_back(automatic ? "automatic" : "by hand");

@@ -25,6 +25,32 @@ struct MillingCutView {
     MillingCut cut{};
 };
 
+/// A tool that was in the spindle before, as a new one of its kind may begin from it.
+struct MillingToolView {
+    std::uint32_t since{0};  ///< its identity: the last part cut before it
+    std::uint32_t parts{0};
+    std::string partType{};
+    double firstStiffness{0.0};  ///< ln(C b) of its first part
+    double kx_NPerMm{0.0};
+    bool leftOut{false};
+    std::string reason{}, author{};  ///< of leaving it out or taking it in again
+};
+
+/// A quantity of the next tool with its 95 % interval.
+struct MillingExpected {
+    double mean{0.0};
+    double half95{0.0};
+    std::uint32_t tools{0};  ///< that it rests on
+};
+
+/// What a new tool begins from; empty: what every machine begins with.
+struct MillingMemoryView {
+    std::vector<MillingToolView> tools{};        ///< of this radius and these flutes, newest first
+    std::optional<MillingExpected> lnKx{};       ///< k_x in N/mm
+    std::optional<MillingExpected> stiffness{};  ///< ln(C b) of the first part
+    bool used{false};                            ///< the tool in the spindle began so
+};
+
 /// Everything the milling page shows that is not live. Rebuilt after each change; cheap to copy.
 struct MillingServiceView {
     std::uint64_t revision{0};  ///< rises with each change
@@ -34,8 +60,9 @@ struct MillingServiceView {
     MillingBlank blank{};
     std::string blankSource{};           ///< file it was imported from; empty: typed
     std::vector<MillingCutView> cuts{};  ///< the last ones, oldest first
-    bool busy{false};                    ///< a change is being stored
-    Sentence problem{};                  ///< what could not be stored or used; empty when all is well
+    MillingMemoryView memory{};
+    bool busy{false};    ///< a change is being stored
+    Sentence problem{};  ///< what could not be stored or used; empty when all is well
 };
 
 /// One step of a blank profile as it is typed.
@@ -71,8 +98,12 @@ class MillingService {
                            Done done) = 0;
     /// Go on with another part type; a new name begins with the present setup and no blank profile.
     virtual void choosePartType(const std::string& name, const std::string& author, Done done) = 0;
-    /// Wear and tool stiffness are learnt anew.
+    /// Wear and tool stiffness are learnt anew, from what the tools of its kind before have shown.
     virtual void newTool(const std::string& author, Done done) = 0;
+
+    /// Leave a tool before out of that, or take it in again; a reason is needed.
+    virtual void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+                          Done done) = 0;
 
     /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.
     [[nodiscard]] virtual std::unique_ptr<Subscription> onChanged(std::function<void()> changed) = 0;

@@ -112,7 +112,8 @@ struct TappingServiceView {
     std::optional<TuningProof> proof{};      ///< of the gains in force
     std::vector<TapSpeedPoint> speeds{};     ///< tunings of this thread, tap and gear, by speed
     std::vector<float> productionSaec_mm{};  ///< the last production taps of this job, oldest first
-    Sentence storeProblem{};                 ///< why the last tuning is not on the disk
+    std::string leftOut{};    ///< "Lee: other bar" when a stored tuning of this job is left out; else empty
+    Sentence storeProblem{};  ///< why the last tuning is not on the disk
 };
 
 class TappingService {
@@ -129,6 +130,9 @@ class TappingService {
     [[nodiscard]] virtual Result<void> load(const TapChoice& choice) = 0;
     /// Tune the loaded job, the air tap first. Refused while a tuning is under way.
     [[nodiscard]] virtual Result<void> begin(const std::string& author, bool automatic) = 0;
+    /// Leave the stored tuning that the loaded job began from out, for a reason: the job is loaded again with the next
+    /// one, or the machine's own gains. Or take in again what was left out of it.
+    [[nodiscard]] virtual Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) = 0;
     virtual void setAutomatic(bool automatic) = 0;
     virtual void oneMore() = 0;                            ///< make the proposed tap
     virtual void accept(const std::string& author) = 0;    ///< keep the best so far

@@ -95,8 +95,8 @@ void TappingRoom::keep(const tapping::StoredTuning& tuning) {
     record.kind = kTuning;
     record.subject = tuning.choice.thread;
     record.bodyJson = formats::tuningToJson(tuning);
-    record.author = tuning.proof.author;
-    record.reason = tuning.proof.rolledBack ? "rolled back" : "accepted";
+    record.author = tuning.leftOut ? tuning.leftOutAuthor : tuning.proof.author;
+    record.reason = tuning.leftOut ? tuning.leftOutReason : tuning.proof.rolledBack ? "rolled back" : "accepted";
     m_writer->submit(std::move(record), [this](const Result<Receipt>& result) {
         m_service->setStoreProblem(result ? Sentence{} : result.error());
     });

@@ -159,6 +159,9 @@ std::string millingToolJson(const MillingToolRecord& record) {
     json["sum_rise"] = tool.sumRise;
     json["sum_index_rise"] = tool.sumIndexRise;
     json["kx_log_weight"] = tool.kxLogWeight;
+    json["part_type"] = record.partType;
+    json["tool_radius_mm"] = record.toolRadius_mm;
+    json["flutes"] = record.flutes;
     return json.dump();
 }
 
@@ -177,6 +180,9 @@ Result<MillingToolRecord> millingToolFromJson(const std::string& text) {
         record.tool.sumRise = json.at("sum_rise").get<double>();
         record.tool.sumIndexRise = json.at("sum_index_rise").get<double>();
         record.tool.kxLogWeight = json.at("kx_log_weight").get<std::array<double, kMillingKxFilters>>();
+        record.partType = json.value("part_type", std::string());
+        record.toolRadius_mm = json.value("tool_radius_mm", 0.0);
+        record.flutes = json.value("flutes", std::uint8_t{0});
     } catch (const nlohmann::json::exception&) {
         return unreadable();
     }

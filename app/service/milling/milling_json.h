@@ -31,6 +31,10 @@ struct MillingToolRecord {
     std::uint32_t lastPart{0};          ///< newest part that `tool` knows
     MillingLaw law{MillingLaw::Model};  ///< of that part
     bool advised{false};
+    // what it cut, and what kind it is; empty and 0 in records of older consoles
+    std::string partType{};
+    double toolRadius_mm{0.0};
+    std::uint8_t flutes{0};
 };
 [[nodiscard]] std::string millingToolJson(const MillingToolRecord& record);
 [[nodiscard]] Result<MillingToolRecord> millingToolFromJson(const std::string& text);

@@ -2,6 +2,8 @@
 #include "app/service/milling/milling_service.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -12,6 +14,9 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t kCutsShown = 25;
+constexpr std::uint32_t kMostRecords = 20'000;
+constexpr const char* kMemoryRecord = "tool_memory";
+constexpr double kSameRadius_mm = 1e-6;
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
 
@@ -26,6 +31,39 @@ bool send(EngineApi& engine, const Action& action) {
     Command command;
     command.action = action;
     return engine.send(command).has_value();
+}
+
+/// Tools before the one in the spindle, of its radius and flutes, newest first.
+std::vector<MillingToolView> toolsLike(const std::map<std::uint32_t, MillingToolRecord>& past,
+                                       const std::map<std::uint32_t, RoomRecordRow>& told, const MillingToolRecord& now,
+                                       const MillingSetup& setup) {
+    std::vector<MillingToolView> tools;
+    for (auto tool = past.rbegin(); tool != past.rend(); ++tool) {
+        const MillingToolRecord& record = tool->second;
+        if (record.since == now.since || record.flutes != setup.flutes ||
+            std::abs(record.toolRadius_mm - setup.toolRadius_mm) > kSameRadius_mm) {
+            continue;
+        }
+        MillingToolView view{record.since,
+                             record.tool.parts,
+                             record.partType,
+                             record.tool.firstStiffness,
+                             std::exp(milling::meanLnKx(record.tool.kxLogWeight)),
+                             false,
+                             {},
+                             {}};
+        if (const auto said = told.find(record.since); said != told.end()) {
+            view.leftOut = said->second.bodyJson.find("true") != std::string::npos;
+            view.reason = said->second.reason;
+            view.author = said->second.author;
+        }
+        tools.push_back(std::move(view));
+    }
+    return tools;
+}
+
+std::optional<MillingExpected> viewed(const std::optional<milling::Expected>& expected) {
+    return expected ? std::optional(MillingExpected{expected->mean, expected->half95, expected->tools}) : std::nullopt;
 }
 
 Sentence signOnFirst() {
@@ -76,6 +114,50 @@ Value StoredMillingService::keep(const Result<Value>& value, const Value& fallba
 void StoredMillingService::restore(RoomRecordReader& records, PartReader& parts) {
     restorePartTypes(records);
     restoreTool(records, parts);
+    restorePast(records);
+}
+
+void StoredMillingService::restorePast(RoomRecordReader& records) {
+    const auto tools =
+        keep(records.roomRecords(ProcessId::Milling, "tool", {}, kMostRecords), std::vector<RoomRecordRow>{});
+    for (const RoomRecordRow& row : tools) {  // newest first: the first of a tool is all that was learnt of it
+        if (const auto tool = millingToolFromJson(row.bodyJson); tool && tool->learnt && tool->tool.parts > 0) {
+            m_past.try_emplace(tool->since, *tool);
+        }
+    }
+    for (RoomRecordRow& row :
+         keep(records.newestRoomRecords(ProcessId::Milling, kMemoryRecord), std::vector<RoomRecordRow>{})) {
+        const auto since = static_cast<std::uint32_t>(std::strtoul(row.subject.c_str(), nullptr, 10));
+        m_toldOfPast.insert_or_assign(since, std::move(row));
+    }
+}
+
+milling::ToolMemory StoredMillingService::memory() const {
+    const MillingSetup& setup = m_types.at(m_type).setup;
+    std::vector<milling::PastTool> past;
+    for (const MillingToolView& view : toolsLike(m_past, m_toldOfPast, m_tool, setup)) {
+        if (!view.leftOut) {
+            const MillingToolRecord& tool = m_past.at(view.since);
+            past.push_back({tool.tool.firstStiffness, tool.tool.kxLogWeight, tool.partType == m_type});
+        }
+    }
+    return milling::toolMemory(past);
+}
+
+void StoredMillingService::beginFromMemory() {
+    if (m_tool.learnt || m_tool.tool.parts > 0) {
+        return;
+    }
+    const milling::ToolMemory found = memory();
+    m_tool.tool = {};
+    if (found.lnKx) {
+        m_tool.tool.kxLogWeight = found.kxLogWeight;
+        m_toolOwed = true;
+    } else if (m_begun) {  // it had begun from tools that are left out now
+        (void)send(m_links.engine, NewMillingTool{});
+        m_toolOwed = false;
+    }
+    m_begun = found.lnKx.has_value();
 }
 
 void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
@@ -136,7 +218,7 @@ void StoredMillingService::restoreTool(RoomRecordReader& records, PartReader& pa
         m_cuts.push_back(cut);
     }
     wear.save(m_tool.tool);
-    m_toolOwed = m_tool.learnt;
+    m_toolOwed = m_tool.learnt;  // a tool that has not cut yet: beginFromMemory()
     if (m_links.toolChanged && m_tool.tool.parts > 0) {
         m_links.toolChanged(m_tool.tool.parts);
     }
@@ -283,12 +365,38 @@ void StoredMillingService::newTool(const std::string& author, Done done) {
     fresh.lastPart = m_tool.lastPart;
     store("tool", {}, millingToolJson(fresh), author, "new tool", std::move(done), [this, fresh] {
         m_tool = fresh;
-        m_toolOwed = false;
         (void)send(m_links.engine, NewMillingTool{});
+        beginFromMemory();
         if (m_links.toolChanged) {
             m_links.toolChanged(0);
         }
     });
+}
+
+void StoredMillingService::leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+                                    Done done) {
+    if (const auto why = whyBusy()) {
+        return answer(done, tl::unexpected(*why));
+    }
+    if (reason.empty()) {
+        return answer(done, fail(KERF_TEXT("A reason is needed.")));
+    }
+    if (!m_past.contains(since)) {
+        return answer(done, fail(KERF_TEXT("There is no such tool.")));
+    }
+    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+        return answer(done, may);
+    }
+    const std::string body = out ? R"({"left_out":true})" : R"({"left_out":false})";
+    store(kMemoryRecord, std::to_string(since), body, author, reason, std::move(done),
+          [this, since, body, author, reason] {
+              RoomRecordRow row;
+              row.bodyJson = body;
+              row.author = author;
+              row.reason = reason;
+              m_toldOfPast[since] = row;
+              beginFromMemory();
+          });
 }
 
 void StoredMillingService::partStored(const StoredPart& part) {
@@ -304,6 +412,10 @@ void StoredMillingService::partStored(const StoredPart& part) {
     m_tool.lastPart = part.number;
     m_tool.law = part.record.milling.law;
     m_tool.advised = part.record.milling.advised;
+    m_tool.partType = m_type;
+    m_tool.toolRadius_mm = m_setup.toolRadius_mm;
+    m_tool.flutes = m_setup.flutes;
+    m_past[m_tool.since] = m_tool;
     store("tool", {}, millingToolJson(m_tool), "Kerf", {}, {}, {});
 }
 
@@ -318,6 +430,7 @@ void StoredMillingService::use(const std::string& partType) {
     }
     (void)send(m_links.engine, LoadMillingBlank{m_blank});
     (void)send(m_links.engine, LoadMillingSetup{m_setup});
+    beginFromMemory();  // a tool of another kind may belong to this part type
     rebuild();
 }
 
@@ -361,6 +474,9 @@ void StoredMillingService::rebuild() {
     for (MillingCutView& cut : m_view.cuts) {
         cut.withThisTool = cut.number > m_tool.since;
     }
+    const milling::ToolMemory found = memory();
+    m_view.memory = {toolsLike(m_past, m_toldOfPast, m_tool, m_setup), viewed(found.lnKx), viewed(found.stiffness),
+                     !m_tool.learnt && found.lnKx.has_value()};
     m_view.busy = m_busy > 0;
     m_view.problem = m_problem.empty() ? m_links.writer.problem() : m_problem;
     ++m_view.revision;

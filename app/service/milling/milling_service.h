@@ -14,6 +14,7 @@
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
 #include "engine/core/listeners.h"
+#include "engine/process/milling/tool_memory.h"
 #include "ui/services/milling_service.h"
 
 namespace kerf {
@@ -23,7 +24,8 @@ namespace kerf {
 /// setup, blank, tool and log are what they were. GUI thread only.
 ///
 /// Room records: "part_type" (subject: its name) when one is chosen, "setup" and "blank" of a part type, "tool" after
-/// each cut. Cuts the console did not live to see are added to the tool's wear from their stored figures.
+/// each cut, "tool_memory" (subject: the tool) when one is left out or taken in again. Cuts the console did not live to
+/// see are added to the tool's wear from their stored figures.
 class StoredMillingService final : public MillingService {
  public:
     struct Links {
@@ -49,6 +51,8 @@ class StoredMillingService final : public MillingService {
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
     void choosePartType(const std::string& name, const std::string& author, Done done) override;
     void newTool(const std::string& author, Done done) override;
+    void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+                  Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override {
         return m_listeners.add(std::move(changed));
     }
@@ -64,6 +68,10 @@ class StoredMillingService final : public MillingService {
     void restore(RoomRecordReader& records, PartReader& parts);
     void restorePartTypes(RoomRecordReader& records);
     void restoreTool(RoomRecordReader& records, PartReader& parts);
+    void restorePast(RoomRecordReader& records);
+    /// A tool that has not cut yet begins from the tools before it.
+    void beginFromMemory();
+    [[nodiscard]] milling::ToolMemory memory() const;
     template <class Value>
     [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback);
     void partStored(const StoredPart& part);
@@ -82,7 +90,10 @@ class StoredMillingService final : public MillingService {
     MillingSetup m_setup{};       ///< as handed over, with its revision
     MillingBlank m_blank{};
     MillingToolRecord m_tool{};
-    bool m_toolOwed{false};  ///< the engine has yet to be told
+    bool m_begun{false};                                  ///< the tool in the spindle began from memory
+    bool m_toolOwed{false};                               ///< the engine has yet to be told
+    std::map<std::uint32_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
+    std::map<std::uint32_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
     std::deque<MillingCutView> m_cuts;
     Sentence m_problem{};
     int m_busy{0};

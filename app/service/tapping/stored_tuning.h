@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "engine/process/tapping/z_servo_model.h"
 #include "ui/services/tapping_service.h"
 
@@ -16,7 +20,16 @@ struct StoredTuning {
     double hole_s{0.0};
     TapCurve first{};  ///< E_r before and after, thinned for the chart
     TapCurve last{};
+    /// A record that copies the tuning it is about and leaves it out of what jobs begin from (true) or takes it in
+    /// again.
+    std::optional<bool> leftOut{};
+    std::string leftOutReason{}, leftOutAuthor{};
 };
+
+/// Tunings that jobs may begin from, oldest first: not those that were left out.
+[[nodiscard]] std::vector<const StoredTuning*> standing(const std::vector<StoredTuning>& known);
+/// The newest record that leaves out a tuning which would serve this choice; null: none.
+[[nodiscard]] const StoredTuning* leftOutFor(const std::vector<StoredTuning>& known, const TapChoice& choice);
 
 /// Gains carry over within this share of the speed; the trim only to the same speed and depth.
 inline constexpr double kSpeedRange = 0.1;

@@ -142,13 +142,15 @@ tapping::TapSettings StoredTappingService::machinesOwn() {
 const tapping::StoredTuning* StoredTappingService::newestFor(const TapChoice& choice, GainsSource& how) const {
     const tapping::StoredTuning* nearby = nullptr;
     how = GainsSource::Machine;
-    for (auto tuning = m_params.known.rbegin(); tuning != m_params.known.rend(); ++tuning) {
+    const auto known = tapping::standing(m_params.known);
+    for (auto at = known.rbegin(); at != known.rend(); ++at) {
+        const tapping::StoredTuning* tuning = *at;
         const GainsSource serves = tapping::serves(*tuning, choice);
         if (serves == GainsSource::Stored) {
             how = serves;
-            return &*tuning;
+            return tuning;
         }
-        if (serves == GainsSource::StoredGains && nearby == nullptr) nearby = &*tuning;
+        if (serves == GainsSource::StoredGains && nearby == nullptr) nearby = tuning;
     }
     if (nearby != nullptr) how = GainsSource::StoredGains;
     return nearby;
@@ -190,6 +192,9 @@ Result<void> StoredTappingService::load(const TapChoice& wanted) {
         if (m_view.source == GainsSource::Stored) m_view.current = stored->last;
     }
     m_view.inForce = viewOf(m_inForce);
+    if (const tapping::StoredTuning* out = tapping::leftOutFor(m_params.known, choice)) {
+        m_view.leftOut = out->leftOutAuthor + ": " + out->leftOutReason;
+    }
     showStored();
     send(LoadTappingJob{jobFor(choice)});
     if (m_engine.capabilities().servoGains.fitted) {
@@ -200,6 +205,28 @@ Result<void> StoredTappingService::load(const TapChoice& wanted) {
     }
     m_seenTaps = m_engine.status().tapping.taps;
     return {};
+}
+
+Result<void> StoredTappingService::leaveOut(bool out, const std::string& author, const std::string& reason) {
+    if (const auto why = whyNotNow()) return tl::unexpected(*why);
+    if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
+    if (author.empty()) return fail(KERF_TEXT("Sign on first: a change needs a name."));
+    if (reason.empty()) return fail(KERF_TEXT("A reason is needed."));
+    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return may;
+    GainsSource how{};
+    const tapping::StoredTuning* tuning =
+        out ? newestFor(m_view.choice, how) : tapping::leftOutFor(m_params.known, m_view.choice);
+    if (tuning == nullptr) {
+        return out ? fail(KERF_TEXT("This job began from no stored tuning."))
+                   : fail(KERF_TEXT("No stored tuning of this job is left out."));
+    }
+    tapping::StoredTuning word = *tuning;
+    word.leftOut = out;
+    word.leftOutReason = reason;
+    word.leftOutAuthor = author;
+    m_params.known.push_back(word);
+    if (m_params.store) m_params.store(word);
+    return load(m_view.choice);
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
@@ -324,7 +351,9 @@ void StoredTappingService::watchProduction() {
 
 void StoredTappingService::showStored() {
     m_view.speeds.clear();
-    for (auto tuning = m_params.known.rbegin(); tuning != m_params.known.rend(); ++tuning) {
+    const auto known = tapping::standing(m_params.known);
+    for (auto at = known.rbegin(); at != known.rend(); ++at) {
+        const tapping::StoredTuning* tuning = *at;
         TapChoice there = m_view.choice;
         there.speed_rpm = tuning->choice.speed_rpm;
         there.depth_rev = tuning->choice.depth_rev;

@@ -34,6 +34,7 @@ class StoredTappingService final : public TappingService {
     [[nodiscard]] const std::vector<TapThreadView>& threads() const override { return m_threads; }
     [[nodiscard]] Result<void> load(const TapChoice& choice) override;
     [[nodiscard]] Result<void> begin(const std::string& author, bool automatic) override;
+    [[nodiscard]] Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) override;
     void setAutomatic(bool automatic) override;
     void oneMore() override;
     void accept(const std::string& author) override;

@@ -147,6 +147,11 @@ StoredTuning read(const Json& json) {
     tuning.proof.rolledBack = back.is_boolean() && back.get<bool>();
     tuning.first = curveFrom(field(json, "first"));
     tuning.last = curveFrom(field(json, "last"));
+    if (const auto out = json.find("left_out"); out != json.end() && out->is_boolean()) {
+        tuning.leftOut = out->get<bool>();
+        tuning.leftOutReason = text(json, "left_out_reason");
+        tuning.leftOutAuthor = text(json, "left_out_author");
+    }
     return tuning;
 }
 
@@ -173,6 +178,11 @@ std::string tuningToJson(const StoredTuning& tuning) {
                      {"rolled_back", tuning.proof.rolledBack}};
     json["first"] = toJson(tuning.first);
     json["last"] = toJson(tuning.last);
+    if (tuning.leftOut) {
+        json["left_out"] = *tuning.leftOut;
+        json["left_out_reason"] = tuning.leftOutReason;
+        json["left_out_author"] = tuning.leftOutAuthor;
+    }
     return json.dump();
 }
 

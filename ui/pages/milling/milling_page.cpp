@@ -9,6 +9,7 @@
 #include "ui/pages/milling/blank_form.h"
 #include "ui/pages/milling/cut_log.h"
 #include "ui/pages/milling/setup_form.h"
+#include "ui/pages/milling/tool_memory_sheet.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -61,6 +62,7 @@ void MillingPage::build() {
     });
     m_log = add("millingLog", [this] { openMillingCutLog(context().sheets, look(), *m_service); });
     m_newTool = add("millingNewTool", [this] { context().withOperator([this] { askNewTool(); }); });
+    m_tools = add("millingTools", [this] { openToolMemory(context(), *m_service); });
     m_setup->setPredicate([this] { return whyNotChange(); });
     m_blank->setPredicate([this] { return whyNotChange(); });
     m_newTool->setPredicate([this] { return whyNotChange(); });
@@ -110,6 +112,7 @@ void MillingPage::refresh() {
         m_blank->setText(tr("Blank profile"));
         m_log->setText(tr("Cut log"));
         m_newTool->setText(tr("New tool"));
+        m_tools->setText(tr("Tools before"));
         onServiceChanged();
         onStatus(context().client.status());
     }

@@ -24,8 +24,8 @@ namespace kerf::ui {
 ///   millingControl: millingState, millingLoopReason, millingReference, millingMargin, millingPeak, millingSaved,
 ///     millingAdvice, millingLawConstant, millingLawPi, millingLawModel, millingLawPreview, millingTeach, millingStart,
 ///     millingRelease, millingModeOff, millingModeAdvise, millingModeControl
-///   millingSetup, millingBlank, millingLog, millingNewTool; their sheets: MillingSetupForm, MillingBlankForm,
-///   openMillingCutLog()
+///   millingSetup, millingBlank, millingLog, millingNewTool, millingTools; their sheets: MillingSetupForm,
+///   MillingBlankForm, openMillingCutLog()
 class MillingPage : public Page {
     Q_OBJECT
  public:
@@ -56,6 +56,7 @@ class MillingPage : public Page {
     ActionButton* m_blank{nullptr};
     ActionButton* m_log{nullptr};
     ActionButton* m_newTool{nullptr};
+    ActionButton* m_tools{nullptr};
     QHBoxLayout* m_columns{nullptr};
     QVBoxLayout* m_left{nullptr};
     QHBoxLayout* m_lower{nullptr};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/pages/milling/milling_texts.h"
+#include "ui/pages/milling/tool_memory_sheet.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -64,6 +65,7 @@ void MillingToolPanel::retranslate() {
 void MillingToolPanel::setView(const MillingServiceView& view) {
     m_view = view;
     showTrend();
+    showWords();
 }
 
 void MillingToolPanel::showTrend() {
@@ -112,7 +114,8 @@ void MillingToolPanel::setStatus(const Status& status) {
 
 void MillingToolPanel::showWords() {
     if (m_status.partsWithTool == 0) {
-        m_words->setText(tr("New tool: nothing cut with it yet."));
+        const QString rests = toolMemoryText(m_view.memory, m_look.units());
+        m_words->setText(tr("New tool: nothing cut with it yet.") + (rests.isEmpty() ? QString() : u' ' + rests));
         return;
     }
     QString text = tr("Part %1 with this tool, stiffness %2 % above new.", "parts, rise")

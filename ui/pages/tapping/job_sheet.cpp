@@ -2,6 +2,7 @@
 #include "ui/pages/tapping/job_sheet.h"
 
 #include <QGridLayout>
+#include <QLineEdit>
 #include <array>
 #include <cmath>
 
@@ -31,14 +32,14 @@ double numberOf(const std::string& name) {
 
 }  // namespace
 
-JobForm* JobForm::open(SheetHost& host, Look& look, TappingService& service) {
+JobForm* JobForm::open(SheetHost& host, Look& look, TappingService& service, std::function<std::string()> author) {
     Sheet* sheet = host.open({});
-    auto* form = new JobForm(*sheet, look, service);
+    auto* form = new JobForm(*sheet, look, service, std::move(author));
     sheet->body()->addWidget(form);
     return form;
 }
 
-JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service)
+JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service, std::function<std::string()> author)
     : FaceWidget(look, &sheet),
       m_sheet(sheet),
       m_service(service),
@@ -49,7 +50,11 @@ JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service)
       m_threads(new QGridLayout),
       m_thread(makeLabel(TextRole::Small, this, true)),
       m_keypad(new Keypad(look, Keypad::Shape::Wide, this)),
-      m_message(makeLabel(TextRole::Body, this, true)) {
+      m_message(makeLabel(TextRole::Body, this, true)),
+      m_author(std::move(author)),
+      m_memory(makeLabel(TextRole::Small, this, true)),
+      m_reason(new QLineEdit(this)),
+      m_leaveOut(new QPushButton(this)) {
     setObjectName(QStringLiteral("tappingJobForm"));
     m_message->setObjectName(QStringLiteral("jobMessage"));
     m_thread->setObjectName(QStringLiteral("jobThreadText"));
@@ -72,6 +77,15 @@ JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service)
     left->addStretch(1);
     left->addWidget(m_message);
     left->addWidget(m_thread);
+    m_memory->setObjectName(QStringLiteral("jobMemory"));
+    m_reason->setObjectName(QStringLiteral("jobReason"));
+    m_leaveOut->setObjectName(QStringLiteral("jobLeaveOut"));
+    auto* memory = new QHBoxLayout;
+    memory->addWidget(m_reason, 1);
+    memory->addWidget(m_leaveOut);
+    left->addWidget(m_memory);
+    left->addLayout(memory);
+    connect(m_leaveOut, &QPushButton::clicked, this, &JobForm::leaveOut);
     for (std::size_t i = 0; i < kMostThreads; ++i) {
         auto* button = new QPushButton(this);
         button->setCheckable(true);
@@ -126,12 +140,39 @@ void JobForm::refresh() {
     m_fields[kTap]->setLabel(tr("tap no."));
     m_cancel->setText(tr("Cancel"));
     m_apply->setText(tr("Load"));
+    m_reason->setPlaceholderText(tr("Reason"));
+    showMemory();
     const int gap = look().space(Space::Medium);
     m_threads->setSpacing(gap);
     m_fieldGrid->setHorizontalSpacing(gap);
     m_fieldGrid->setVerticalSpacing(look().space(Space::Small));
     layout()->setSpacing(look().space(Space::Large));
     showThreads();
+}
+
+void JobForm::showMemory() {
+    const TappingServiceView& view = m_service.view();
+    const bool stored = view.source == GainsSource::Stored || view.source == GainsSource::StoredGains;
+    const bool out = !view.leftOut.empty();
+    QString words = view.revision == 0 ? QString() : sourceText(view);
+    if (out) {
+        words +=
+            u' ' + tr("A stored tuning is left out, %1.", "by whom and why").arg(QString::fromStdString(view.leftOut));
+    }
+    m_memory->setText(words);
+    m_leaveOut->setText(out ? tr("Take in again") : tr("Leave out"));
+    m_leaveOut->setVisible(stored || out);
+    m_reason->setVisible(stored || out);
+}
+
+void JobForm::leaveOut() {
+    const bool out = m_service.view().leftOut.empty();
+    const auto done = m_service.leaveOut(out, m_author(), m_reason->text().simplified().toStdString());
+    m_message->setText(done ? QString() : sentenceText(done.error(), look().units()));
+    if (done) {
+        m_reason->clear();
+    }
+    showMemory();
 }
 
 void JobForm::showThreads() {

@@ -9,19 +9,26 @@
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/value_field.h"
 
+class QLineEdit;
+
 namespace kerf::ui {
 
-/// Choice of what is tapped: thread from the table, speed, depth, gear, part type, tap. Lives on its sheet.
+/// Choice of what is tapped: thread from the table, speed, depth, gear, part type, tap. Lives on its sheet. Says what
+/// the loaded job began from (jobMemory), which can be left out with a reason or taken in again (jobReason,
+/// jobLeaveOut).
 class JobForm : public FaceWidget {
     Q_OBJECT
  public:
-    static JobForm* open(SheetHost& host, Look& look, TappingService& service);
+    /// `author`: who leaves a stored tuning out, or takes it in again.
+    static JobForm* open(SheetHost& host, Look& look, TappingService& service, std::function<std::string()> author);
 
  protected:
     void refresh() override;
 
  private:
-    JobForm(Sheet& sheet, Look& look, TappingService& service);
+    JobForm(Sheet& sheet, Look& look, TappingService& service, std::function<std::string()> author);
+    void leaveOut();
+    void showMemory();
     void showThreads();
     void apply();
 
@@ -40,6 +47,10 @@ class JobForm : public FaceWidget {
     QLabel* m_message;
     QPushButton* m_cancel;
     QPushButton* m_apply;
+    std::function<std::string()> m_author;
+    QLabel* m_memory;
+    QLineEdit* m_reason;
+    QPushButton* m_leaveOut;
 };
 
 }  // namespace kerf::ui

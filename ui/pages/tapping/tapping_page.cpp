@@ -81,8 +81,9 @@ void TappingPage::connectActions() {
     connect(m_gains, &GainsPanel::modeRequested, this, [this](LoopMode mode) {
         context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});
     });
-    connect(m_actions, &TapActions::jobRequested, this,
-            [this] { JobForm::open(context().sheets, look(), *m_service); });
+    connect(m_actions, &TapActions::jobRequested, this, [this] {
+        JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
+    });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
         context().withOperator(
             [this] { tell(m_service->begin(context().session.author(), m_service->view().automatic)); });
