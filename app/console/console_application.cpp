@@ -19,6 +19,7 @@
 #include "app/service/quality/part_judge.h"
 #include "db/migrator.h"
 #include "engine/process/boring/boring_loop.h"
+#include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
 #include "ui/shell/pin_seal.h"
 
@@ -430,6 +431,7 @@ ui::Services ConsoleApplication::services() {
                                [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
     }
     services.qualityService = &m_quality->service();
+    services.shop = [this]() -> std::optional<ui::ShopView> { return m_shop ? m_shop->view() : std::nullopt; };
     for (const auto& room : m_rooms) {
         room->serve(services);
     }

@@ -29,6 +29,26 @@ const char* key(db::ShopTrouble trouble) {
     return "unreachable";
 }
 
+ui::ShopView::Trouble viewed(db::ShopTrouble trouble) {
+    using Shown = ui::ShopView::Trouble;
+    switch (trouble) {
+        case db::ShopTrouble::None:
+            return Shown::None;
+        case db::ShopTrouble::NotPrepared:
+            return Shown::NotPrepared;
+        case db::ShopTrouble::NotAllowed:
+            return Shown::NotAllowed;
+        case db::ShopTrouble::NewerConsole:
+            return Shown::NewerConsole;
+        case db::ShopTrouble::DataFile:
+            return Shown::DataFile;
+        case db::ShopTrouble::Unreachable:
+        case db::ShopTrouble::Interrupted:
+            break;
+    }
+    return Shown::Unreachable;
+}
+
 }  // namespace
 
 ShopLink::ShopLink(const std::string& dataFolder, const std::string& dataFile, StoreWriter& writer) : m_writer(writer) {
@@ -73,6 +93,15 @@ void ShopLink::poll(std::int64_t now_ms) {
             {});
         m_alarm = true;
     }
+}
+
+std::optional<ui::ShopView> ShopLink::view() const {
+    if (!m_sender) {
+        return m_fault.empty() ? std::nullopt
+                               : std::optional(ui::ShopView{ui::ShopView::Trouble::WrongSetting, m_fault, 0, 0, 0});
+    }
+    const db::ShopState state = m_sender->state();
+    return ui::ShopView{viewed(state.trouble), state.detail, state.unsent, state.setAside, state.lastContact_utc_ms};
 }
 
 std::string ShopLink::json() const {

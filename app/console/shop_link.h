@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "db/api/store_writer.h"
 #include "db/shop/shop_sender.h"
+#include "ui/link/shop_text.h"
 
 namespace kerf::console {
 
@@ -28,6 +30,8 @@ class ShopLink {
     void poll(std::int64_t now_ms);
     /// For the live page: {"trouble": …, "unsent": …, "contact_utc_ms": …}; empty without a shop.
     [[nodiscard]] std::string json() const;
+    /// For the screens; empty: none is wanted.
+    [[nodiscard]] std::optional<ui::ShopView> view() const;
     /// Why there is none; empty: there is one, or none is wanted.
     [[nodiscard]] const std::string& fault() const noexcept { return m_fault; }
 

@@ -29,6 +29,7 @@ class TurningService;
 namespace kerf::ui {
 
 struct Preferences;
+struct ShopView;
 
 /// Everything the console's face may use, handed to it by the application. Only `engine` must be there; a page says
 /// what is missing when a pointer it needs is null. All of them outlive the main window and are used on the GUI thread.
@@ -64,6 +65,8 @@ struct Services {
     std::function<void(const QString& name, unsigned tries, qint64 last_ms)> saveWrongPins{};
     /// Finished parts that wait because the store does not take them.
     std::function<std::size_t()> partsWaiting{};
+    /// State of the way to the shop, cheap to ask; empty optional or empty function: none is wanted.
+    std::function<std::optional<ShopView>()> shop{};
     /// What was found when the data file was opened; said once.
     std::vector<Sentence> startFindings{};
     /// Who signed on or off, who changed a role: for the audit log.

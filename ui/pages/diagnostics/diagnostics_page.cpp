@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QPointer>
 
+#include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
@@ -46,6 +47,7 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
     m_state = addFact(m_link, "linkState");
     m_clock = addFact(m_link, "machineTime");
     m_versions = addFact(m_link, "versions");
+    m_shop = addFact(m_link, "shopState");
     m_link->body()->addStretch(1);
     m_backup->setObjectName(QStringLiteral("backup"));
     m_backup->setPredicate([this] {
@@ -136,6 +138,9 @@ void DiagnosticsPage::update(const Status& status) {
     m_state.value->setText(status.link == LinkState::Up           ? tr("up")
                            : status.link == LinkState::Connecting ? tr("connecting")
                                                                   : tr("down"));
+    const auto shop = context().services.shop ? context().services.shop() : std::nullopt;
+    m_shop.value->setText(shop ? shopText(*shop, QDateTime::currentMSecsSinceEpoch())
+                               : tr("none: this console keeps its data to itself"));
     m_clock.value->setText(tr("%1 s").arg(static_cast<double>(status.machineTime_ns) / 1e9, 0, 'f', 1));
 }
 
@@ -159,6 +164,7 @@ void DiagnosticsPage::refresh() {
     m_state.name->setText(tr("Link"));
     m_clock.name->setText(tr("Machine time"));
     m_versions.name->setText(tr("Versions"));
+    m_shop.name->setText(tr("Shop"));
     m_versions.value->setText(
         QStringLiteral("Kerf %1, Qt %2").arg(QStringLiteral(KERF_VERSION), QLatin1String(qVersion())));
     update(context().client.status());

@@ -49,6 +49,7 @@ class DiagnosticsPage : public Page {
     Fact m_state{};
     Fact m_clock{};
     Fact m_versions{};
+    Fact m_shop{};
     QElapsedTimer m_since;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/overview/overview_page.h"
 
+#include <QDateTime>
 #include <algorithm>
 #include <array>
 
 #include "ui/link/release_stop.h"
+#include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
@@ -87,6 +89,7 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
       m_machine(new Card(context.look, this)),
       m_machineLamp(new Lamp(context.look, this)),
       m_sentence(makeLabel(TextRole::Body, this, true)),
+      m_shop(makeLabel(TextRole::Small, this, true)),
       m_feed(new NumberDisplay(context.look, "mm/s", 2, TextSize::Page, this)),
       m_feedCourse(new Sparkline(context.look, this)),
       m_parts(new NumberDisplay(context.look, "", 0, TextSize::Card, this)),
@@ -148,6 +151,9 @@ void OverviewPage::buildMachine() {
     m_machine->setObjectName(QStringLiteral("card_machine"));
     m_machine->header()->addWidget(m_machineLamp);
     m_machine->body()->addWidget(m_sentence);
+    m_shop->setObjectName(QStringLiteral("overviewShop"));
+    m_shop->hide();
+    m_machine->body()->addWidget(m_shop);
     m_feed->setObjectName(QStringLiteral("feedRate"));
     m_parts->setObjectName(QStringLiteral("partCounter"));
     m_feed->setWidest(88.0);
@@ -298,6 +304,7 @@ void OverviewPage::onStatus(const Status& status) {
         return;
     }
     m_sentence->setText(machineSentence());
+    showShop();
     const bool up = status.link == LinkState::Up && status.machineOn && !status.emergencyStop;
     const bool running = status.program == ProgramState::Running;
     m_machineLamp->set(up ? Sign::Up : Sign::Off, up ? (running ? tr("cutting") : tr("ready")) : tr("off"));
@@ -310,6 +317,15 @@ void OverviewPage::onStatus(const Status& status) {
     m_start->reconsider();
     m_release->setText(context().client.status().held || !stopped() ? tr("Release hold") : tr("Release stop"));
     m_release->reconsider();
+}
+
+void OverviewPage::showShop() {
+    auto shop = context().services.shop ? context().services.shop() : std::nullopt;
+    if (shop) {
+        shop->detail.clear();  // Diagnostics has it
+        m_shop->setText(tr("Shop: %1").arg(shopText(*shop, QDateTime::currentMSecsSinceEpoch())));
+    }
+    m_shop->setVisible(shop.has_value());
 }
 
 void OverviewPage::refresh() {
@@ -327,6 +343,7 @@ void OverviewPage::refresh() {
     Page::refresh();
     const Status& status = context().client.status();
     m_sentence->setText(machineSentence());
+    showShop();
     arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
         KeyFigure figure;

@@ -54,6 +54,8 @@ class OverviewPage : public Page {
  private:
     void buildMachine();
     void onStatus(const Status& status);
+    /// Whether what is stored here has reached the shop; nothing where none is wanted.
+    void showShop();
     /// Cards of the fitted loops in two rows, the machine's beside them; nothing stands for what is not there.
     void arrange(const Status& status);
     /// What this machine is there for: the first loop that is fitted.
@@ -72,6 +74,7 @@ class OverviewPage : public Page {
     Card* m_machine;
     Lamp* m_machineLamp;
     QLabel* m_sentence;
+    QLabel* m_shop;
     NumberDisplay* m_feed;
     Sparkline* m_feedCourse;
     std::vector<NumberDisplay*> m_position;
