@@ -314,6 +314,60 @@ def clocks_back(work):
     check([n for (n,) in order] == list(range(1, 21)), "and in the order of their making")
 
 
+def console_sends(work):
+    """The console's own sender, through a killed server and a killed console."""
+    program = BIN / "kerf-console"
+    if not program.exists():
+        print("the console is not built: its sender is not tried")
+        return
+    folder = work / "console_itself"
+    (folder / "shop").mkdir(parents=True)
+    (folder / "shop" / "database").write_text(conninfo() + "\n")
+
+    def start():
+        return subprocess.Popen([program, "--data", folder, "--auto-operator", "--speed", "200", "--lot-size", "1000", "--prepared-parts", "0"],
+                                env=os.environ | {"QT_QPA_PLATFORM": "offscreen"}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def newest(there):
+        if not (folder / "kerf.db").exists():
+            return 0
+        if there:
+            rows = ask("SELECT coalesce(sum(last_seq), 0) FROM shop.streams WHERE store = %s", rows_here(folder)[0])
+            return int(rows[0][0])
+        file = sqlite3.connect(f"file:{folder}/kerf.db?mode=ro", uri=True)
+        count = file.execute("SELECT count(*) FROM parts").fetchone()[0]
+        file.close()
+        return count
+
+    def wait(condition, seconds=120):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            try:
+                if condition():
+                    return True
+            except (sqlite3.Error, TypeError):
+                pass  # the file is being made
+            time.sleep(0.2)
+        return False
+
+    console = start()
+    check(wait(lambda: newest(True) > 50), "a console sends what it stores while it works")
+    made = newest(False)
+    kill_server()
+    check(wait(lambda: newest(False) > made) and console.poll() is None, "a killed server does not stop it")
+    sent = newest(True)
+    check(wait(lambda: newest(True) > sent), "and sends again when the server is back")
+    console.kill()
+    console.wait()
+    console = start()
+    sent = newest(True)
+    check(wait(lambda: newest(True) > sent), "a console that was killed goes on")
+    console.terminate()
+    console.wait(timeout=60)
+    push(folder)
+    check(not differences(folder), "its rows are equal")
+
+
 def difference_is_found(folders):
     ask("UPDATE shop.measurements SET diameter_mm = diameter_mm + 1e-15 * 8 WHERE store = %s AND id = 7",
         rows_here(folders[0])[0])
@@ -407,6 +461,7 @@ def main():
             backup_and_clone(work)
             cut_links(folders[1])
             kills(folders, int(os.environ.get("KERF_SHOP_ROUNDS", "4")), 1)
+            console_sends(work)
             difference_is_found(folders)
     print(f"{len(failures)} failed" if failures else "all held")
     return 1 if failures else 0
