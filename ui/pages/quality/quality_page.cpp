@@ -92,8 +92,7 @@ void QualityPage::build() {
     m_tools->addWidget(m_lots, 2);
     m_tools->addWidget(m_characteristics, 1);
     m_tools->addWidget(m_groups, 1);
-    for (QPushButton* button :
-         std::initializer_list<QPushButton*>{m_older, m_newer, m_decide, m_gauges, m_limits, m_files}) {
+    for (QPushButton* button : std::initializer_list<QPushButton*>{m_decide, m_gauges, m_limits, m_files}) {
         m_tools->addWidget(button);
     }
     m_residualCard->body()->addWidget(m_residuals, 1);
@@ -105,7 +104,11 @@ void QualityPage::build() {
     m_grid->addWidget(m_sentence, 1, 0, 1, 2);
     m_grid->addWidget(m_counts, 2, 0);
     m_grid->addWidget(m_indices, 2, 1);
-    m_grid->addWidget(m_gaugeNote, 3, 0, 1, 2);
+    m_pages = new QHBoxLayout;
+    m_pages->addWidget(m_gaugeNote, 1);
+    m_pages->addWidget(m_older);
+    m_pages->addWidget(m_newer);
+    m_grid->addLayout(m_pages, 3, 0, 1, 2);
     m_grid->addWidget(m_residualCard, 4, 0);
     m_grid->addWidget(m_rawCard, 4, 1);
     m_grid->addWidget(m_actionCard, 5, 0);
@@ -168,6 +171,7 @@ void QualityPage::refresh() {
     m_grid->setContentsMargins(gap, gap, gap, gap);
     m_grid->setSpacing(gap);
     m_tools->setSpacing(look().metrics().touchGap());
+    m_pages->setSpacing(look().metrics().touchGap());
     m_older->setText(tr("Older"));
     m_newer->setText(tr("Newer"));
     m_older->setAccessibleName(tr("Older parts"));
@@ -331,6 +335,9 @@ void QualityPage::showLot() {
         }
     }
     m_gaugeNote->setText(notes.join(u' '));
+    const bool pages = lot != nullptr && (lot->parts.size() > kChartParts || lot->olderParts || lot->newerParts);
+    m_older->setVisible(pages);  // what fits on the charts needs none
+    m_newer->setVisible(pages);
     m_older->reconsider();
     m_newer->reconsider();
     m_decide->reconsider();

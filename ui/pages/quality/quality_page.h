@@ -53,6 +53,7 @@ class QualityPage : public Page {
     QualitySheets* m_sheets{nullptr};
     QLabel* m_missing{nullptr};
     QHBoxLayout* m_tools{nullptr};
+    QHBoxLayout* m_pages{nullptr};
     QGridLayout* m_grid{nullptr};
     QComboBox* m_lots{nullptr};
     QComboBox* m_characteristics{nullptr};
