@@ -134,9 +134,11 @@ struct LawField {
     double DayLaw::*value;
     double low;
     double high;
+    bool newer{false};  ///< may be absent: 0
 };
-constexpr std::array<LawField, 7> kLawFields{{{"gain", &DayLaw::gain, 0.0, 1e3},
+constexpr std::array<LawField, 8> kLawFields{{{"gain", &DayLaw::gain, 0.0, 1e3},
                                               {"slope_um", &DayLaw::slope_um, 0.0, 1e6},
+                                              {"lever_um", &DayLaw::lever_um, 0.0, 1e6, true},
                                               {"offset_um", &DayLaw::offset_um, 0.0, 1e6},
                                               {"wander_um", &DayLaw::wander_um, 0.0, 1e6},
                                               {"wander_min", &DayLaw::wander_min, 1e-3, 1e6},
@@ -152,13 +154,16 @@ Json toJson(const DayLayer& layer) {
         }
         laws.push_back(std::move(one));
     }
-    return {{"laws", std::move(laws)}, {"term_scale_K", layer.termScale_K}};
+    return {{"laws", std::move(laws)}, {"term_scale_K", layer.termScale_K}, {"whiten", layer.whiten}};
 }
 DayLayer daysFrom(const Json& value, std::size_t sensors) {
     DayLayer layer;
     const Json& laws = list(field(value, "laws"), "laws", kAxes);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         for (const LawField& f : kLawFields) {
+            if (f.newer && !laws[axis].contains(f.key)) {
+                continue;
+            }
             const double read = number(field(laws[axis], f.key), f.key);
             if (read < f.low || read > f.high) {
                 refuse(KERF_TEXT("Field %1 of the model file is out of range."), f.key);
@@ -170,6 +175,12 @@ DayLayer daysFrom(const Json& value, std::size_t sensors) {
         layer.termScale_K.push_back(number(scale, "term_scale_K"));
         if (layer.termScale_K.back() < 0.0) {
             refuse(KERF_TEXT("Field %1 of the model file is out of range."), "term_scale_K");
+        }
+    }
+    const std::size_t terms = layer.termScale_K.size();
+    if (value.contains("whiten") && !value.at("whiten").empty()) {
+        for (const Json& one : list(value.at("whiten"), "whiten", terms * terms)) {
+            layer.whiten.push_back(number(one, "whiten"));
         }
     }
     return layer;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace kerf::thermal {
 namespace {
@@ -16,11 +17,16 @@ struct Hypothesis {
 constexpr std::array<Hypothesis, DayPosterior::kHypotheses> kHypothesis{
     {{1.0, 1.0, 0.80}, {4.0, 1.0, 0.08}, {16.0, 1.0, 0.04}, {64.0, 4.0, 0.02}, {4.0, 4.0, 0.04}, {16.0, 16.0, 0.02}}};
 
+constexpr double kNormal = 1.96;  // σ that hold 95 % of a normal
+
 }  // namespace
 
 DayPosterior::DayPosterior(const DayLayer& layer) : m_law(layer.axis) {
     m_terms = std::min(layer.termScale_K.size(), kMaxLayerTerms);
     std::copy_n(layer.termScale_K.begin(), m_terms, m_scale_K.begin());
+    if (layer.whiten.size() == m_terms * m_terms) {
+        m_whiten = layer.whiten;
+    }
     clear();
 }
 
@@ -38,10 +44,13 @@ double DayPosterior::covariance(const DayInstant& a, const DayInstant& b, std::s
                                 std::size_t hypothesis) const noexcept {
     const DayLaw& law = m_law[axis];
     double linear = 0.0;
+    double lever = 0.0;
     for (std::size_t k = 0; k < m_terms; ++k) {
         linear += a.term[k] * b.term[k];
+        lever += a.lever[k] * b.lever[k];
     }
-    double day = law.gain * law.gain * a.mean_um[axis] * b.mean_um[axis] + law.slope_um * law.slope_um * linear;
+    double day = law.gain * law.gain * a.mean_um[axis] * b.mean_um[axis] + law.slope_um * law.slope_um * linear +
+                 law.lever_um * law.lever_um * lever;
     double wander = 0.0;
     if (a.reference == b.reference) {
         day += law.offset_um * law.offset_um;
@@ -68,6 +77,7 @@ void DayPosterior::add(const DayMeasurement& measurement) noexcept {
         std::move(m_measured.begin() + 1, m_measured.end(), m_measured.begin());
         --m_count;
     }
+    setLever(taken.at);
     m_measured[m_count++] = taken;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         condition(axis);
@@ -127,18 +137,66 @@ void DayPosterior::condition(std::size_t axis) noexcept {
     }
 }
 
-DayPosterior::Correction DayPosterior::at(const DayInstant& now, std::size_t axis) const noexcept {
-    std::array<double, kHypotheses> mean{};
-    std::array<double, kHypotheses> variance{};
-    const std::size_t n = m_usedCount[axis];
-    Correction out;
-    for (std::size_t h = 0; h < kHypotheses; ++h) {
-        if (n == 0 && h > 0) {  // nothing measured: the interval is that of the days trained on
-            break;
+void DayPosterior::setLever(DayInstant& now) const noexcept {
+    if (m_whiten.empty()) {
+        return;
+    }
+    for (std::size_t row = 0; row < m_terms; ++row) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k <= row; ++k) {
+            sum += m_whiten[row * m_terms + k] * now.term[k];
         }
+        now.lever[row] = sum;
+    }
+}
+
+double DayPosterior::coefficientSpread_um(const DayInstant& now, std::size_t axis) const noexcept {
+    const DayLaw& law = m_law[axis];
+    double linear = 0.0;
+    double lever = 0.0;
+    for (std::size_t k = 0; k < m_terms; ++k) {
+        linear += now.term[k] * now.term[k];
+        lever += now.lever[k] * now.lever[k];
+    }
+    return std::sqrt(law.slope_um * law.slope_um * linear + law.lever_um * law.lever_um * lever +
+                     law.gain * law.gain * now.mean_um[axis] * now.mean_um[axis]);
+}
+
+double DayPosterior::quantile(const std::array<double, kHypotheses>& weight,
+                              const std::array<double, kHypotheses>& mean_um,
+                              const std::array<double, kHypotheses>& sigma_um) noexcept {
+    constexpr int kHalvings = 30;
+    double high = 0.0;
+    for (std::size_t h = 0; h < kHypotheses; ++h) {
+        high = std::max(high, std::abs(mean_um[h]) + 2.0 * sigma_um[h]);
+    }
+    double low = 0.0;
+    for (int k = 0; k < kHalvings; ++k) {
+        const double half = 0.5 * (low + high);
+        double outside = 0.0;
+        for (std::size_t h = 0; h < kHypotheses; ++h) {
+            const double unit = std::numbers::sqrt2 * std::max(sigma_um[h], 1e-6);
+            outside +=
+                weight[h] * 0.5 * (std::erfc((half - mean_um[h]) / unit) + std::erfc((half + mean_um[h]) / unit));
+        }
+        (outside > 0.05 ? low : high) = half;
+    }
+    return high;
+}
+
+DayPosterior::Correction DayPosterior::at(const DayInstant& now, std::size_t axis) const noexcept {
+    const std::size_t n = m_usedCount[axis];
+    std::array<double, kHypotheses> mean{};
+    std::array<double, kHypotheses> sigma{};
+    Correction out;
+    if (n == 0) {  // nothing measured: the interval is that of days left out
+        out.half_um = m_law[axis].widening * std::sqrt(covariance(now, now, axis, 0));
+        return out;
+    }
+    for (std::size_t h = 0; h < kHypotheses; ++h) {
         const Factor& factor = m_factor[axis][h];
         std::array<double, kMaxDayMeasurements> white{};
-        variance[h] = covariance(now, now, axis, h);
+        double variance = covariance(now, now, axis, h);
         for (std::size_t i = 0; i < n; ++i) {
             const double cross = covariance(now, m_measured[m_used[axis][i]].at, axis, h);
             mean[h] += cross * factor.solved[i];
@@ -147,23 +205,25 @@ DayPosterior::Correction DayPosterior::at(const DayInstant& now, std::size_t axi
                 rest -= factor.lower[i][k] * white[k];
             }
             white[i] = rest / factor.lower[i][i];
-            variance[h] -= white[i] * white[i];
+            variance -= white[i] * white[i];
         }
-        variance[h] = std::max(variance[h], 0.0);
-    }
-    if (n == 0) {
-        out.half_um = m_law[axis].widening * std::sqrt(variance[0]);
-        return out;
-    }
-    for (std::size_t h = 0; h < kHypotheses; ++h) {
+        sigma[h] = std::sqrt(std::max(variance, 0.0));
         out.shift_um += m_weight[axis][h] * mean[h];
     }
-    double spread = 0.0;
-    for (std::size_t h = 0; h < kHypotheses; ++h) {
-        const double apart = mean[h] - out.shift_um;
-        spread += m_weight[axis][h] * (variance[h] + apart * apart);
+    for (double& value : mean) {
+        value -= out.shift_um;
     }
-    out.half_um = m_law[axis].widening * std::sqrt(spread);
+    // Before anything is measured the width is that of the days trained on alone, because it is what held on days left
+    // out. So a wider law counts by the weight that measurements have given it beyond what it began with: one that fits
+    // narrows the interval, one that does not widens it. And the quantile of the mixture, not a factor over its σ: a
+    // few hundredths of weight on a law eight times as wide are most of the variance and hardly any of the 95 %.
+    std::array<double, kHypotheses> raised{};
+    raised[0] = 1.0;
+    for (std::size_t h = 1; h < kHypotheses; ++h) {
+        raised[h] = std::max(m_weight[axis][h] - kHypothesis[h].prior, 0.0);
+        raised[0] -= raised[h];
+    }
+    out.half_um = m_law[axis].widening / kNormal * quantile(raised, mean, sigma);
     return out;
 }
 

@@ -11,17 +11,20 @@
 
 /// What one day may differ from the machine's mean law by, and what a measurement of the origin says about it.
 ///
-///   drift(t) = m(t) + g·m(t) + xᵀγ + b + e(t)          µm, per axis
+///   drift(t) = m(t) + g·m(t) + xᵀγ + zᵀδ + b + e(t)    µm, per axis
 ///
-/// m the mean law (the regression), x its sensor terms over their training rms and √(number of terms). Drawn anew each
-/// day: g ~ N(0, gain²), γ ~ N(0, slope²·I), b ~ N(0, offset²). e wanders from 0 at the reference:
+/// m the mean law, x its sensor terms over their training rms and √(number of terms), z = W·x the same whitened: a
+/// pattern of temperatures that the training days hardly had weighs as much as it is strange, so a sensor moved or a
+/// machine heated elsewhere widens the interval. Drawn anew each day: g ~ N(0, gain²), γ ~ N(0, slope²·I),
+/// δ ~ N(0, lever²·I), b ~ N(0, offset²). e wanders from 0 at the reference:
 ///   cov(e(s), e(t)) = wander²·(exp(−|s−t|/τ) − exp(−(s+t)/τ))
 /// so that minutes a few τ apart count as independent and neighbours do not. A measurement has σ `noise`, too.
 ///
 /// All of it is one Gaussian process over the day: measurements condition it, exactly, in the order made. A machine
 /// that has changed draws from a wider law: kHypotheses widths are carried beside each other, weighed by how well they
 /// foretell the measurements (Bayesian model averaging). So one measurement far off is believed to be a changed day,
-/// and the coefficients move instead of the offset alone.
+/// and the coefficients move instead of the offset alone. The interval is a quantile of that mixture in which a wider
+/// law counts by the weight it has gained: a measurement that fits narrows it.
 namespace kerf::thermal {
 
 /// Probability of a changed day from which it is said: "today differs from the days trained on: measure".
@@ -39,12 +42,16 @@ struct DayLaw {
     double noise_um{0.3};     ///< σ of one measurement, > 0
     /// Half width of the 95 % interval over the standard deviation: what holds on days left out, Student's t for few.
     double widening{2.0};
+    double lever_um{0.0};  ///< σ of zᵀδ at the training rms
     friend bool operator==(const DayLaw&, const DayLaw&) = default;
 };
 
 struct DayLayer {
     std::array<DayLaw, kAxes> axis{};
     std::vector<double> termScale_K{};  ///< per sensor term: training rms × √(number of terms); 0: not used
+    /// z = whiten·x, terms × terms by rows, lower triangle used: x seen by how little of it the training days had.
+    /// Empty: no such part.
+    std::vector<double> whiten{};
 };
 
 /// A day at one instant: what the law is evaluated with.
@@ -54,6 +61,7 @@ struct DayInstant {
     std::array<double, kAxes> mean_um{};              ///< m
     std::array<double, kAxes> spread{1.0, 1.0, 1.0};  ///< × every σ but the noise: lost sensors, a warm start
     std::array<double, kMaxLayerTerms> term{};        ///< x, scaled
+    std::array<double, kMaxLayerTerms> lever{};       ///< z
 };
 
 /// A measurement of the origin beside the state it was made in; replaying a day gives the same again.
@@ -89,6 +97,10 @@ class DayPosterior {
     [[nodiscard]] double changed() const noexcept;
     [[nodiscard]] std::size_t terms() const noexcept { return m_terms; }
     [[nodiscard]] double termScale_K(std::size_t term) const noexcept { return m_scale_K[term]; }
+    /// Fills z of an instant from its x.
+    void setLever(DayInstant& now) const noexcept;
+    /// σ of what a day's coefficients add to the mean law at this instant, before anything is measured.
+    [[nodiscard]] double coefficientSpread_um(const DayInstant& now, std::size_t axis) const noexcept;
 
  private:
     struct Factor {
@@ -98,9 +110,14 @@ class DayPosterior {
     [[nodiscard]] double covariance(const DayInstant& a, const DayInstant& b, std::size_t axis,
                                     std::size_t hypothesis) const noexcept;
     void condition(std::size_t axis) noexcept;
+    /// Half width that holds 95 % of a mixture of normals about `centre_um`, 1.96 σ of one.
+    [[nodiscard]] static double quantile(const std::array<double, kHypotheses>& weight,
+                                         const std::array<double, kHypotheses>& mean_um,
+                                         const std::array<double, kHypotheses>& sigma_um) noexcept;
 
     std::array<DayLaw, kAxes> m_law{};
     std::array<double, kMaxLayerTerms> m_scale_K{};
+    std::vector<double> m_whiten{};
     std::size_t m_terms{0};
     std::array<DayMeasurement, kMaxDayMeasurements> m_measured{};
     std::size_t m_count{0};

@@ -24,10 +24,14 @@ using detail::LawDay;
 using detail::MeanLaw;
 using detail::meanOf;
 
-constexpr std::size_t kAllSensors = 8;    // up to that many no sensor is chosen: the ridge does it
-constexpr double kLuck = 0.8;             // by that over days² the log error of a new law must be smaller, per axis
-constexpr std::size_t kDaysToChoose = 3;  // with fewer the mean law is the regression
-constexpr std::size_t kFinalists = 4;
+constexpr std::size_t kAllSensors = 8;     // up to that many no sensor is chosen: the ridge does it
+constexpr double kLuck = 0.8;              // by that over days² the log error of a new law must be smaller, per axis
+constexpr std::size_t kDaysToChoose = 3;   // with fewer the mean law is the regression
+constexpr std::size_t kDaysToAverage = 5;  // from here on an average with the regression is tried even if it is better
+constexpr std::size_t kFinalists = 6;
+constexpr double kNear = 0.05;  // laws whose log error is so near the best's are averaged with it, per axis
+constexpr double kNearRegression = 0.3;
+constexpr double kRegressionShare = 0.5;
 
 using DayRms = std::array<std::vector<double>, kAxes>;
 /// Σ_axes log of the mean rms over the days left out; smaller is better.
@@ -59,6 +63,24 @@ Eigen::MatrixXd scaledTerms(const BlockDay& day, const std::vector<Index>& colum
         x.col(k) /= scale[static_cast<std::size_t>(k)];
     }
     return x;
+}
+
+/// W with z = W·x, E[z·zᵀ] over the training days = 1 per term on the mean; directions the days hardly had count by
+/// what they had, up to a floor.
+Eigen::MatrixXd whiteningOf(const std::vector<BlockDay>& days, const std::vector<Index>& columns,
+                            const std::vector<double>& scale) {
+    constexpr double kFloor = 0.01;
+    const auto p = static_cast<Index>(columns.size());
+    Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(p, p);
+    for (const BlockDay& day : days) {
+        const Eigen::MatrixXd x = scaledTerms(day, columns, scale);
+        moment += x.transpose() * x / static_cast<double>(x.rows()) / static_cast<double>(days.size());
+    }
+    const double floor = kFloor * std::max(moment.trace(), 1e-9) / static_cast<double>(p);
+    const Eigen::MatrixXd damped = moment + floor * Eigen::MatrixXd::Identity(p, p);
+    const Eigen::LLT<Eigen::MatrixXd> factor(damped);
+    const double effective = factor.solve(moment).trace();
+    return factor.matrixL().solve(Eigen::MatrixXd::Identity(p, p)) / std::sqrt(std::max(effective, 1e-9));
 }
 
 PerAxis noiseOf(const PerAxis& variance_um2) {
@@ -152,12 +174,17 @@ class HierarchicalTraining {
             laws, [](const MeanLaw& a, const MeanLaw& b) { return scoreOf(a.rms()) < scoreOf(b.rms()); });
         const DayRms old = regressionRms();
         // With few days a choice among many laws is luck: the regression's sensors were chosen more carefully.
-        const auto measured = static_cast<double>(std::ranges::count(m_axes, true));
+        const double measured = measuredAxes();
         const auto count = static_cast<double>(m_days.size());
-        if (m_days.size() < kDaysToChoose || scoreOf(old) < scoreOf(best->rms()) + kLuck * measured / (count * count)) {
+        const bool regressionWins = scoreOf(old) < scoreOf(best->rms()) + kLuck * measured / (count * count);
+        if (m_days.size() < kDaysToChoose || (m_days.size() < kDaysToAverage && regressionWins)) {
             return finish(m_regression.model, regressionLawDays(), old);
         }
-        return finish(modelOf(*best), lawDays(*best), best->rms());
+        const Averaged law = averaged(laws, *best, old);
+        if (scoreOf(old) < scoreOf(rmsOf(law))) {
+            return finish(m_regression.model, regressionLawDays(), old);
+        }
+        return finish(modelOf(*best, law), lawDays(law), rmsOf(law));
     }
 
  private:
@@ -190,17 +217,126 @@ class HierarchicalTraining {
         return laws;
     }
 
-    [[nodiscard]] LawDays lawDays(const MeanLaw& law) const {
-        const std::vector<BlockDay>& blocks = m_blocks[law.form().spec];
+    [[nodiscard]] double measuredAxes() const { return static_cast<double>(std::ranges::count(m_axes, true)); }
+    /// The mean of several laws: their faults are not the same ones, and a choice by few days is luck.
+    struct Averaged {
+        Form form{};
+        Eigen::MatrixXd weights{};               ///< the model's terms × axes
+        std::vector<Eigen::MatrixXd> leftOut{};  ///< per day what the laws without it make of it; blocks × axes
+        void add(const Eigen::MatrixXd& otherWeights, const std::vector<Eigen::MatrixXd>& other, double share) {
+            weights += share * (otherWeights - weights);
+            for (std::size_t d = 0; d < leftOut.size(); ++d) {
+                leftOut[d] += share * (other[d] - leftOut[d]);
+            }
+        }
+    };
+    [[nodiscard]] std::vector<Eigen::MatrixXd> leftOutOf(const MeanLaw& law) const {
+        std::vector<Eigen::MatrixXd> out;
+        for (std::size_t d = 0; d < m_days.size(); ++d) {
+            out.push_back(law.leftOut(d));
+        }
+        return out;
+    }
+    /// The best law, those of its form whose error on days left out is near its, and the regression if it is.
+    [[nodiscard]] Averaged averaged(const std::vector<MeanLaw>& laws, const MeanLaw& best,
+                                    const DayRms& regression) const {
+        Averaged out{best.form(), best.weights(), leftOutOf(best)};
+        double count = 1.0;
+        for (const MeanLaw& law : laws) {
+            if (&law != &best && law.form().spec == best.form().spec && law.form().heat == best.form().heat &&
+                scoreOf(law.rms()) <= scoreOf(best.rms()) + kNear * measuredAxes()) {
+                out.add(law.weights(), leftOutOf(law), 1.0 / ++count);
+            }
+        }
+        const RegressionPart& part = *m_regression.model.regression;
+        if (best.form().spec == 0 && best.form().heat == part.withSpeed.has_value() &&
+            m_regression.leftOut.size() == m_days.size() &&
+            scoreOf(regression) <= scoreOf(best.rms()) + kNearRegression * measuredAxes()) {
+            out.add(regressionWeights(best), regressionLeftOut(), kRegressionShare);
+        }
+        return out;
+    }
+    /// The regression's coefficients by the places of a law on all of its sensors.
+    [[nodiscard]] Eigen::MatrixXd regressionWeights(const MeanLaw& like) const {
+        const RegressionPart& part = *m_regression.model.regression;
+        const Eigen::MatrixXd own = solveWithout(part.withSpeed ? *part.withSpeed : part.temperatures, {});
+        Eigen::MatrixXd out = Eigen::MatrixXd::Zero(like.places(), static_cast<Index>(kAxes));
+        for (std::size_t k = 0; k < m_regression.sensors.size(); ++k) {
+            const auto place = std::ranges::find(m_sensors, m_regression.sensors[k]) - m_sensors.begin();
+            out.middleRows(place * kTermsPerSensor, kTermsPerSensor) =
+                own.middleRows(static_cast<Index>(k) * kTermsPerSensor, kTermsPerSensor);
+        }
+        if (part.withSpeed) {
+            out.bottomRows(kSpeedTerms) = own.bottomRows(kSpeedTerms);
+        }
+        return out;
+    }
+    [[nodiscard]] std::vector<Eigen::MatrixXd> regressionLeftOut() const {
+        std::vector<Eigen::MatrixXd> out(m_days.size());
+        for (const detail::LeftOutDay& left : m_regression.leftOut) {
+            out[left.day] = blockMeans(left.predicted_um, blockStep(m_days[left.day]));
+        }
+        return out;
+    }
+    [[nodiscard]] DayRms rmsOf(const Averaged& law) const {
+        DayRms out;
+        for (std::size_t d = 0; d < m_days.size(); ++d) {
+            const Eigen::MatrixXd error = m_blocks[law.form.spec][d].y - law.leftOut[d];
+            for (std::size_t axis = 0; axis < kAxes; ++axis) {
+                out[axis].push_back(
+                    std::sqrt(error.col(static_cast<Index>(axis)).squaredNorm() / static_cast<double>(error.rows())));
+            }
+        }
+        return out;
+    }
+    [[nodiscard]] ThermalModel modelOf(const MeanLaw& best, const Averaged& law) const {
+        ThermalModel model = modelOf(best);
+        NormalEquations& equations = law.form.heat ? *model.regression->withSpeed : model.regression->temperatures;
+        equations = projected(law.form, law.weights, std::move(equations));
+        return model;
+    }
+    /// Normal equations whose solution is these weights and, without some of the sensors, what the sensors left make of
+    /// the same prediction.
+    [[nodiscard]] NormalEquations projected(const Form& form, const Eigen::MatrixXd& weights,
+                                            NormalEquations like) const {
+        constexpr double kRidge = 1e-3;
+        std::vector<Index> columns;
+        for (const Index s : m_sensors) {
+            for (Index k = 0; k < kTermsPerSensor; ++k) {
+                columns.push_back(s * kTermsPerSensor + k);
+            }
+        }
+        for (Index k = 0; form.heat && k < kSpeedTerms; ++k) {
+            columns.push_back(m_available * kTermsPerSensor + k);
+        }
+        like.gram = Eigen::MatrixXd::Zero(weights.rows(), weights.rows());
+        for (const BlockDay& day : m_blocks[form.spec]) {
+            const Eigen::MatrixXd x = day.x(Eigen::all, columns);
+            like.gram += x.transpose() * x;
+        }
+        like.ridge.fill(kRidge);
+        const Index heat = static_cast<Index>(m_sensors.size()) * kTermsPerSensor;
+        Eigen::MatrixXd damped = like.gram;
+        for (Index k = 0; k < damped.rows(); ++k) {
+            damped(k, k) += (k < heat ? kRidge : kSpeedRidge) * like.gram(k, k);
+        }
+        like.moment = damped * weights;
+        return like;
+    }
+    [[nodiscard]] LawDays lawDays(const MeanLaw& law) const { return lawDays({law.form(), {}, leftOutOf(law)}); }
+    [[nodiscard]] LawDays lawDays(const Averaged& law) const {
+        const std::vector<BlockDay>& blocks = m_blocks[law.form.spec];
         const std::vector<Index> columns = termColumns(m_sensors);
         const std::vector<double> scale = scalesOf(blocks, columns);
+        const Eigen::MatrixXd whiten = whiteningOf(blocks, columns, scale);
         LawDays out;
         for (std::size_t d = 0; d < blocks.size(); ++d) {
-            const Eigen::MatrixXd predicted = law.leftOut(d);
+            const Eigen::MatrixXd& predicted = law.leftOut[d];
             const Eigen::MatrixXd x = scaledTerms(blocks[d], columns, scale);
             for (std::size_t axis = 0; axis < kAxes; ++axis) {
                 const auto a = static_cast<Index>(axis);
-                out[axis].push_back({blocks[d].time_min, x, predicted.col(a), blocks[d].y.col(a) - predicted.col(a)});
+                out[axis].push_back({blocks[d].time_min, x, x * whiten.transpose(), predicted.col(a),
+                                     blocks[d].y.col(a) - predicted.col(a)});
             }
         }
         return out;
@@ -208,6 +344,7 @@ class HierarchicalTraining {
     [[nodiscard]] LawDays regressionLawDays() const {
         const std::vector<Index> columns = termColumns(m_regression.sensors);
         const std::vector<double> scale = scalesOf(m_blocks[0], columns);
+        const Eigen::MatrixXd whiten = whiteningOf(m_blocks[0], columns, scale);
         LawDays out;
         for (const detail::LeftOutDay& left : m_regression.leftOut) {
             const BlockDay& block = m_blocks[0][left.day];
@@ -217,7 +354,7 @@ class HierarchicalTraining {
             const Eigen::MatrixXd x = scaledTerms(block, columns, scale);
             for (std::size_t axis = 0; axis < kAxes; ++axis) {
                 const auto a = static_cast<Index>(axis);
-                out[axis].push_back({block.time_min, x, predicted.col(a), error.col(a)});
+                out[axis].push_back({block.time_min, x, x * whiten.transpose(), predicted.col(a), error.col(a)});
             }
         }
         return out;
@@ -301,6 +438,12 @@ class HierarchicalTraining {
             sensors.push_back(*m_days.front().sensorIndex(sensor.name));
         }
         layer.termScale_K = scalesOf(blocks, termColumns(sensors));
+        const Eigen::MatrixXd whiten = whiteningOf(blocks, termColumns(sensors), layer.termScale_K);
+        for (Index row = 0; row < whiten.rows(); ++row) {
+            for (Index column = 0; column < whiten.cols(); ++column) {
+                layer.whiten.push_back(whiten(row, column));
+            }
+        }
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
             DayLaw& law = layer.axis[axis];
             if (m_axes[axis]) {

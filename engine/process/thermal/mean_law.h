@@ -17,8 +17,10 @@ namespace kerf::thermal::detail {
 using Index = Eigen::Index;
 
 inline constexpr Index kBlocks = 60;  // at most, of a day: block means keep what a law can see and lose the noise
-inline constexpr std::array<double, 9> kRidges{1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 1e6};
-inline constexpr double kSimpler = 0.1;        // standard errors that a simpler law may be worse by
+inline constexpr std::array<double, 11> kRidges{1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1e6};
+inline constexpr double kDaysForErrors = 8.0;
+inline constexpr double kSimpler =
+    1.0;  // standard errors that a simpler law may be worse by: the least is luck among many
 inline constexpr double kSamplesOfADay = 5.0;  // independent ones: minutes of a day are not
 inline constexpr double kPriorDays = 6.0;      // that the shrinkage of a covariance is worth
 inline constexpr double kScoreFloor_um = 0.05;
@@ -104,7 +106,9 @@ inline bool noWorse(const std::vector<double>& a, const std::vector<double>& b) 
         squares += (value - mean) * (value - mean);
     }
     const auto n = static_cast<double>(difference.size());
-    return mean <= kSimpler * std::sqrt(squares / std::max(n - 1.0, 1.0) / n);
+    // A standard error from three days says little: the rule comes in with the days.
+    const double errors = kSimpler * std::clamp((n - 2.0) / kDaysForErrors, 0.1, 1.0);
+    return mean <= errors * std::sqrt(squares / std::max(n - 1.0, 1.0) / n);
 }
 
 /// A mean law of one form on days, judged day by day without the day.
@@ -247,6 +251,21 @@ class MeanLaw {
                             solved(gram, moment, m_ridge[static_cast<std::size_t>(axis)]).col(axis);
         }
         return out;
+    }
+    /// Coefficients by all days, by the model's places; terms × axes.
+    [[nodiscard]] Eigen::MatrixXd weights() const {
+        const auto [gram, moment] = sums(m_days->size());
+        Eigen::MatrixXd out = Eigen::MatrixXd::Zero(places(), static_cast<Index>(kAxes));
+        for (Index axis = 0; axis < static_cast<Index>(kAxes); ++axis) {
+            const Eigen::VectorXd w = solved(gram, moment, m_ridge[static_cast<std::size_t>(axis)]).col(axis);
+            for (std::size_t k = 0; k < m_places.size(); ++k) {
+                out(m_places[k], axis) = w[static_cast<Index>(k)];
+            }
+        }
+        return out;
+    }
+    [[nodiscard]] Index places() const {
+        return static_cast<Index>(m_sensors.size()) * kTermsPerSensor + (m_form.heat ? kSpeedTerms : 0);
     }
     /// In the form of the model file, intervals not filled in.
     [[nodiscard]] NormalEquations equations() const {

@@ -12,6 +12,10 @@ constexpr double kAtRest_K = 0.5;        // deviation up to which the heat terms
 constexpr double kWarm_K = 1.5;          // and from which they do not count
 constexpr double kDayLasts_min = 720.0;  // without a measurement; then another day has begun
 constexpr double kSmallestHalf_um = 0.1;
+/// Share of the σ by which days differ that a prediction must reach to be corrected in full; below, by the square.
+constexpr double kDoubt = 0.5;
+/// A lost sensor is replaced by what its neighbours expect of it, which never looks strange: its doubt is added.
+constexpr double kLostDoubt = 0.2;
 constexpr double kShareLossPerMin = 0.1;  // heat terms leave slowly when the speed signal is lost
 
 }  // namespace
@@ -113,10 +117,18 @@ void ThermalEstimator::applyDay(double time_min, ThermalPrediction& out) noexcep
         bool bounded = false;
         m_now.term[k] = scale_K > 0.0 ? clampedTerm(k / kTermsPerSensor, k % kTermsPerSensor, bounded) / scale_K : 0.0;
     }
+    m_day.setLever(m_now);
     const Solved& reference = m_withSpeed ? *m_withSpeed : m_plain;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         m_now.mean_um[axis] = out.drift_um[axis];
-        m_now.spread[axis] = out.half_um[axis] / reference.half_um[lostSetIndex(m_count)][axis];
+        // What days differ by may be larger than what the mean law says of today: then it is not evidence enough for a
+        // correction of that size.
+        const double doubt_um = kDoubt * m_day.coefficientSpread_um(m_now, axis);
+        const double square_um2 = out.drift_um[axis] * out.drift_um[axis];
+        out.drift_um[axis] *= square_um2 / std::max({square_um2, doubt_um * doubt_um, 1e-12});
+        m_now.mean_um[axis] = out.drift_um[axis];
+        m_now.spread[axis] =
+            out.half_um[axis] / reference.half_um[lostSetIndex(m_count)][axis] * (1.0 + kLostDoubt * out.lostSensors);
         const DayPosterior::Correction correction = m_day.at(m_now, axis);
         out.drift_um[axis] += correction.shift_um;
         out.half_um[axis] = std::max(correction.half_um, kSmallestHalf_um);

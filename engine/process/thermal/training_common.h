@@ -63,6 +63,7 @@ struct JudgedRegression {
 struct LawDay {
     Eigen::VectorXd time_min{};
     Eigen::MatrixXd x{};        ///< rows × terms, scaled as in DayInstant::term
+    Eigen::MatrixXd z{};        ///< as DayInstant::lever
     Eigen::VectorXd mean_um{};  ///< predicted without the day
     Eigen::VectorXd error_um{};
 };

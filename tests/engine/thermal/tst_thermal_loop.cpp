@@ -288,6 +288,7 @@ class TestThermalLoop : public QObject {
         QVERIFY(bench.warmUp(3000.0, 40.0));
         bench.runMinutes(1.0);
         QVERIFY(bench.thermal().learns);
+        const auto before_um = bench.thermal().half_um;
         QVERIFY(bench.execute(MeasureOrigin{}).done);
         bench.runMinutes(0.2);
         QCOMPARE(bench.thermal().gap.phase, GapPhase::Done);
@@ -296,6 +297,12 @@ class TestThermalLoop : public QObject {
         QCOMPARE(learnt.drift_um[2], static_cast<double>(static_cast<float>(bench.thermal().gap.measured_um[2])));
         bench.runMinutes(1.5);
         QVERIFY(std::abs(bench.thermal().drift_um[2] - bench.thermal().gap.measured_um[2]) < 2.0);
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            QVERIFY2(
+                bench.thermal().half_um[axis] < before_um[axis],
+                qPrintable(
+                    QStringLiteral("%1: %2 %3").arg(axis).arg(before_um[axis]).arg(bench.thermal().half_um[axis])));
+        }
         // It acts by itself: nothing is left to take over.
         QVERIFY(!bench.execute(AdoptMeasurement{}).done);
         // A restart goes on with what the day taught.
