@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sensors.h"
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <QDateTime>
-#include <algorithm>
 #include <cstdio>
 
+#include "app/sensors/gauge_frames.h"
 #include "app/sensors/monotonic.h"
 
 namespace kerf::console {
@@ -63,11 +62,7 @@ std::optional<std::string> ConsoleSensors::nextGaugeFrame() {
             continue;
         }
         m_lastGauge = event.gauge;
-        const std::string channel(event.channel.data());
-        const bool numbered = !channel.empty() && channel.size() <= 2 &&
-                              std::ranges::all_of(channel, [](char c) { return c >= '0' && c <= '9'; });
-        return fmt::format("{}{:+.5f}{}", numbered ? channel + 'A' : std::string{}, event.value,
-                           event.inch ? "in" : "mm");
+        return sensors::wedgeFrame(m_file.gauges[event.gauge], event.channel.data(), event.value, event.inch);
     }
     return std::nullopt;
 }

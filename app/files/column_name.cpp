@@ -29,9 +29,9 @@ constexpr std::array kSpellings{
     Spelling{"/", " per "},
 };
 
-constexpr std::array<std::array<std::string_view, 14>, 10> kSameThings{{
+constexpr std::array<std::array<std::string_view, 15>, 10> kSameThings{{
     {"t", "time", "zeit", "elapsed", "elapsed time", "x value", "uhrzeit", "timestamp", "time stamp", "date time",
-     "datum per zeit", "date per time", "\xEC\x8B\x9C\xEA\xB0\x84", "\xEC\x8B\x9C\xEA\xB0\x81"},
+     "date&time", "datum per zeit", "date per time", "\xEC\x8B\x9C\xEA\xB0\x84", "\xEC\x8B\x9C\xEA\xB0\x81"},
     {"part", "number", "part no", "part number", "part nr", "teil", "nr", "no", "\xEB\xB6\x80\xED\x92\x88"},
     {"overhang", "position", "bore position"},
     {"diameter", "dia", "bore diameter", "durchmesser", "\xEB\x82\xB4\xEA\xB2\xBD", "\xEC\xA7\x81\xEA\xB2\xBD"},

@@ -458,6 +458,18 @@ void Table::dropRowsWithGaps(const std::vector<std::string_view>& names) {
                 count == 1 ? std::string("the row was") : fmt::format("this and {} more rows were", count - 1)));
         }
     }
+    keepRows(drop);
+}
+
+void Table::dropRows(const std::vector<std::size_t>& which) {
+    std::vector<bool> drop(rows(), false);
+    for (const std::size_t row : which) {
+        drop.at(row) = true;
+    }
+    keepRows(drop);
+}
+
+void Table::keepRows(const std::vector<bool>& drop) {
     std::size_t kept = 0;
     for (std::size_t row = 0; row < drop.size(); ++row) {
         if (drop[row]) continue;

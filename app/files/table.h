@@ -72,6 +72,9 @@ class Table {
     /// @throws BadInput for a missing column, or for a cell that is text
     void dropRowsWithGaps(const std::vector<std::string_view>& names);
 
+    /// Leaves out these rows (ascending), without a note.
+    void dropRows(const std::vector<std::size_t>& which);
+
     /// Of a row, or of the header; from 1.
     [[nodiscard]] std::uint32_t lineOf(std::size_t row) const { return m_lines.at(row); }
     [[nodiscard]] std::uint32_t headerLine() const noexcept { return m_headerLine; }
@@ -95,6 +98,7 @@ class Table {
     [[nodiscard]] UnitChange changeFor(std::size_t column, std::string_view name) const;
     [[nodiscard]] UnitChange changeTo(std::size_t column, std::string_view unit, std::string_view name) const;
     void requireOneMark(std::size_t column) const;
+    void keepRows(const std::vector<bool>& drop);
     [[noreturn]] void refuseCell(std::size_t row, std::size_t column) const;
 
     static constexpr std::size_t kMarks = 7;

@@ -39,6 +39,12 @@ bool isUnitsRow(const Fields& row) {
     return units > 0;
 }
 
+/// "NO.;Time;ms;degC;degC;A1234567890": a logger's second header line, that has words for columns without a unit.
+bool isMostlyUnits(const Fields& row) {
+    const auto units = static_cast<std::size_t>(std::ranges::count_if(row.all(), isUnitWord));
+    return units > 1 && 2 * units >= row.filled() && row.dataLike() == 0;
+}
+
 bool isHeader(const Fields& row) {
     return row.filled() > 0 && row.dataLike() == 0;
 }
@@ -184,9 +190,11 @@ Candidate look(const std::vector<Line>& lines, char separator, std::size_t least
             before.cut(lines[previous].text, separator);
             bool header = isHeader(before) || isUnitsRow(before);
             std::size_t at = previous;
-            if (header && isUnitsRow(before) && beforePrevious < lines.size()) {
+            const bool units = isUnitsRow(before);
+            if (header && (units || isMostlyUnits(before)) && beforePrevious < lines.size()) {
                 above.cut(lines[beforePrevious].text, separator);
-                if (isHeader(above) && above.width() >= before.width()) {
+                const bool names = units || (!isMostlyUnits(above) && above.filled() == before.filled());
+                if (isHeader(above) && above.width() >= before.width() && names) {
                     at = beforePrevious;
                     before = above;
                 }
@@ -365,6 +373,11 @@ TableLayout lvmLayout(const std::vector<Line>& lines, const ReadOptions& options
         if (text.empty()) {
             continue;
         }
+        if (options.separator == 0 && range.begin == 0 && text.starts_with("Separator")) {
+            const std::string value = normalised(text.substr(std::string_view("Separator").size()));
+            layout.separator = value == "comma" ? ',' : value == "semicolon" ? ';' : '\t';
+            continue;
+        }
         const std::string_view key = fields[0];
         if (text.starts_with("***End_of_Header***")) {
             header = segment;
@@ -404,10 +417,7 @@ TableLayout lvmLayout(const std::vector<Line>& lines, const ReadOptions& options
             }
             continue;
         }
-        if (key == "Separator" && options.separator == 0) {
-            const std::string value = normalised(text.substr(key.size()));
-            layout.separator = value == "comma" ? ',' : value == "semicolon" ? ';' : '\t';
-        } else if (key == "Decimal_Separator" && options.decimal == 0) {
+        if (key == "Decimal_Separator" && options.decimal == 0) {
             layout.decimal = fields.size() > 1 && fields[1] == "," ? ',' : text.ends_with(',') ? ',' : '.';
         } else if (key == "X_Columns") {
             columns = normalised(fields.size() > 1 ? fields[1] : std::string_view()) != "no";
@@ -549,7 +559,7 @@ TableLayout findLayout(const std::vector<Line>& all, const ReadOptions& options,
         layout.headerLine = lines[chosen.header].number;
         if (chosen.units != chosen.header) {
             fields.cut(lines[chosen.units].text, layout.separator);
-            if (isUnitsRow(fields)) setUnits(layout, fields);
+            setUnits(layout, fields);
         }
         for (std::size_t i = 0; i < chosen.header; ++i) {
             layout.headerBlockLines += trimmedCell(lines[i].text).empty() || isComment(lines[i].text) ? 0U : 1U;

@@ -22,6 +22,7 @@ using files::utf8Of;
 constexpr std::array<const char*, 3> kMeasured{"yx_meas", "yy_meas", "yz_meas"};
 constexpr std::array<const char*, 3> kTrue{"yx_true", "yy_true", "yz_true"};
 constexpr double kLongestDay_min = 2880.0;                             ///< longer is a day in seconds
+constexpr double kCoarsest_min = 30.0;                                 ///< between rows; coarser is a row a minute in s
 constexpr double kWarmestShop_degC = 50.0;                             ///< at the baseline; above: degrees Fahrenheit
 constexpr Eigen::Index kBridged = 2;                                   ///< rows in a row
 constexpr std::size_t kFewWords = 20;                                  ///< numbers to one word that is a mark
@@ -160,6 +161,11 @@ void requireUnits(const Table& table, const thermal::ThermalHistory& history) {
     if (span_min > kLongestDay_min) {
         throw BadInput(fmt::format("{}{} min is longer than two days; expected minutes, not seconds.",
                                    table.where(history.time_min.size() - 1, "t_min"), span_min));
+    }
+    const auto rows = static_cast<double>(history.time_min.size());
+    if (const double apart_min = span_min / std::max(1.0, rows - 1.0); rows > 2 && apart_min >= kCoarsest_min) {
+        throw BadInput(fmt::format("{}the rows are {:.3g} min apart; expected minutes, not seconds.",
+                                   table.where(1, "t_min"), apart_min));
     }
     std::vector<double> starts;
     const Eigen::Index baseline = std::max<Eigen::Index>(1, history.baselineRows());
@@ -335,6 +341,7 @@ thermal::ThermalModel readThermalModel(const std::string& path) {
 
 void requireMicrometres(const thermal::ThermalHistory& history, const std::string& path) {
     constexpr double kSmallest_um = 0.5;
+    constexpr double kLargest_um = 5000.0;
     const bool measured = history.drift_um.size() > 0;
     const Eigen::MatrixXd& drift = measured ? history.drift_um : history.trueDrift_um;
     double largest_um = 0.0;
@@ -351,6 +358,10 @@ void requireMicrometres(const thermal::ThermalHistory& history, const std::strin
                 rise_K = std::max(rise_K, history.temp_degC(row, s) - history.temp_degC(0, s));
             }
         }
+    }
+    if (largest_um > kLargest_um) {
+        throw BadInput(fmt::format("{}, column {}: largest drift is {:.0f}; expected um, at most {:.0f}, not nm.",
+                                   utf8Of(path), measured ? kMeasured[0] : kTrue[0], largest_um, kLargest_um));
     }
     if (drift.size() > 0 && largest_um < kSmallest_um && rise_K > 1.0) {
         throw BadInput(

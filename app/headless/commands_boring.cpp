@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/files/output.h"
+#include "app/files/slip.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/read_options.h"
@@ -26,13 +27,20 @@ struct ReplayOptions {
     std::shared_ptr<files::ReadOptions> read{};
 };
 
+/// What a slipped value may have been meant as; empty without a guess.
+std::string guess(double value_mm, double target_mm) {
+    const auto slip = files::slipTo(value_mm, target_mm);
+    return slip ? fmt::format(" {}", slip->guess) : std::string();
+}
+
 /// Rows of the file as the tracker takes them; the id of an entry is its row.
 std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& options, Table& table,
                                                         const boring::FeedLawParams& feed) {
     const bool diameters = options.targetDiameter_mm > 0.0;
     const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
     if (diameters) {
-        table.dropRowsWithGaps({valueName});  // a bore the gauge gave no value for; what is computed must be there
+        // A bore without a value, or of which nobody knows how it was cut; what is computed must be there.
+        table.dropRowsWithGaps({valueName, "overhang_mm", "feed_mm_per_rev"});
     }
     const auto& part = table.column("part");
     const auto& overhang_mm = table.column("overhang_mm");
@@ -41,6 +49,9 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
     table.requireRange("part", 1.0, kMaxPart);
     table.requireRange("overhang_mm", kSmallest, kMaxOverhang_mm);
     table.requireRange("feed_mm_per_rev", kSmallest, kMaxFeed_mmPerRev);
+    if (const auto slipped = files::slippedStation(overhang_mm)) {
+        files::askAbout(table, "overhang_mm", overhang_mm[slipped->row], slipped, options.acceptImplausible);
+    }
     if (table.rows() == 0) {
         throw BadInput(fmt::format("{}: no measurements; expected at least one row under the header.", table.file()));
     }
@@ -57,10 +68,12 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
                       : value[row];
         if (!(deflection_mm > 0.0)) {
             throw BadInput(
-                diameters ? fmt::format("{}{} means a deflection of {} mm; expected a bore that leaves it above 0.",
-                                        table.where(row, valueName), value[row], deflection_mm)
-                          : fmt::format("{}{} is out of range; expected a deflection above 0.",
-                                        table.where(row, valueName), value[row]));
+                diameters
+                    ? fmt::format("{}{} means a deflection of {:.4f} mm; expected a bore that leaves it above 0.{}",
+                                  table.where(row, valueName), value[row], deflection_mm,
+                                  guess(value[row], options.targetDiameter_mm))
+                    : fmt::format("{}{} is out of range; expected a deflection above 0.", table.where(row, valueName),
+                                  value[row]));
         }
         const auto number = static_cast<std::uint32_t>(part[row]);
         rowsOfPart.resize(std::max<std::size_t>(rowsOfPart.size(), number + 1));
@@ -74,22 +87,6 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
             {static_cast<std::int64_t>(row), number, {overhang_mm[row], feed_mmPerRev[row], deflection_mm, atLimit}});
     }
     return entries;
-}
-
-/// What a slipped value may have been meant as; empty without a guess.
-std::string guess(double value_mm, double target_mm) {
-    constexpr double kInch_mm = 25.4;
-    constexpr double kNear = 0.02;
-    for (const auto& [factor, name] : {std::pair(kInch_mm, " inch?"),
-                                       {10.0, " a digit too few?"},
-                                       {0.1, " a digit too many?"},
-                                       {1000.0, " metres?"},
-                                       {0.001, " micrometres?"}}) {
-        if (std::abs(value_mm * factor / target_mm - 1.0) < kNear) {
-            return name;
-        }
-    }
-    return {};
 }
 
 /// The console's own question, |ln(d/d_predicted)| against its limit, with what was known before the part.

@@ -7,6 +7,7 @@
 
 #include "app/files/labelled_table.h"
 #include "app/files/output.h"
+#include "app/files/slip.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/read_options.h"
@@ -32,6 +33,7 @@ struct CapabilityOptions {
     std::optional<double> upper{};
     std::optional<double> target{};
     double confidence{quality::kCapabilityConfidence};
+    bool acceptImplausible{false};
     bool json{false};
     std::shared_ptr<files::ReadOptions> read{};
 };
@@ -41,6 +43,24 @@ void put(ordered_json& report, const char* key, const std::optional<quality::Ind
     report[name] = index ? ordered_json(index->value) : ordered_json(nullptr);
     report[name + "_low"] = index ? ordered_json(index->low) : ordered_json(nullptr);
     report[name + "_high"] = index ? ordered_json(index->high) : ordered_json(nullptr);
+}
+
+/// Values in another unit than the limits they are judged by.
+void requireUnitOf(const LabelledTable& table, std::size_t column, std::vector<double> values, double lower,
+                   double upper) {
+    const double meant = 0.5 * (lower + upper);
+    const double width = upper - lower;
+    if (values.empty() || width > 0.2 * std::abs(meant)) {
+        return;  // around zero, or too wide to tell
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    if (const auto slip = files::slipTo(*middle, meant, 2.0 * width / std::abs(meant))) {
+        throw BadInput(
+            fmt::format("{}values around {:.6g} do not fit a tolerance of {} to {}; {} --accept-implausible takes them "
+                        "all the same.",
+                        table.table().where(0, table.table().names()[column]), *middle, lower, upper, slip->guess));
+    }
 }
 
 void capability(const CapabilityOptions& options) {
@@ -54,6 +74,10 @@ void capability(const CapabilityOptions& options) {
     const std::size_t column = table.valueColumn(options.column);
     table.dropGaps(column);
     const std::vector<double> values = table.numbers(column);
+    askAboutSlips(table, column, values, options.acceptImplausible);
+    if (options.lower && options.upper && !options.acceptImplausible) {
+        requireUnitOf(table, column, values, *options.lower, *options.upper);
+    }
     const bool quiet = quality::isSteadySeries(values);
     const quality::Capability result =
         quality::capability(values, {options.lower, options.upper, {}}, quiet, options.confidence);
@@ -82,6 +106,7 @@ void capability(const CapabilityOptions& options) {
 }
 
 struct StudyOptions {
+    bool acceptImplausible{false};
     std::string file{};
     std::string method{};
     std::optional<double> tolerance{};
@@ -94,8 +119,8 @@ ordered_json typeOne(const StudyOptions& options, const LabelledTable& table) {
     if (!options.tolerance) {
         throw CLI::ValidationError("--tolerance", "is needed for --method type1");
     }
-    const auto study =
-        quality::typeOneStudy(table.numbers(table.valueColumn("value")), *options.tolerance, options.reference);
+    const std::vector<double> values = table.numbers(table.valueColumn("value"));
+    const auto study = quality::typeOneStudy(values, *options.tolerance, options.reference);
     if (!study) {
         throw BadInput(fmt::format("{}: {}", options.file, study.error().english()));
     }
@@ -195,12 +220,27 @@ ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
 }
 
 void gaugeStudy(const StudyOptions& options) {
-    const LabelledTable table = LabelledTable::read(options.file, *options.read);
+    LabelledTable table = LabelledTable::read(options.file, *options.read);
+    const std::size_t column = table.valueColumn("value");
+    if (options.method == "type1") {
+        table.dropGaps(column);  // the other studies need every reading
+    }
+    askAboutSlips(table, column, table.numbers(column), options.acceptImplausible);
     printJson(options.method == "type1" ? typeOne(options, table) : crossed(options, table));
     tellNotes(table.table());
 }
 
 }  // namespace
+
+void addAcceptImplausible(CLI::App& command, bool& accepted) {
+    command.add_flag("--accept-implausible", accepted, "Take values that cannot be meant: a decade or an inch away");
+}
+
+void askAboutSlips(const LabelledTable& table, std::size_t column, const std::vector<double>& values, bool accepted) {
+    if (const auto slipped = files::slippedAmongItsLike(values)) {
+        files::askAbout(table.table(), table.table().names()[column], values[slipped->row], slipped, accepted);
+    }
+}
 
 void addQualityCapability(CLI::App& quality) {
     const auto options = std::make_shared<CapabilityOptions>();
@@ -221,6 +261,7 @@ void addQualityCapability(CLI::App& quality) {
         ->check(CLI::Range(0.5, 0.9999))
         ->capture_default_str();
     command->add_flag("--json", options->json, "JSON (the only form)");
+    addAcceptImplausible(*command, options->acceptImplausible);
     command->callback([options] { capability(*options); });
 }
 
@@ -242,6 +283,7 @@ void addQualityGaugeStudy(CLI::App& quality) {
     command->add_option("--tolerance", options->tolerance, "T, width of the tolerance the gauge is for");
     command->add_option("--reference", options->reference, "type1: true size of the ring");
     command->add_flag("--json", options->json, "JSON (the only form)");
+    addAcceptImplausible(*command, options->acceptImplausible);
     command->callback([options] { gaugeStudy(*options); });
 }
 

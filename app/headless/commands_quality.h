@@ -2,9 +2,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <vector>
 
 /// The parts of `kerf quality`.
 namespace kerf::headless {
+
+class LabelledTable;
+
+/// --accept-implausible, which the console's own question would be.
+void addAcceptImplausible(CLI::App& command, bool& accepted);
+/// A value a decade or an inch away from all others. @throws BadInput unless accepted
+void askAboutSlips(const LabelledTable& table, std::size_t column, const std::vector<double>& values, bool accepted);
 
 void addQualityCharts(CLI::App& quality);
 void addQualityCapability(CLI::App& quality);

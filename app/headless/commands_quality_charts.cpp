@@ -11,6 +11,7 @@
 #include "app/headless/commands_quality.h"
 #include "app/headless/quality_lot.h"
 #include "app/headless/read_options.h"
+#include "engine/process/boring/feed_law.h"
 #include "engine/process/boring/one_step_error.h"
 #include "engine/quality/charts.h"
 
@@ -29,6 +30,7 @@ struct ChartsOptions {
     std::optional<double> sigma{};
     quality::ChartParams params{};
     bool startLimits{false};
+    bool acceptImplausible{false};
     BoringOptions boring{};
     bool json{false};
     bool csv{false};
@@ -96,16 +98,26 @@ Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
         boring::PartVisit visit;
         const bool sane = part[row] >= 1.0 && part[row] <= 1e9 && part[row] == std::floor(part[row]);
         if (!sane) {
-            throw BadInput(fmt::format("{}, row {}: part {} is no number from 1.", options.file, row + 1, part[row]));
+            throw BadInput(fmt::format("{}{} is no number from 1.", table.table().where(row, "part"), part[row]));
         }
         visit.part = static_cast<std::uint32_t>(part[row]);
         for (; row < table.rows() && static_cast<double>(visit.part) == part[row]; ++row) {
             if (!(overhang[row] > 0.0 && feed[row] > 0.0 && deflection[row] > 0.0) || visit.count == kMaxBoreDepths) {
-                throw BadInput(fmt::format(
-                    "{}, row {}: overhang, feed and deflection must be above 0, and a part has at most {} bores.",
-                    options.file, row + 1, kMaxBoreDepths));
+                throw BadInput(
+                    fmt::format("{}overhang, feed and deflection must be above 0, and a part has at most {} bores.",
+                                table.table().where(row, "deflection_mm"), kMaxBoreDepths));
             }
-            visit.rows[visit.count++] = {overhang[row], feed[row], deflection[row], false};
+            visit.rows[visit.count] = {overhang[row], feed[row], deflection[row], false};
+            const auto verdict = boring::judgeEntry(state, params, visit.rows[visit.count++]);
+            if (verdict.verdict != boring::GateVerdict::Accept) {
+                const std::string what =
+                    fmt::format("{}{} cannot be meant: {}", table.table().where(row, "deflection_mm"), deflection[row],
+                                verdict.reason.english());
+                if (!options.acceptImplausible) {
+                    throw BadInput(what + " --accept-implausible takes it all the same.");
+                }
+                table.table().note(what + " Taken, as was asked for.");
+            }
         }
         const boring::OneStepError error = boring::oneStepError(state, params, visit);
         std::array<boring::RowOutcome, kMaxBoreDepths> outcomes{};
@@ -121,6 +133,7 @@ Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
             series.points.push_back(std::move(point));
         }
     }
+    tellNotes(table.table());
     return series;
 }
 
@@ -133,6 +146,9 @@ Series ofFile(const ChartsOptions& options) {
     const std::size_t column = errors ? table.column("error") : table.valueColumn(options.column);
     table.dropGaps(column);
     const auto values = table.numbers(column);
+    if (!errors) {
+        askAboutSlips(table, column, values, options.acceptImplausible);
+    }
     Series series;
     const quality::CentreLine line = quality::centreLine(values);
     series.source = errors ? "standardised errors of the file" : "values of the file";
@@ -323,6 +339,7 @@ void addQualityCharts(CLI::App& quality) {
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
     options->boring.addTo(*command);
+    addAcceptImplausible(*command, options->acceptImplausible);
     CLI::Option* json = command->add_flag("--json", options->json, "JSON (default)");
     command->add_flag("--csv", options->csv, "CSV")->excludes(json);
     command->callback([options] { charts(*options); });

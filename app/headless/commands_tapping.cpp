@@ -224,6 +224,13 @@ void evaluate(const EvaluateOptions& options) {
     const ThreadPreset* thread = threadFor(options.thread, options.pitch_mm);
     Table table = Table::read(options.file, *options.read);
     table.dropRowsWithGaps({"t_s", "spindle_rev", "z_mm"});  // a sample without a value is a missing tick
+    if (const auto strayed = strayedSamples(table.column("spindle_rev"), table.column("z_mm"), options.pitch_mm);
+        !strayed.empty()) {
+        table.note(fmt::format("{}the sample is no motion of spindle or Z; {} left out.",
+                               table.where(strayed.front(), "z_mm"),
+                               strayed.size() == 1 ? "it is" : fmt::format("{} such samples are", strayed.size())));
+        table.dropRows(strayed);
+    }
     const std::span<const double> time_s(table.column("t_s"));
     const std::span<const double> spindle_rev(table.column("spindle_rev"));
     const std::span<const double> z_mm(table.column("z_mm"));

@@ -79,6 +79,22 @@ void requireConsecutive(const Table& table, const std::vector<double>& samples) 
     }
 }
 
+/// A diamond tool takes some .01 to 10 N per µm of chip: what is a thousand away is in mN or in kN.
+void requireNewtons(const Table& table, const std::vector<double>& force_N, double largestChip_um) {
+    constexpr double kLeast_NPerUm = 5e-4;
+    constexpr double kMost_NPerUm = 50.0;
+    const double largest_N = std::ranges::max(force_N | std::views::transform([](double f) { return std::abs(f); }));
+    if (!(largestChip_um > 0.0) || largest_N == 0.0) {
+        return;
+    }
+    const double ratio_NPerUm = largest_N / largestChip_um;
+    if (ratio_NPerUm < kLeast_NPerUm || ratio_NPerUm > kMost_NPerUm) {
+        throw BadInput(fmt::format("{}the largest force is {:.4g} at chips of {:.4g} µm; expected N, not {}.",
+                                   table.where(0, "f_n"), largest_N, largestChip_um,
+                                   ratio_NPerUm < kLeast_NPerUm ? "kN" : "mN"));
+    }
+}
+
 void addIdentify(CLI::App& turning) {
     auto options = std::make_shared<IdentifyOptions>();
     CLI::App* command = turning.add_subcommand(
@@ -109,6 +125,7 @@ void addIdentify(CLI::App& turning) {
             throw BadInput(
                 fmt::format("{}the largest chip is {} µm; expected µm, not mm.", table.where(0, "u_um"), largest_um));
         }
+        requireNewtons(table, force_N, largest_um);
         ProcessIdentifier identifier(options->params);
         CsvOutput csv("k,a1,b0,b1,trace");
         for (std::size_t i = 0; i < table.rows(); ++i) {

@@ -382,6 +382,8 @@ Scenario readScenario(const std::string& text, const std::string& where, const s
         });
     } catch (const BadInput&) {
         throw BadInput(fmt::format("{}: nested deeper than {} levels; a scenario is not.", where, kDeepest));
+    } catch (const Json::parse_error& error) {  // its words hold the text as it stands there, whatever that is
+        throw BadInput(fmt::format("{}: no JSON from byte {} on; expected a scenario.", where, error.byte));
     } catch (const Json::exception& error) {
         throw BadInput(fmt::format("{}: no JSON: {}.", where, error.what()));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sensors/gauge_frames.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -85,6 +87,16 @@ std::optional<GaugeFrame> parseGaugeFrame(const Gauge& gauge, const std::string&
             break;
     }
     return parseByPattern(gauge, line);
+}
+
+std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch) {
+    const auto known = std::ranges::find(gauge.depths, channel, &std::pair<std::string, int>::first);
+    const bool numbered = !channel.empty() && channel.size() <= 2 &&
+                          std::ranges::all_of(channel, [](char c) { return c >= '0' && c <= '9'; });
+    const std::string sent = known != gauge.depths.end() ? fmt::format("{:02}A", known->second)
+                             : numbered                  ? channel + 'A'
+                                                         : std::string{};
+    return fmt::format("{}{:+.5f}{}", sent, value, inch ? "in" : "mm");
 }
 
 std::string whyNotAPattern(const std::string& pattern) {

@@ -23,6 +23,10 @@ struct GaugeFrame {
 ///   pattern     the file's regular expression: group 1 the value, group 2 the channel
 [[nodiscard]] std::optional<GaugeFrame> parseGaugeFrame(const Gauge& gauge, const std::string& line);
 
+/// The same reading as a keyboard wedge would type it, channel first ("02A+50.01200mm"). A channel that the file gives
+/// a depth has that depth's number, another its own; one that is neither is left out.
+[[nodiscard]] std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch);
+
 /// Reason against a pattern; empty: it can be used.
 [[nodiscard]] std::string whyNotAPattern(const std::string& pattern);
 

@@ -50,6 +50,8 @@ Json parseStrictly(const std::string& text) {
         const std::size_t column = end - (before == std::string::npos ? 0 : before + 1) + 1;
         throw SensorFileFault(fmt::format(
             "line {}, column {}: this is no JSON from here on; expected a complete JSON object.", line, column));
+    } catch (const Json::out_of_range&) {
+        throw SensorFileFault("the file: a number is too large to be stored; expected a sensor file.");
     }
     if (deep) {
         throw SensorFileFault(

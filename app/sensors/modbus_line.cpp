@@ -65,7 +65,6 @@ ModbusLine::ModbusLine(const SensorFile& file, const std::vector<std::size_t>& m
     m_next.setSingleShot(true);
     m_next.setTimerType(Qt::PreciseTimer);
     m_patience.setSingleShot(true);
-    m_patience.setInterval(kConnect_ms);
     connect(&m_next, &QTimer::timeout, this, &ModbusLine::next);
     connect(&m_patience, &QTimer::timeout, this, [this] {
         dropClient();
@@ -125,7 +124,7 @@ void ModbusLine::connectNow() {
     if (!m_client) {
         makeClient();
     }
-    m_patience.start();
+    m_patience.start(kConnect_ms);
     if (!m_client->connectDevice()) {
         dropClient();
         m_next.start(kReconnect_ms);
@@ -182,6 +181,8 @@ void ModbusLine::ask() {
     const Module& module = m_file.modules[unit.module];
     const Block& block = unit.plan.blocks[m_block];
     m_client->setTimeout(module.timeout_ms);
+    // A client whose adapter was pulled out waits for ever for its question to be written.
+    m_patience.start(module.timeout_ms + kUnwritten_ms);
     const QModbusDataUnit question(kindOf(block.function), block.address, static_cast<quint16>(block.count));
     ++m_counts.asked;
     m_reply.reset(m_client->sendReadRequest(question, module.unit));
@@ -200,6 +201,7 @@ void ModbusLine::ask() {
 }
 
 void ModbusLine::answered(QModbusReply& reply) {
+    m_patience.stop();
     Unit& unit = m_units[m_unit];
     const Block& block = unit.plan.blocks[m_block];
     // Bits come in whole bytes, registers exactly as asked for.

@@ -28,6 +28,7 @@ class ModbusLine : public QObject {
     static constexpr int kLateAnswer_ms = 2000;
     static constexpr int kReconnect_ms = 1000;
     static constexpr int kConnect_ms = 3000;
+    static constexpr int kUnwritten_ms = 1000;  ///< a question without even a time-out, behind its time-out
 
     /// `modules` are those of this line; `judges` one per channel of the file, all outlive the line.
     ModbusLine(const SensorFile& file, const std::vector<std::size_t>& modules, std::vector<ChannelJudge>& judges,
@@ -73,7 +74,7 @@ class ModbusLine : public QObject {
     std::unique_ptr<QModbusClient> m_client;
     std::unique_ptr<QModbusReply> m_reply;
     QTimer m_next;          ///< the next question, or the next attempt to connect
-    QTimer m_patience;      ///< with a connection that does not come about
+    QTimer m_patience;      ///< with a connection that does not come about, and with a question that ends in nothing
     std::size_t m_unit{0};  ///< of the round under way
     std::size_t m_block{0};
     bool m_inRound{false};

@@ -4585,6 +4585,10 @@
             <source>This job began from no stored tuning.</source>
             <translation>This job began from no stored tuning.</translation>
         </message>
+        <message>
+            <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
+            <translation>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -4584,6 +4584,10 @@
             <source>This job began from no stored tuning.</source>
             <translation>이 작업은 저장된 튜닝에서 시작하지 않았습니다.</translation>
         </message>
+        <message>
+            <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
+            <translation>angle_rev이면 %1 rpm입니다. 최소 %2 rpm이어야 합니다. 시간이 ms입니까?</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -245,6 +245,29 @@ class TestTables : public QObject {
             "***End_of_Header***\t\nX_Value\tforce_y_n\tComment\n\t1.5\n\t1.6\n");
         QCOMPARE(timeless.column("t_s"), (std::vector<double>{0.0, 0.0002}));
     }
+    void labviewWithCommas() {
+        const Table read = table(
+            "LabVIEW Measurement,\nWriter_Version,2\nSeparator,Comma\nDecimal_Separator,.\nX_Columns,One\n"
+            "***End_of_Header***,\n\nChannels,2\nSamples,2,2\nX0,0.0,0.0\nDelta_X,0.001,0.001\n"
+            "***End_of_Header***\nX_Value,force_y_n,angle_rev,Comment\n0.000,1.5,0.1\n0.001,1.6,0.2,\"a, b\"\n");
+        QCOMPARE(read.column("t_s"), (std::vector<double>{0.0, 0.001}));
+        QCOMPARE(read.column("force_y_n"), (std::vector<double>{1.5, 1.6}));
+        QCOMPARE(read.column("angle_rev"), (std::vector<double>{0.1, 0.2}));
+    }
+    void aSecondHeaderLineOfUnitsWithWordsBetween() {
+        const Table read = table(
+            "Model,GL840\nAMP settings\nCH,Signal name,Input,Range\nCH1,front,TEMP,TC_K\nData\n"
+            "Number,Date&Time,ms,CH1,CH2,AlarmOut\nNO.,Time,ms,degC,degC,A1234567890\n"
+            "1,2026-11-27 08:00:00,0,+22.1,+22.3,LLLL\n2,2026-11-27 08:01:00,0,+22.2,+BURNOUT,LLLL\n"
+            "3,2026-11-27 08:02:00,0,+22.4,+22.5,LLLL\n");
+        QCOMPARE(read.column("CH1"), (std::vector<double>{22.1, 22.2, 22.4}));
+        QCOMPARE(read.nameOf(*read.find("CH2")).base, std::string("ch2"));
+        QVERIFY(!read.columnWithGaps("CH2")[1]);
+        QCOMPARE(read.column("t_s"), (std::vector<double>{0.0, 60.0, 120.0}));
+        // a header of words that happen to be units, under a title: still the header
+        const Table plain = table("Messung,Nr,7\n\nt_s,N,F\n0,1,2\n1,2,3\n");
+        QCOMPARE(plain.column("t_s"), (std::vector<double>{0.0, 1.0}));
+    }
     void halscope() {
         const Table read = table("spindle.0.revs;z_mm;\n0.00100000;1.2000;\n0.00200000;1.3000;\n");
         QCOMPARE(read.column("z_mm"), (std::vector<double>{1.2, 1.3}));

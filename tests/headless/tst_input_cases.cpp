@@ -442,6 +442,141 @@ class TestInputCases : public QObject {
         QVERIFY2(run.exitCode == 0, qPrintable(run.err));
         QCOMPARE(run.out, predict("T0.csv").out);
     }
+    // ── values that cannot be meant, of our own
+    void aStationOrAValueThatSlippedIsRefusedAndTakenOnRequest() {
+        QList<QByteArray> lines = bytesOf(caseFile("05-boring-unit-slip/good.csv")).trimmed().split('\n');
+        const auto overhang = lines[0].split(',').indexOf("overhang_mm");
+        const auto withOverhang = [&](double factor) {
+            QList<QByteArray> changed = lines;
+            QList<QByteArray> cells = changed[7].split(',');
+            cells[overhang] = QByteArray::number(cells[overhang].toDouble() * factor, 'g', 6);
+            changed[7] = cells.join(',');
+            return put("overhang.csv", changed.join('\n'));
+        };
+        for (const double factor : {10.0, 0.1, 1.0 / 25.4}) {
+            const QString file = withOverhang(factor);
+            expectRefused(runKerf(boring(file)), {"line 8", "overhang_mm", "--accept-implausible"});
+            QCOMPARE(runKerf(boring(file) + QStringList{"--accept-implausible"}).exitCode, 0);
+        }
+        QByteArray values = "part,value\n";
+        for (int k = 0; k < 30; ++k) {
+            values += QByteArray::number(k + 1) + ',' + QByteArray::number(50.0 + 0.002 * ((7 * k) % 11 - 5)) + '\n';
+        }
+        const auto slipped = [&](const QByteArray& value) {
+            QList<QByteArray> rows = values.split('\n');
+            rows[12] = "12," + value;
+            return put("values.csv", rows.join('\n'));
+        };
+        const QStringList limits{"--lower", "49.95", "--upper", "50.05"};
+        for (const char* value : {"500.02", "5.0002", "1.96858", "50002"}) {
+            expectRefused(runKerf({"quality", "charts", slipped(value)}), {"line 13", value});
+            expectRefused(runKerf(QStringList{"quality", "capability", slipped(value)} + limits), {"line 13", value});
+            expectRefused(runKerf({"quality", "gauge-study", slipped(value), "--method", "type1", "--tolerance", ".1"}),
+                          {"line 13", value});
+            QCOMPARE(runKerf({"quality", "charts", slipped(value), "--accept-implausible"}).exitCode, 0);
+        }
+        // far from the others and no slip of them: a bad part is no slip of the pen
+        QCOMPARE(runKerf({"quality", "charts", slipped("50.9")}).exitCode, 0);
+        QByteArray inches = "value\n";
+        for (int k = 0; k < 30; ++k) {
+            inches += QByteArray::number((50.0 + 0.002 * (k % 5)) / 25.4, 'g', 8) + '\n';
+        }
+        expectRefused(runKerf(QStringList{"quality", "capability", put("inches.csv", inches)} + limits), {"inch"});
+    }
+    void boresOfAChartAreAskedAboutLikeThoseOfAReplay() {
+        QByteArray text = "part,overhang_mm,feed_mm_per_rev,deflection_mm\n";
+        for (int part = 1; part <= 6; ++part) {
+            for (const double overhang_mm : {175.0, 310.0}) {
+                const double deflection_mm = 0.1 * std::pow(overhang_mm / 310.0, 0.27) * (1.0 + 0.01 * (part % 3));
+                text += QByteArray::number(part) + ',' + QByteArray::number(overhang_mm) + ",0.3," +
+                        QByteArray::number(deflection_mm, 'g', 6) + '\n';
+            }
+        }
+        QCOMPARE(runKerf({"quality", "charts", put("bores.csv", text)}).exitCode, 0);
+        QList<QByteArray> lines = text.split('\n');
+        lines[8] = "4,310,0.3,2.54";
+        expectRefused(runKerf({"quality", "charts", put("bores.csv", lines.join('\n'))}), {"line 9", "2.54"});
+        lines[8] = "4,310,,0.1";
+        expectRefused(runKerf({"quality", "charts", put("bores.csv", lines.join('\n'))}), {"line 9"});
+    }
+    void aMeasuredBoreWithoutItsFeedOrDepthCostsOneRow() {
+        for (const char* column : {"overhang_mm", "feed_mm_per_rev", "diameter_mm"}) {
+            const QByteArray good = bytesOf(caseFile("05-boring-unit-slip/good.csv"));
+            const KerfRun run = runKerf(boring(put("gap.csv", withCell(good, 7, column, "n/a"))));
+            QVERIFY2(run.exitCode == 0 && run.err.contains("line 8"), qPrintable(run.err));
+            QCOMPARE(csvRows(run.out).size(), csvRows(runKerf(boring(put("whole.csv", good))).out).size() - 1);
+        }
+    }
+    void unitsOfForcesTimesAndFeedsAreRefused() {
+        const QByteArray cut = bytesOf(caseFile("08-milling-angle/control_up.csv"));
+        const auto scaled = [&](int column, double factor) {
+            QList<QByteArray> lines = cut.trimmed().split('\n');
+            for (int k = 1; k < lines.size(); ++k) {
+                QList<QByteArray> cells = lines[k].split(',');
+                cells[column] = QByteArray::number(cells[column].toDouble() * factor, 'g', 9);
+                lines[k] = cells.join(',');
+            }
+            return QStringList{"milling", "replay", put("scaled.csv", lines.join('\n'))};
+        };
+        expectRefused(runKerf(scaled(2, 0.001)), {"kN"});
+        expectRefused(runKerf(scaled(0, 1000.0)), {"in ms?"});
+        expectRefused(runKerf(scaled(3, 60.0)), {"mm/min"});
+        QCOMPARE(runKerf(scaled(2, 2.0)).exitCode, 0);
+        QByteArray chips = "k,u_um,f_n\n", milli = chips, kilo = chips;
+        for (int k = 0; k < 100; ++k) {
+            const QByteArray head = QByteArray::number(k) + ',' + QByteArray::number(5.0 + k % 7) + ',';
+            chips += head + QByteArray::number(0.1 * (5.0 + k % 7)) + '\n';
+            milli += head + QByteArray::number(100.0 * (5.0 + k % 7)) + '\n';
+            kilo += head + QByteArray::number(1e-4 * (5.0 + k % 7)) + '\n';
+        }
+        const auto identify = [](const QString& file) {
+            return runKerf({"turning", "identify", file, "--lambda", "0.98"});
+        };
+        QCOMPARE(identify(put("chips.csv", chips)).exitCode, 0);
+        expectRefused(identify(put("milli.csv", milli)), {"not mN"});
+        expectRefused(identify(put("kilo.csv", kilo)), {"not kN"});
+    }
+    void anHourOfSecondsAndADriftInNanometresAreRefused() {
+        QList<QByteArray> lines = day("T0_same").split('\n');
+        const QList<QByteArray> names = lines[0].split(',');
+        QList<QByteArray> hour{lines[0]}, nano{lines[0]};
+        for (int k = 1; k < lines.size() && !lines[k].isEmpty(); ++k) {
+            QList<QByteArray> cells = lines[k].split(',');
+            if (k < 40) {
+                QList<QByteArray> early = cells;
+                early[0] = QByteArray::number(early[0].toDouble() * 60.0);
+                hour.append(early.join(','));
+            }
+            for (int c = 0; c < cells.size(); ++c) {
+                if (names[c].startsWith('y') && cells[c] != "nan")
+                    cells[c] = QByteArray::number(cells[c].toDouble() * 1000.0, 'g', 9);
+            }
+            nano.append(cells.join(','));
+        }
+        expectRefused(predict(put("hour.csv", hour.join('\n'))), {"60 min apart", "seconds"});
+        expectRefused(
+            runKerf({"thermal", "compensate", "--model", m_model, "--history", put("nm.csv", nano.join('\n'))}),
+            {"not nm"});
+    }
+    void aSampleThatIsNoMotionCostsOneSample() {
+        const QString control = caseFile("12-tapping-index-reset/control_from_sync.csv");
+        const auto evaluate = [](const QString& file) {
+            return runKerf({"tapping", "evaluate", file, "--pitch-mm", "1.25"});
+        };
+        const json expected = json::parse(evaluate(control).out.toStdString());
+        for (const int column : {1, 2}) {
+            for (const char* value : {"0.4321", "1372", "-9998.7"}) {
+                QList<QByteArray> lines = bytesOf(control).trimmed().split('\n');
+                QList<QByteArray> cells = lines[701].split(',');
+                cells[column] = value;
+                lines[701] = cells.join(',');
+                const KerfRun run = evaluate(put("strayed.csv", lines.join('\n')));
+                QVERIFY2(run.exitCode == 0 && run.err.contains("line 702"), qPrintable(value + run.err));
+                KERF_CLOSE(json::parse(run.out.toStdString())["engaged_pp_um"].get<double>(),
+                           expected["engaged_pp_um"].get<double>(), 0.01);
+            }
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(TestInputCases)

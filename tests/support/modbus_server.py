@@ -116,7 +116,11 @@ async def rtu_module(device, units):
     loop = asyncio.get_running_loop()
 
     def asked():
-        data = os.read(outside, 4096)
+        try:
+            data = os.read(outside, 4096)
+        except OSError:  # the adapter was pulled out
+            loop.remove_reader(outside)
+            return
         if line.mode not in ("hang", "cut"):
             os.write(ours, data)
 
@@ -131,7 +135,13 @@ async def rtu_module(device, units):
         if pending:
             data = bytes(pending)
             pending.clear()
-            asyncio.create_task(line.carry(data, lambda d: os.write(outside, d)))
+            asyncio.create_task(line.carry(data, send))
+
+    def send(data):
+        try:
+            os.write(outside, data)
+        except OSError:  # the adapter was pulled out
+            pass
 
     loop.add_reader(outside, asked)
     loop.add_reader(ours, answered)

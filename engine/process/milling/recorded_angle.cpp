@@ -10,6 +10,7 @@ namespace {
 constexpr double kJump_rev = 0.5;       ///< a step this far from the one before is no motion
 constexpr double kCoarsest_rev = 0.25;  ///< between two samples
 constexpr double kFastest_rpm = 30'000.0;
+constexpr double kSlowest_rpm = 10.0;  ///< slower is no cut, or one whose time is in ms
 constexpr double kDegrees = 360.0;
 constexpr double kWhole_rev = 0.05;  ///< a wrap misses a whole number by a change of speed at most
 constexpr double kOneWay = 0.9;      ///< share of the turning that goes the way of the whole
@@ -49,6 +50,10 @@ Result<CheckedAngle> checkAngle(std::span<const double> time_s, std::span<const 
         return fail(KERF_TEXT("angle_rev means %1 rpm; at most %2 rpm are expected. A column in degrees is named "
                               "angle_deg."),
                     SentenceArg(speed_rpm, 0), SentenceArg(kFastest_rpm, 0));
+    }
+    if (speed_rpm > 0.0 && speed_rpm < kSlowest_rpm) {
+        return fail(KERF_TEXT("angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?"),
+                    SentenceArg(speed_rpm, 2), SentenceArg(kSlowest_rpm, 0));
     }
     // Jumps are compared with the step before them, so that a wrap is found at any speed.
     double rate_rev = 0.0;

@@ -86,6 +86,22 @@ double slope_mm(const std::vector<double>& spindle_rev, std::span<const double> 
 
 }  // namespace
 
+std::vector<std::size_t> strayedSamples(std::span<const double> spindle_rev, std::span<const double> z_mm,
+                                        double pitch_mm) {
+    assert(spindle_rev.size() == z_mm.size());
+    std::vector<std::size_t> found;
+    const auto strayed = [](std::span<const double> x, std::size_t k, double most) {
+        return std::abs(x[k] - x[k - 1]) > most && std::abs(x[k + 1] - x[k]) > most &&
+               std::abs(x[k + 1] - x[k - 1]) < most;
+    };
+    for (std::size_t k = 1; k + 1 < z_mm.size(); ++k) {
+        if (strayed(spindle_rev, k, kWrapJump_rev) || strayed(z_mm, k, kWrapJump_rev * pitch_mm)) {
+            found.push_back(k);
+        }
+    }
+    return found;
+}
+
 Result<CheckedRecord> checkRecord(std::span<const double> time_s, std::span<const double> spindle_rev,
                                   std::span<const double> z_mm, double pitch_mm) {
     assert(time_s.size() == spindle_rev.size() && time_s.size() == z_mm.size());

@@ -22,6 +22,12 @@ struct CheckedRecord {
     double foundPitch_mm{0.0};  ///< slope of Z over the spindle
 };
 
+/// Samples that are no motion: a single one of the spindle or of Z from which its neighbours know nothing, as a reader
+/// that lost a value writes (0, 1372, the value before). Ascending indices. A counter that wraps for
+/// one sample only, where the spindle turns round, is one too: that costs a sample.
+[[nodiscard]] std::vector<std::size_t> strayedSamples(std::span<const double> spindle_rev, std::span<const double> z_mm,
+                                                      double pitch_mm);
+
 /// Checks a record of any machine: spindle revolutions and Z over time.
 ///
 /// Gaps in time become missing ticks, up to 5 % of them. Jumps of the spindle that are all of one size are a wrapped
