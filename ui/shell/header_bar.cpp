@@ -7,6 +7,10 @@
 
 namespace kerf::ui {
 
+namespace {
+constexpr double kLongestName_mm = 32.0;
+}
+
 HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     : FaceWidget(look, parent),
       m_session(session),
@@ -112,7 +116,11 @@ void HeaderBar::rebuild() {
     }
     m_speed->setVisible(m_simulated);
     m_speed->setText(m_factor > 0.0 ? tr("simulator ×%1").arg(m_factor) : tr("simulator, free run"));
-    m_operator->setText(m_session.signedOn() ? m_session.name() : tr("Sign on"));
+    const QFontMetrics metrics(look().font(TextSize::Body));
+    m_operator->setText(m_session.signedOn()
+                            ? metrics.elidedText(m_session.name(), Qt::ElideRight, look().px(kLongestName_mm))
+                            : tr("Sign on"));
+    m_operator->setToolTip(m_session.name());
 }
 
 void HeaderBar::refresh() {
