@@ -12,6 +12,7 @@ namespace kerf::ui {
 namespace {
 
 constexpr double kSecondsPerMinute = 60.0;
+constexpr int kPeriod_ms = 200;
 const QString kNoValue = QStringLiteral("–");
 
 QString clockTime(double left_s) {
@@ -34,6 +35,11 @@ MachineStrip::MachineStrip(Look& look, QWidget* parent) : FaceWidget(look, paren
 }
 
 void MachineStrip::setStatus(const Status& status, const StripTool& tool) {
+    const bool turn = status.program != m_status.program || status.link != m_status.link;
+    if (m_since.isValid() && !turn && m_since.elapsed() < kPeriod_ms) {
+        return;  // numbers do not jitter
+    }
+    m_since.start();
     m_status = status;
     m_tool = tool;
     std::vector<StripFigure> now = figuresOf(status, tool);
@@ -109,6 +115,7 @@ QSize MachineStrip::minimumSizeHint() const {
 
 void MachineStrip::refresh() {
     m_figures.clear();
+    m_since.invalidate();
     setStatus(m_status, m_tool);
     FaceWidget::refresh();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -49,6 +50,7 @@ class MachineStrip : public FaceWidget {
     [[nodiscard]] std::vector<StripFigure> figuresOf(const Status& status, const StripTool& tool) const;
     [[nodiscard]] StripFigure load(const Status& status) const;
 
+    QElapsedTimer m_since{};  ///< figures were made; not running: they are wanted at once
     Status m_status{};
     StripTool m_tool{};
     std::vector<StripFigure> m_figures{};

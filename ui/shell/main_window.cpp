@@ -19,6 +19,7 @@
 #include "ui/dialogs/settings_sheet.h"
 #include "ui/dialogs/tool_sheet.h"
 #include "ui/entry/touch_keyboard.h"
+#include "ui/help/help_mode.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
@@ -236,6 +237,14 @@ void MainWindow::buildFrame() {
     connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
     connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
     connect(m_header, &HeaderBar::speedRequested, this, &MainWindow::chooseSpeed);
+    auto* help = new HelpMode(m_look, *m_sheets, this);
+    connect(m_header, &HeaderBar::helpRequested, this, [this, help](bool on) {
+        help->setActive(on);
+        if (on) {
+            m_alarmBar->notify(tr("Touch what you want explained."));
+        }
+    });
+    connect(help, &HelpMode::changed, m_header, &HeaderBar::setHelp);
     connect(m_alarmBar, &AlarmBar::showRequested, this, [this] { showPage("alarms"); });
     if (!m_pages.empty()) {
         showPage(m_pages.front().key);

@@ -3,13 +3,13 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPointer>
 #include <QScroller>
 
+#include "ui/dialogs/file_place.h"
 #include "ui/link/shift_texts.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
@@ -339,10 +339,7 @@ void ShiftPage::print() {
         button->setObjectName(QStringLiteral("shiftFolder%1").arg(i));
         connect(button, &QPushButton::clicked, sheet, [this, sheet, folder = folders[i], name] {
             sheet->close();
-            QString file = QDir(folder).filePath(name + QStringLiteral(".pdf"));
-            for (int n = 2; QFileInfo::exists(file); ++n) {
-                file = QDir(folder).filePath(QStringLiteral("%1_%2.pdf").arg(name).arg(n));
-            }
+            const QString file = freeFileName(QDir(folder).filePath(name + QStringLiteral(".pdf")));
             m_service->writePdf(m_view, file.toStdString(),
                                 [page = QPointer<ShiftPage>(this), file](const Result<void>& r) {
                                     if (ShiftPage* self = page.data()) {
