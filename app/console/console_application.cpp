@@ -484,11 +484,7 @@ void ConsoleApplication::serveShift(ui::Services& services) {
         ShiftDesk::Links links{*m_writer, *m_reader, *m_reader, m_databasePath, m_background, *m_look};
         links.rights = rights();
         links.specOf = [this](AlarmCode code) { return m_engine->alarmSpec(code); };
-        links.raise = [this](const AlarmEvent& event) {
-            if (m_window) {
-                emit m_window->client().alarmArrived(event);
-            }
-        };
+        links.raise = [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); };
         links.toolIsNew = [this, milling = services.millingService](ProcessId process, const std::string& author) {
             if (process == ProcessId::Boring && m_lots) {
                 m_lots->service().announceChange(BoringChange::Insert, author, [](const Result<void>&) {});

@@ -73,6 +73,7 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
         QTest::qWait(200);
         QVERIFY(bench.service().parts.empty());  // opening a lot is opening it
+        bench.console().window()->showPage("overview");
         QVERIFY(bench.press("startPart"));
         QVERIFY(waitForFullLot(bench));  // after that the demonstration goes on by itself
         QCOMPARE(bench.service().parts.size(), std::size_t{3});
