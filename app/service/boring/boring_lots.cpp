@@ -148,7 +148,7 @@ Result<std::vector<BoringLotView>> StoredBoringLots::lots() {
 
 // Of the newest parts: a bore from before them is not waited for any more.
 std::uint32_t StoredBoringLots::partsWaiting(const LotRow& lot) {
-    const auto history = m_reader.newestParts(lot.id, kPartsLookedInto);
+    const auto history = m_reader.newestParts(lot.id, kPartsLookedInto, std::nullopt);
     if (!history || !*history) {
         return 0;
     }
