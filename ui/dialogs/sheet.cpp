@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QResizeEvent>
-#include <QTimer>
 
 #include "ui/dialogs/sheet_buttons.h"
 #include "ui/widgets/label.h"
@@ -177,7 +176,11 @@ Sheet* SheetHost::open(const QString& title, const QString& text) {
     sheet->show();
     sheet->raise();
     sheet->setFocus();
-    QTimer::singleShot(0, sheet, [sheet] { sheet->settleFocus(); });  // when its fields have their places
+    // After the events by which its fields are shown, and those are posted while it is filled, after this.
+    const auto settle = [sheet] { sheet->settleFocus(); };
+    QMetaObject::invokeMethod(
+        sheet, [sheet, settle] { QMetaObject::invokeMethod(sheet, settle, Qt::QueuedConnection); },
+        Qt::QueuedConnection);
     return sheet;
 }
 

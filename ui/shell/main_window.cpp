@@ -380,7 +380,7 @@ void MainWindow::fitFrame() {
     }
     const int medium = m_frameLook.space(Space::Medium);
     for (QWidget* bar : {m_header->parentWidget(), m_bottom}) {
-        bar->layout()->setContentsMargins(2 * medium, medium, 2 * medium, medium);
+        bar->layout()->setContentsMargins(2 * medium, medium / 2, 2 * medium, medium / 2);
         bar->layout()->setSpacing(m_frameLook.metrics().touchGap());
     }
     m_left->setFixedWidth(m_frameLook.metrics().navWidth());
