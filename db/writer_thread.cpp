@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/writer_thread.h"
 
+#include <QFileInfo>
 #include <QLockFile>
 #include <QMetaObject>
+#include <QStorageInfo>
 #include <algorithm>
 #include <chrono>
 #include <future>
@@ -18,6 +20,8 @@
 namespace kerf::db {
 namespace {
 constexpr std::size_t kPartsPerTransaction = 32;
+constexpr qint64 kRoomWanted_bytes = 1'000'000;
+constexpr int kFull = 13;  // SQLite's own number
 constexpr std::uint32_t kNoPageLimit = 0xFFFFFFFE;
 
 /// Errors that go away by themselves or by a person's hand: what failed is tried again. Others are the command's own.
@@ -108,8 +112,11 @@ class WriterThread::Worker {
             return;
         }
         Result<Receipt> result = written([&] { return m_store.apply(job.command); });
-        if (!result && job.keep && passes(result.error())) {
-            keep(job.command);
+        if (!result && passes(result.error())) {
+            if (job.keep) {
+                keep(job.command);
+            }
+            m_probing = true;  // nothing waits here by which it could be seen that there is room again
             failed(result.error());
         }
         m_owner.post(Answer{job.ticket, std::move(result)});
@@ -151,7 +158,7 @@ class WriterThread::Worker {
         if ((nothing && !(m_failing && m_fileThere)) || (!last && m_failing && Clock::now() < m_retryAt)) {
             return;
         }
-        if (storeBefore() && storeParts(last) && storeCommands() && m_fileThere) {
+        if (storeBefore() && storeParts(last) && storeCommands() && m_fileThere && (!m_probing || probe())) {
             succeeded();
         }
     }
@@ -202,6 +209,28 @@ class WriterThread::Worker {
             m_commands.pop_front();
         }
         return true;
+    }
+
+    /// An entry was refused that its author still has: is there room for it by now?
+    bool probe() {
+        const QStorageInfo disk(QFileInfo(QString::fromStdString(m_owner.m_path)).absolutePath());
+        if (disk.isValid() && disk.bytesAvailable() < kRoomWanted_bytes) {
+            failed(sentenceForCode(kFull));
+            return false;
+        }
+        const Result<void> wrote = written([&] {
+            return guarded([&] {
+                Transaction transaction(m_connection.database());
+                execute(m_connection.database(), QStringLiteral("CREATE TABLE room_probe (x)"));
+                execute(m_connection.database(), QStringLiteral("DROP TABLE room_probe"));
+                transaction.commit();
+            });
+        });
+        if (!wrote) {
+            failed(wrote.error());
+        }
+        m_probing = !wrote;
+        return wrote.has_value();
     }
 
     void failed(const Sentence& why) {
@@ -269,6 +298,7 @@ class WriterThread::Worker {
     std::size_t m_safe{0};  ///< of m_waiting, from its front: in the outbox too
     bool m_fileThere{true};
     bool m_failing{false};
+    bool m_probing{false};  ///< a command was refused since it was last seen that there is room
     Clock::time_point m_retryAt{};
     std::uint32_t m_pageLimit{0};
 };

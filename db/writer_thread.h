@@ -32,7 +32,8 @@ namespace kerf::db {
 ///
 /// Finished parts, alarms and audit entries that cannot be stored are kept, written into the outbox beside the data
 /// file (db/outbox.h), and tried again every `retry_ms`; meanwhile the engine is told to begin no part of its own.
-/// Beyond `mostWaiting` parts the ring is not emptied further. Commands go on being tried. A data file that was deleted
+/// Beyond `mostWaiting` parts the ring is not emptied further. Commands go on being tried; one that is refused for lack
+/// of room makes the store a failing one, too, until there is room again. A data file that was deleted
 /// or replaced under its name is a store that fails, said at once. The object belongs to the caller's thread, which
 /// needs an event loop for the callbacks.
 class WriterThread final : public QObject, public StoreWriter {

@@ -21,6 +21,7 @@
 #include "engine/process/boring/boring_loop.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
+#include "ui/services/milling_service.h"
 #include "ui/shell/pin_seal.h"
 
 namespace kerf::console {
@@ -69,6 +70,7 @@ ConsoleApplication::~ConsoleApplication() {
     }
     m_serviceChanges.reset();
     m_quality.reset();
+    m_shiftDesk.reset();
     m_lots.reset();
     m_modes.reset();
     m_stops.reset();
@@ -332,6 +334,7 @@ void ConsoleApplication::poll() {
         room->poll();
     }
     m_quality->poll();
+    m_shiftDesk->poll();
     m_stops->poll();
     m_modes->poll();
     m_shop->poll(live::monotonic_ms());
@@ -435,6 +438,7 @@ ui::Services ConsoleApplication::services() {
     for (const auto& room : m_rooms) {
         room->serve(services);
     }
+    serveShift(services);
     return services;
 }
 
@@ -473,6 +477,24 @@ std::vector<Sentence> ConsoleApplication::startFindings() const {
         spdlog::warn("{}", sentence.english());
     }
     return sentences;
+}
+
+void ConsoleApplication::serveShift(ui::Services& services) {
+    if (!m_shiftDesk) {
+        ShiftDesk::Links links{*m_writer, *m_reader, *m_reader, m_databasePath, m_background, *m_look};
+        links.rights = rights();
+        links.specOf = [this](AlarmCode code) { return m_engine->alarmSpec(code); };
+        links.raise = [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); };
+        links.toolIsNew = [this, milling = services.millingService](ProcessId process, const std::string& author) {
+            if (process == ProcessId::Boring && m_lots) {
+                m_lots->service().announceChange(BoringChange::Insert, author, [](const Result<void>&) {});
+            } else if (process == ProcessId::Milling && milling != nullptr) {
+                milling->newTool(author, [](const Result<void>&) {});
+            }
+        };
+        m_shiftDesk = std::make_unique<ShiftDesk>(std::move(links));
+    }
+    services.shiftService = m_shiftDesk.get();
 }
 
 void ConsoleApplication::serveFiles(ui::Services& services) {

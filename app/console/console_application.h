@@ -14,6 +14,7 @@
 #include "app/console/rooms/room.h"
 #include "app/console/sensor_service.h"
 #include "app/console/sensors.h"
+#include "app/console/shift_desk.h"
 #include "app/console/shop_link.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
@@ -84,6 +85,7 @@ class ConsoleApplication : public QObject {
     void wrapOldSeals();
     [[nodiscard]] std::vector<Sentence> startFindings() const;
     void serveFiles(ui::Services& services);
+    void serveShift(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
     void announceAccepted();
     void saveSetting(const std::string& key, const std::string& value, const std::string& reason = {});
@@ -103,6 +105,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<QualityDesk> m_quality;
+    std::unique_ptr<ShiftDesk> m_shiftDesk;
     std::unique_ptr<Subscription> m_serviceChanges;
     std::unique_ptr<StopKeeper> m_stops;
     std::unique_ptr<LoopModes> m_modes;

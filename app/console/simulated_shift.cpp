@@ -94,8 +94,14 @@ void SimulatedShift::loadNextBlank() {
     }
     // The part just finished shows up at the service a moment after the machine has finished it.
     const bool known = m_startWait == 0 || cut > m_startedAfter || --m_startWait == 0;
-    if (!machineFree || !known || status.held || status.link != LinkState::Up || status.boring.nextSchedule == 0 ||
-        view.lotClosed || lotFull(view)) {
+    // Opening a lot is opening it: its first part is started by a touch of its own.
+    if (const std::string lot = view.partType + '/' + view.lot; lot != m_lot) {
+        m_opened = !m_lot.empty();
+        m_lot = lot;
+    }
+    m_opened = m_opened && machineFree && cut == 0;
+    if (m_opened || !machineFree || !known || status.held || status.link != LinkState::Up ||
+        status.boring.nextSchedule == 0 || view.lotClosed || lotFull(view)) {
         return;
     }
     if (m_engine.send(commandOf(StartPart{ProcessId::Boring}))) {

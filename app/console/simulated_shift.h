@@ -53,6 +53,8 @@ class SimulatedShift : public QObject {
     bool m_entering{false};
     int m_startWait{0};
     std::uint32_t m_startedAfter{0};
+    std::string m_lot{};   ///< part type and name of the lot on the page
+    bool m_opened{false};  ///< by a person, in this run: its first part is started by hand
 };
 
 }  // namespace kerf::console

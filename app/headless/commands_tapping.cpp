@@ -120,7 +120,8 @@ const ThreadPreset* threadFor(const std::string& asked, double pitch_mm) {
     if (!asked.empty()) {
         const ThreadPreset* named = findThread(asked);
         if (named == nullptr)
-            throw CLI::ValidationError("--thread", asked + " is unknown; expected M3 to M20, as in M8 or M8x1");
+            throw CLI::ValidationError(
+                "--thread", asked + " is unknown; expected M3 to M20, as in M8 or M8x1, or #4 to 3/4, as in 1/4-20");
         if (std::abs(named->pitch_mm - pitch_mm) > 1e-9) {
             throw CLI::ValidationError("--thread",
                                        fmt::format("{} has a pitch of {} mm", named->name, named->pitch_mm));

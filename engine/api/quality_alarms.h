@@ -12,6 +12,7 @@ inline constexpr AlarmCode kOutOfTolerance = 600;
 inline constexpr AlarmCode kChartSignal = 601;
 inline constexpr AlarmCode kGaugeOverdue = 602;
 inline constexpr AlarmCode kFileNotWritten = 603;
+inline constexpr AlarmCode kToolLife = 604;
 
 inline constexpr std::array kSpecs{
     AlarmSpec{kOutOfTolerance, 2, KERF_TEXT("A part is out of tolerance"),
@@ -30,6 +31,10 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("The folder is not there, is full, or may not be written to."),
               KERF_TEXT("The values are stored here; the system that reads the folder does not have them."),
               KERF_TEXT("Make the folder reachable. The file is tried again with the next part.")},
+    AlarmSpec{kToolLife, 3, KERF_TEXT("A tool comes to the end of its life"),
+              KERF_TEXT("It has made nine tenths of the parts that were set for it, or more."),
+              KERF_TEXT("Nothing is stopped. Wear beyond its life changes the parts, and the loop has to follow it."),
+              KERF_TEXT("Have the next tool ready. After the change touch the strip under the header, and New tool.")},
 };
 
 }  // namespace kerf::quality_alarm

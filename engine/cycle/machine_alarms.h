@@ -28,7 +28,7 @@ inline constexpr std::array kSpecs{
         kEmergencyStop, 1, KERF_TEXT("Emergency stop"), KERF_TEXT("The emergency stop of the machine is pressed."),
         KERF_TEXT("The control has ended the program. All loops are held until a person has looked; stops stay."),
         KERF_TEXT("Make the machine safe, reset the emergency stop at the control, look, then release the hold.")},
-    AlarmSpec{kPartStoreFull, 2, KERF_TEXT("Finished parts are not being stored"),
+    AlarmSpec{kPartStoreFull, 1, KERF_TEXT("Finished parts are not being stored"),
               KERF_TEXT("The database does not take records: disk full, or the file is locked."),
               KERF_TEXT("The finished part is kept in memory. No new part can be started."),
               KERF_TEXT("Free disk space or end the program that locks the file. Storing goes on by itself.")},

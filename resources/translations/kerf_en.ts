@@ -76,6 +76,289 @@
         </message>
     </context>
     <context>
+        <name>Help</name>
+        <message>
+            <source>HOLD ALL</source>
+            <translation>HOLD ALL</translation>
+        </message>
+        <message>
+            <source>Takes every loop off within one cycle: the last offset stays, the feed is at or below the programmed one. The machine goes on. It is no emergency stop.</source>
+            <translation>Takes every loop off within one cycle: the last offset stays, the feed is at or below the programmed one. The machine goes on. It is no emergency stop.</translation>
+        </message>
+        <message>
+            <source>Bottom line</source>
+            <translation>Bottom line</translation>
+        </message>
+        <message>
+            <source>The first alarm that nobody has seen yet. Show opens the page with its cause, what follows from it and what to do. A sentence about the last touch stands here for ten seconds.</source>
+            <translation>The first alarm that nobody has seen yet. Show opens the page with its cause, what follows from it and what to do. A sentence about the last touch stands here for ten seconds.</translation>
+        </message>
+        <message>
+            <source>Machine strip</source>
+            <translation>Machine strip</translation>
+        </message>
+        <message>
+            <source>What the machine does now: program, spindle speed, feed, the knob at the control, cutting force, parts with this tool, time to go. Grey is a figure that is not fresh. Touch the strip for tools and their life.</source>
+            <translation>What the machine does now: program, spindle speed, feed, the knob at the control, cutting force, parts with this tool, time to go. Grey is a figure that is not fresh. Touch the strip for tools and their life.</translation>
+        </message>
+        <message>
+            <source>Header</source>
+            <translation>Header</translation>
+        </message>
+        <message>
+            <source>Machine, part type, lot and part; whether the machine is connected; who is signed on; language and settings.</source>
+            <translation>Machine, part type, lot and part; whether the machine is connected; who is signed on; language and settings.</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>Overview</translation>
+        </message>
+        <message>
+            <source>One card for each loop of this machine: its lamp, one sentence, the figure that matters and its course. Made to be read from three metres; touch a card for its page.</source>
+            <translation>One card for each loop of this machine: its lamp, one sentence, the figure that matters and its course. Made to be read from three metres; touch a card for its page.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>Boring</translation>
+        </message>
+        <message>
+            <source>Each bore that is measured teaches how this tool bends. From that the feed along the next bore is chosen so that it comes out at the target at every depth.</source>
+            <translation>Each bore that is measured teaches how this tool bends. From that the feed along the next bore is chosen so that it comes out at the target at every depth.</translation>
+        </message>
+        <message>
+            <source>Bores against the tolerance</source>
+            <translation>Bores against the tolerance</translation>
+        </message>
+        <message>
+            <source>Measured diameters of the last 25 parts, one curve for each depth, between the limits of the recipe. The diamond with its bar is what the next part should become. A cross is a bore outside its limits.</source>
+            <translation>Measured diameters of the last 25 parts, one curve for each depth, between the limits of the recipe. The diamond with its bar is what the next part should become. A cross is a bore outside its limits.</translation>
+        </message>
+        <message>
+            <source>Feed along the bore</source>
+            <translation>Feed along the bore</translation>
+        </message>
+        <message>
+            <source>The schedule of the part in the machine (dashed), what is really cut, and the part before in grey. Deeper the bar bends more, so the feed falls.</source>
+            <translation>The schedule of the part in the machine (dashed), what is really cut, and the part before in grey. Deeper the bar bends more, so the feed falls.</translation>
+        </message>
+        <message>
+            <source>Next part</source>
+            <translation>Next part</translation>
+        </message>
+        <message>
+            <source>Diameters to be expected with the schedule shown, with their 95 % interval, and why the schedule has changed. Under control it is used by itself; advising, a person accepts it.</source>
+            <translation>Diameters to be expected with the schedule shown, with their 95 % interval, and why the schedule has changed. Under control it is used by itself; advising, a person accepts it.</translation>
+        </message>
+        <message>
+            <source>What has been learnt</source>
+            <translation>What has been learnt</translation>
+        </message>
+        <message>
+            <source>The three constants of the law of bending and how sure they are. The band narrows with every bore; a jump means another insert, tool or material.</source>
+            <translation>The three constants of the law of bending and how sure they are. The band narrows with every bore; a jump means another insert, tool or material.</translation>
+        </message>
+        <message>
+            <source>Entering a bore</source>
+            <translation>Entering a bore</translation>
+        </message>
+        <message>
+            <source>The bore that waits for its diameter. Type the last two figures or the whole diameter and press Enter, press Gauge, or use a hand gauge. What is not plausible is asked about first.</source>
+            <translation>The bore that waits for its diameter. Type the last two figures or the whole diameter and press Enter, press Gauge, or use a hand gauge. What is not plausible is asked about first.</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Milling</translation>
+        </message>
+        <message>
+            <source>The feed follows the cutting force: where the blank has more stock it slows down, where it has less it hurries. The force stays even, so the wall bends evenly.</source>
+            <translation>The feed follows the cutting force: where the blank has more stock it slows down, where it has less it hurries. The force stays even, so the wall bends evenly.</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>Force and feed</translation>
+        </message>
+        <message>
+            <source>The force averaged over a revolution against its reference (dashed) and the overload limit; below, the feed that is really made.</source>
+            <translation>The force averaged over a revolution against its reference (dashed) and the overload limit; below, the feed that is really made.</translation>
+        </message>
+        <message>
+            <source>Wall deviation</source>
+            <translation>Wall deviation</translation>
+        </message>
+        <message>
+            <source>How far the wall stands from its place along the path, as the force tells it. Waviness is what is left when the mean is taken off.</source>
+            <translation>How far the wall stands from its place along the path, as the force tells it. Waviness is what is left when the mean is taken off.</translation>
+        </message>
+        <message>
+            <source>Tool and wear</source>
+            <translation>Tool and wear</translation>
+        </message>
+        <message>
+            <source>The cutting stiffness of each part since the tool was new. Wear makes it rise; at the line it is announced.</source>
+            <translation>The cutting stiffness of each part since the tool was new. Wear makes it rise; at the line it is announced.</translation>
+        </message>
+        <message>
+            <source>Milling control</source>
+            <translation>Milling control</translation>
+        </message>
+        <message>
+            <source>Off, advise or control. Advising, the cut is made at the planned feed and the page says what control would have done, and what it would have saved.</source>
+            <translation>Off, advise or control. Advising, the cut is made at the planned feed and the page says what control would have done, and what it would have saved.</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>Turning</translation>
+        </message>
+        <message>
+            <source>The cutting force shows how deep the tool really is. A fast trim moves the tool against the disturbance, so the face becomes flatter than the machine alone makes it.</source>
+            <translation>The cutting force shows how deep the tool really is. A fast trim moves the tool against the disturbance, so the face becomes flatter than the machine alone makes it.</translation>
+        </message>
+        <message>
+            <source>Spectrum</source>
+            <translation>Spectrum</translation>
+        </message>
+        <message>
+            <source>What the disturbance consists of. A named line is a frequency that the law has found and cancels, or would cancel.</source>
+            <translation>What the disturbance consists of. A named line is a frequency that the law has found and cancels, or would cancel.</translation>
+        </message>
+        <message>
+            <source>Margins</source>
+            <translation>Margins</translation>
+        </message>
+        <message>
+            <source>How much the loop may be wrong about the process before it begins to ring: gain, phase, delay. Below the line the law is made milder.</source>
+            <translation>How much the loop may be wrong about the process before it begins to ring: gain, phase, delay. Below the line the law is made milder.</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Surface</translation>
+        </message>
+        <message>
+            <source>The surface as it is predicted: with the trim, and what it would be without. Root mean square and peak to valley of the last whole revolution.</source>
+            <translation>The surface as it is predicted: with the trim, and what it would be without. Root mean square and peak to valley of the last whole revolution.</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>Thermal</translation>
+        </message>
+        <message>
+            <source>A warm machine grows, and the work origin moves. From the temperatures the model says how far, and the origin is shifted back.</source>
+            <translation>A warm machine grows, and the work origin moves. From the temperatures the model says how far, and the origin is shifted back.</translation>
+        </message>
+        <message>
+            <source>Drift of the origin</source>
+            <translation>Drift of the origin</translation>
+        </message>
+        <message>
+            <source>How far the origin has gone in each axis since the temperatures to count from were taken, and the interval in which it is with 95 %. Wider than the part allows: measure.</source>
+            <translation>How far the origin has gone in each axis since the temperatures to count from were taken, and the interval in which it is with 95 %. Wider than the part allows: measure.</translation>
+        </message>
+        <message>
+            <source>Thermocouples</source>
+            <translation>Thermocouples</translation>
+        </message>
+        <message>
+            <source>Where each one sits and what it reads. One that does not agree with its neighbours is left out and named; the interval becomes wider.</source>
+            <translation>Where each one sits and what it reads. One that does not agree with its neighbours is left out and named; the interval becomes wider.</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>Tapping</translation>
+        </message>
+        <message>
+            <source>Spindle and Z must keep step, or the thread is cut too wide. Kerf tries gains in the air, proposes better ones, and learns a trim from tap to tap.</source>
+            <translation>Spindle and Z must keep step, or the thread is cut too wide. Kerf tries gains in the air, proposes better ones, and learns a trim from tap to tap.</translation>
+        </message>
+        <message>
+            <source>Error along the thread</source>
+            <translation>Error along the thread</translation>
+        </message>
+        <message>
+            <source>How far Z is from where the spindle says it should be, over the revolutions in and out, in the band of the thread's class. Now against the first tap.</source>
+            <translation>How far Z is from where the spindle says it should be, over the revolutions in and out, in the band of the thread's class. Now against the first tap.</translation>
+        </message>
+        <message>
+            <source>Gains</source>
+            <translation>Gains</translation>
+        </message>
+        <message>
+            <source>The drive's gains now, the next that are proposed, and the range that was found safe in the air. Nothing outside of it is ever tried.</source>
+            <translation>The drive's gains now, the next that are proposed, and the range that was found safe in the air. Nothing outside of it is ever tried.</translation>
+        </message>
+        <message>
+            <source>What can be done</source>
+            <translation>What can be done</translation>
+        </message>
+        <message>
+            <source>An air tap touches nothing. A tuning tries some gains and keeps the best. A tap that stands in the hole is turned out in sync from here, never jogged.</source>
+            <translation>An air tap touches nothing. A tuning tries some gains and keeps the best. A tap that stands in the hole is turned out in sync from here, never jogged.</translation>
+        </message>
+        <message>
+            <source>Quality</source>
+            <translation>Quality</translation>
+        </message>
+        <message>
+            <source>Whether the process is in control, and what drives it. Signals are about the error against the law's prediction: the raw diameter is moved by the controller itself.</source>
+            <translation>Whether the process is in control, and what drives it. Signals are about the error against the law's prediction: the raw diameter is moved by the controller itself.</translation>
+        </message>
+        <message>
+            <source>Indices</source>
+            <translation>Indices</translation>
+        </message>
+        <message>
+            <source>How well the lot fits its tolerance. They are shown only where the whole lot is steady: an index of a process that moves says nothing.</source>
+            <translation>How well the lot fits its tolerance. They are shown only where the whole lot is steady: an index of a process that moves says nothing.</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
+        <message>
+            <source>Every part of every process, newest first, with its figures and its verdict. Search by serial number, lot or part type; touch a row for its details, report and corrections.</source>
+            <translation>Every part of every process, newest first, with its figures and its verdict. Search by serial number, lot or part type; touch a row for its details, report and corrections.</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>Shift</translation>
+        </message>
+        <message>
+            <source>What is stored between two handovers: parts with verdicts, pauses longer than three minutes and why, changes with names, alarms and notes. Handing over signs it and begins the next shift.</source>
+            <translation>What is stored between two handovers: parts with verdicts, pauses longer than three minutes and why, changes with names, alarms and notes. Handing over signs it and begins the next shift.</translation>
+        </message>
+        <message>
+            <source>What was saved</source>
+            <translation>What was saved</translation>
+        </message>
+        <message>
+            <source>Milled parts: the time at the planned feed less the time really cut. Bores: how many are inside their tolerance that would be outside with the recipe's first feed, by the bending found at that time.</source>
+            <translation>Milled parts: the time at the planned feed less the time really cut. Bores: how many are inside their tolerance that would be outside with the recipe's first feed, by the bending found at that time.</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>Sensors</translation>
+        </message>
+        <message>
+            <source>What is connected, what it reads, how old that is and where it sits. “Which one rises?”: hold a finger on a sensor and see which channel it is.</source>
+            <translation>What is connected, what it reads, how old that is and where it sits. “Which one rises?”: hold a finger on a sensor and see which channel it is.</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarms</translation>
+        </message>
+        <message>
+            <source>Each alarm with its cause, what follows from it and what to do. Seen takes it off the bottom line; it stays here until it is gone, then in the history.</source>
+            <translation>Each alarm with its cause, what follows from it and what to do. Seen takes it off the bottom line; it stays here until it is gone, then in the history.</translation>
+        </message>
+        <message>
+            <source>Diagnostics</source>
+            <translation>Diagnostics</translation>
+        </message>
+        <message>
+            <source>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</source>
+            <translation>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</translation>
+        </message>
+    </context>
+    <context>
         <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
@@ -447,6 +730,10 @@
             <source>Quality</source>
             <translation>Quality</translation>
         </message>
+        <message>
+            <source>Shift</source>
+            <translation>Shift</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -672,6 +959,168 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>Shift</name>
+        <message>
+            <source>no reason given yet</source>
+            <translation>no reason given yet</translation>
+        </message>
+        <message>
+            <source>Setting up</source>
+            <translation>Setting up</translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation>Tool change</translation>
+        </message>
+        <message>
+            <source>No material</source>
+            <translation>No material</translation>
+        </message>
+        <message>
+            <source>Measuring</source>
+            <translation>Measuring</translation>
+        </message>
+        <message>
+            <source>Fault, repair</source>
+            <translation>Fault, repair</translation>
+        </message>
+        <message>
+            <source>Cleaning, chips</source>
+            <translation>Cleaning, chips</translation>
+        </message>
+        <message>
+            <source>No order</source>
+            <translation>No order</translation>
+        </message>
+        <message>
+            <source>Break, nobody there</source>
+            <translation>Break, nobody there</translation>
+        </message>
+        <message>
+            <source>Something else</source>
+            <translation>Something else</translation>
+        </message>
+        <message>
+            <source>%1 made</source>
+            <translation>%1 made</translation>
+        </message>
+        <message>
+            <source>%1 good</source>
+            <translation>%1 good</translation>
+        </message>
+        <message>
+            <source>%1 rework</source>
+            <translation>%1 rework</translation>
+        </message>
+        <message>
+            <source>%1 scrap</source>
+            <translation>%1 scrap</translation>
+        </message>
+        <message>
+            <source>%1 not judged</source>
+            <translation>%1 not judged</translation>
+        </message>
+        <message>
+            <source>%1 broken off</source>
+            <translation>%1 broken off</translation>
+        </message>
+        <message>
+            <source>%1 min in the cut</source>
+            <translation>%1 min in the cut</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 min saved in %n milled parts against the planned feed.</source>
+            <translation>
+                <numerusform>%1 min saved in %n milled part against the planned feed.</numerusform>
+                <numerusform>%1 min saved in %n milled parts against the planned feed.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 of %n bores are inside the tolerance that the recipe's first feed would have put outside.</source>
+            <translation>
+                <numerusform>%1 of %n bore is inside the tolerance that the recipe's first feed would have put outside.</numerusform>
+                <numerusform>%1 of %n bores are inside the tolerance that the recipe's first feed would have put outside.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What the loops have saved is computed from milled parts and measured bores.</source>
+            <translation>What the loops have saved is computed from milled parts and measured bores.</translation>
+        </message>
+    </context>
+    <context>
+        <name>ShiftReport</name>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>Shift</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 to %2</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
+        <message>
+            <source>No part was finished.</source>
+            <translation>No part was finished.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n minutes</source>
+            <translation>
+                <numerusform>%n minute</numerusform>
+                <numerusform>%n minutes</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Stops</source>
+            <translation>Stops</translation>
+        </message>
+        <message>
+            <source>Nothing stood longer than three minutes.</source>
+            <translation>Nothing stood longer than three minutes.</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>Changes</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nothing was changed.</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarms</translation>
+        </message>
+        <message>
+            <source>No alarm came.</source>
+            <translation>No alarm came.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Notes</translation>
+        </message>
+        <message>
+            <source>No note was left.</source>
+            <translation>No note was left.</translation>
+        </message>
+        <message>
+            <source>Handed over: ____________________</source>
+            <translation>Handed over: ____________________</translation>
+        </message>
+        <message>
+            <source>Taken over: ____________________</source>
+            <translation>Taken over: ____________________</translation>
         </message>
     </context>
     <context>
@@ -1311,6 +1760,69 @@
         <message>
             <source>Leave out</source>
             <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>Tools</name>
+        <message>
+            <source>%1 of %2 parts</source>
+            <translation>%1 of %2 parts</translation>
+        </message>
+        <message>
+            <source>%1 parts, no life is set</source>
+            <translation>%1 parts, no life is set</translation>
+        </message>
+        <message>
+            <source>changed %1 by %2</source>
+            <translation>changed %1 by %2</translation>
+        </message>
+        <message>
+            <source>Life of the tool: %1</source>
+            <translation>Life of the tool: %1</translation>
+        </message>
+        <message>
+            <source>Parts that a tool is used for. At nine tenths of them Kerf says so. 0: no life is set.</source>
+            <translation>Parts that a tool is used for. At nine tenths of them Kerf says so. 0: no life is set.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>A life is a whole number of parts.</source>
+            <translation>A life is a whole number of parts.</translation>
+        </message>
+        <message>
+            <source>The life is kept.</source>
+            <translation>The life is kept.</translation>
+        </message>
+        <message>
+            <source>Keep it</source>
+            <translation>Keep it</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Tools</translation>
+        </message>
+        <message>
+            <source>Parts are counted from the last change. Say so when a new tool or insert is in: wear and what the loop has learnt of the old one end with it.</source>
+            <translation>Parts are counted from the last change. Say so when a new tool or insert is in: wear and what the loop has learnt of the old one end with it.</translation>
+        </message>
+        <message>
+            <source>Life</source>
+            <translation>Life</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>New tool</translation>
+        </message>
+        <message>
+            <source>A new tool is in: its parts are counted from here.</source>
+            <translation>A new tool is in: its parts are counted from here.</translation>
         </message>
         <message>
             <source>Close</source>
@@ -4589,6 +5101,110 @@
             <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
             <translation>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</translation>
         </message>
+        <message>
+            <source>A tool comes to the end of its life</source>
+            <translation>A tool comes to the end of its life</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown: control would go no faster than planned.</source>
+            <translation>Cutting force unknown: control would go no faster than planned.</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown: control would go no faster than planned.</source>
+            <translation>Feed really made is unknown: control would go no faster than planned.</translation>
+        </message>
+        <message>
+            <source>Have the next tool ready. After the change touch the strip under the header, and New tool.</source>
+            <translation>Have the next tool ready. After the change touch the strip under the header, and New tool.</translation>
+        </message>
+        <message>
+            <source>In air: control would take the entry feed until the tool meets the work.</source>
+            <translation>In air: control would take the entry feed until the tool meets the work.</translation>
+        </message>
+        <message>
+            <source>It has made nine tenths of the parts that were set for it, or more.</source>
+            <translation>It has made nine tenths of the parts that were set for it, or more.</translation>
+        </message>
+        <message>
+            <source>Nothing is stopped. Wear beyond its life changes the parts, and the loop has to follow it.</source>
+            <translation>Nothing is stopped. Wear beyond its life changes the parts, and the loop has to follow it.</translation>
+        </message>
+        <message>
+            <source>Outside the training range: the shift would fade to hold. Measure the origin.</source>
+            <translation>Outside the training range: the shift would fade to hold. Measure the origin.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: control would go no faster than the schedule's lowest feed.</source>
+            <translation>Programmed feed unknown: control would go no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>Ready: force feedback would begin at the touch of the next part.</source>
+            <translation>Ready: force feedback would begin at the touch of the next part.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: control would go no faster than the schedule's lowest feed.</source>
+            <translation>Spindle overhang unknown: control would go no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: control would go no faster than the schedule's lowest feed.</source>
+            <translation>Spindle speed unknown or zero: control would go no faster than the schedule's lowest feed.</translation>
+        </message>
+        <message>
+            <source>The best feed lies outside %1 to %2 mm/rev: the feed would sit at the limit.</source>
+            <translation>The best feed lies outside %1 to %2 mm/rev: the feed would sit at the limit.</translation>
+        </message>
+        <message>
+            <source>The feed stands; control would go on with it.</source>
+            <translation>The feed stands; control would go on with it.</translation>
+        </message>
+        <message>
+            <source>The feed would follow the schedule along the bore.</source>
+            <translation>The feed would follow the schedule along the bore.</translation>
+        </message>
+        <message>
+            <source>The feed would hold the reference force.</source>
+            <translation>The feed would hold the reference force.</translation>
+        </message>
+        <message>
+            <source>The insert of the boring bar has made %1 of %2 parts.</source>
+            <translation>The insert of the boring bar has made %1 of %2 parts.</translation>
+        </message>
+        <message>
+            <source>The milling tool has made %1 of %2 parts.</source>
+            <translation>The milling tool has made %1 of %2 parts.</translation>
+        </message>
+        <message>
+            <source>The reference force would need a feed outside %1 to %2 mm/s.</source>
+            <translation>The reference force would need a feed outside %1 to %2 mm/s.</translation>
+        </message>
+        <message>
+            <source>The shift would sit at its limit of size or rate.</source>
+            <translation>The shift would sit at its limit of size or rate.</translation>
+        </message>
+        <message>
+            <source>The tap has cut %1 of %2 threads.</source>
+            <translation>The tap has cut %1 of %2 threads.</translation>
+        </message>
+        <message>
+            <source>The trim would cancel %1 tones of the disturbance.</source>
+            <translation>The trim would cancel %1 tones of the disturbance.</translation>
+        </message>
+        <message>
+            <source>The trim would follow the depth error.</source>
+            <translation>The trim would follow the depth error.</translation>
+        </message>
+        <message>
+            <source>The trim would follow what can be foreseen of the disturbance.</source>
+            <translation>The trim would follow what can be foreseen of the disturbance.</translation>
+        </message>
+        <message>
+            <source>The turning tool has made %1 of %2 parts.</source>
+            <translation>The turning tool has made %1 of %2 parts.</translation>
+        </message>
+        <message>
+            <source>The work origin would follow the predicted drift.</source>
+            <translation>The work origin would follow the predicted drift.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4727,6 +5343,38 @@
         <message>
             <source>Seen</source>
             <translation>Seen</translation>
+        </message>
+        <message>
+            <source>All priorities</source>
+            <translation>All priorities</translation>
+        </message>
+        <message>
+            <source>Priority 1 and 2</source>
+            <translation>Priority 1 and 2</translation>
+        </message>
+        <message>
+            <source>Priority 1 only</source>
+            <translation>Priority 1 only</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>Export the history</source>
+            <translation>Export the history</translation>
+        </message>
+        <message>
+            <source>What the list shows, as CSV. A file that is there already is never written over.</source>
+            <translation>What the list shows, as CSV. A file that is there already is never written over.</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>Written: %1</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
         </message>
     </context>
     <context>
@@ -5254,6 +5902,10 @@
             <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
             <translation>Num Lock is off: the keypad sends no figures. Switch it on and type again.</translation>
         </message>
+        <message>
+            <source>%1 is kept here and is stored as soon as there is room: %2</source>
+            <translation>%1 is kept here and is stored as soon as there is room: %2</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ErrorMap</name>
@@ -5659,6 +6311,10 @@
             <source>Lots</source>
             <translation>Lots</translation>
         </message>
+        <message>
+            <source>Help: touch what you want explained</source>
+            <translation>Help: touch what you want explained</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HeldBand</name>
@@ -5709,6 +6365,21 @@
         <message>
             <source>Release hold</source>
             <translation>Release hold</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HelpMode</name>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>The formula</source>
+            <translation>The formula</translation>
+        </message>
+        <message>
+            <source>The guide</source>
+            <translation>The guide</translation>
         </message>
     </context>
     <context>
@@ -5811,6 +6482,10 @@
         <message>
             <source>Leave out</source>
             <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>%1: pitch diameter 2B (ASME B1.1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
+            <translation>%1: pitch diameter 2B (ASME B1.1) allows %2 p-p in the work, %3 with a tap at its upper limit.</translation>
         </message>
     </context>
     <context>
@@ -5959,10 +6634,6 @@
             <translation>give a reason: it is not full</translation>
         </message>
         <message>
-            <source>Lot %1 is open.</source>
-            <translation>Lot %1 is open.</translation>
-        </message>
-        <message>
             <source>Lot %1 goes on.</source>
             <translation>Lot %1 goes on.</translation>
         </message>
@@ -6011,12 +6682,84 @@
             <source>Lot %1 is left out of what lots begin from.</source>
             <translation>Lot %1 is left out of what lots begin from.</translation>
         </message>
+        <message numerus="yes">
+            <source>%n bores wait for diameters</source>
+            <translation>
+                <numerusform>%n bore waits for diameters</numerusform>
+                <numerusform>%n bores wait for diameters</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Part %1 of this lot waits for its diameter. It is kept when another lot is opened; go on with this lot to enter it.</source>
+            <translation>Part %1 of this lot waits for its diameter. It is kept when another lot is opened; go on with this lot to enter it.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open. Its first part is started by hand.</source>
+            <translation>Lot %1 is open. Its first part is started by hand.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
+            <translation>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>The thermocouples appear here as soon as the machine reports them.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MachineStrip</name>
+        <message>
+            <source>Force</source>
+            <translation>Force</translation>
+        </message>
+        <message>
+            <source>%1, paused</source>
+            <translation>%1, paused</translation>
+        </message>
+        <message>
+            <source>Program</source>
+            <translation>Program</translation>
+        </message>
+        <message>
+            <source>none runs</source>
+            <translation>none runs</translation>
+        </message>
+        <message>
+            <source>S</source>
+            <translation>S</translation>
+        </message>
+        <message>
+            <source>F</source>
+            <translation>F</translation>
+        </message>
+        <message>
+            <source>Knob</source>
+            <translation>Knob</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>Tool</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n parts left</source>
+            <translation>
+                <numerusform>%n part left</numerusform>
+                <numerusform>%n parts left</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n parts</source>
+            <translation>
+                <numerusform>%n part</numerusform>
+                <numerusform>%n parts</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>To go</source>
+            <translation>To go</translation>
         </message>
     </context>
     <context>
@@ -6072,6 +6815,10 @@
         <message>
             <source>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</source>
             <translation>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</translation>
+        </message>
+        <message>
+            <source>Touch what you want explained.</source>
+            <translation>Touch what you want explained.</translation>
         </message>
     </context>
     <context>
@@ -7881,6 +8628,162 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ShiftPage</name>
+        <message>
+            <source>this shift has been handed over</source>
+            <translation>this shift has been handed over</translation>
+        </message>
+        <message>
+            <source>No data file is open: a shift is what is stored between two handovers.</source>
+            <translation>No data file is open: a shift is what is stored between two handovers.</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
+        </message>
+        <message>
+            <source>Stops: touch one and say why</source>
+            <translation>Stops: touch one and say why</translation>
+        </message>
+        <message>
+            <source>Notes and handover</source>
+            <translation>Notes and handover</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>Changes</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarms</translation>
+        </message>
+        <message>
+            <source>◀ Shift before</source>
+            <translation>◀ Shift before</translation>
+        </message>
+        <message>
+            <source>This shift</source>
+            <translation>This shift</translation>
+        </message>
+        <message>
+            <source>One page (PDF)</source>
+            <translation>One page (PDF)</translation>
+        </message>
+        <message>
+            <source>Leave a note</source>
+            <translation>Leave a note</translation>
+        </message>
+        <message>
+            <source>Hand over</source>
+            <translation>Hand over</translation>
+        </message>
+        <message>
+            <source>Shift from %1 to %2</source>
+            <translation>Shift from %1 to %2</translation>
+        </message>
+        <message>
+            <source>The last twelve hours; a shift begins when one is handed over.</source>
+            <translation>The last twelve hours; a shift begins when one is handed over.</translation>
+        </message>
+        <message>
+            <source>This shift, taken over from %2 at %1</source>
+            <translation>This shift, taken over from %2 at %1</translation>
+        </message>
+        <message>
+            <source>No part was finished.</source>
+            <translation>No part was finished.</translation>
+        </message>
+        <message>
+            <source>since %1</source>
+            <translation>since %1</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>Nothing stood longer than three minutes.</source>
+            <translation>Nothing stood longer than three minutes.</translation>
+        </message>
+        <message>
+            <source>Handover: %1</source>
+            <translation>Handover: %1</translation>
+        </message>
+        <message>
+            <source>No note was left.</source>
+            <translation>No note was left.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nothing was changed.</translation>
+        </message>
+        <message>
+            <source>No alarm came.</source>
+            <translation>No alarm came.</translation>
+        </message>
+        <message>
+            <source>Why did nothing run?</source>
+            <translation>Why did nothing run?</translation>
+        </message>
+        <message>
+            <source>The reason is kept.</source>
+            <translation>The reason is kept.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Hand over the shift</source>
+            <translation>Hand over the shift</translation>
+        </message>
+        <message>
+            <source>A note for the next shift</source>
+            <translation>A note for the next shift</translation>
+        </message>
+        <message>
+            <source>It is signed by %1. The next shift begins now.</source>
+            <translation>It is signed by %1. The next shift begins now.</translation>
+        </message>
+        <message>
+            <source>What the next one has to know</source>
+            <translation>What the next one has to know</translation>
+        </message>
+        <message>
+            <source>Sign and hand over</source>
+            <translation>Sign and hand over</translation>
+        </message>
+        <message>
+            <source>Keep the note</source>
+            <translation>Keep the note</translation>
+        </message>
+        <message>
+            <source>The shift is handed over.</source>
+            <translation>The shift is handed over.</translation>
+        </message>
+        <message>
+            <source>The note is kept.</source>
+            <translation>The note is kept.</translation>
+        </message>
+        <message>
+            <source>Where to</source>
+            <translation>Where to</translation>
+        </message>
+        <message>
+            <source>A file that is there already is never written over.</source>
+            <translation>A file that is there already is never written over.</translation>
+        </message>
+        <message>
+            <source>shift</source>
+            <comment>file name</comment>
+            <translation>shift</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>Written: %1</translation>
         </message>
     </context>
     <context>

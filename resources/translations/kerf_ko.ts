@@ -76,6 +76,289 @@
         </message>
     </context>
     <context>
+        <name>Help</name>
+        <message>
+            <source>HOLD ALL</source>
+            <translation>전체 홀드</translation>
+        </message>
+        <message>
+            <source>Takes every loop off within one cycle: the last offset stays, the feed is at or below the programmed one. The machine goes on. It is no emergency stop.</source>
+            <translation>한 주기 안에 모든 제어를 뗍니다. 마지막 보정은 그대로 있고, 이송은 프로그램 값을 넘지 않습니다. 기계는 계속 움직이며, 비상 정지가 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Bottom line</source>
+            <translation>아래 줄</translation>
+        </message>
+        <message>
+            <source>The first alarm that nobody has seen yet. Show opens the page with its cause, what follows from it and what to do. A sentence about the last touch stands here for ten seconds.</source>
+            <translation>아직 아무도 확인하지 않은 첫 알람입니다. 보기를 누르면 원인과 결과, 할 일이 나옵니다. 방금 누른 것에 대한 문장은 10초 동안 여기 나옵니다.</translation>
+        </message>
+        <message>
+            <source>Machine strip</source>
+            <translation>기계 상태 띠</translation>
+        </message>
+        <message>
+            <source>What the machine does now: program, spindle speed, feed, the knob at the control, cutting force, parts with this tool, time to go. Grey is a figure that is not fresh. Touch the strip for tools and their life.</source>
+            <translation>지금 기계가 하는 일입니다: 프로그램, 주축 회전수, 이송, 이송 오버라이드, 절삭력, 이 공구로 가공한 개수, 남은 시간. 회색은 최신 값이 아닙니다. 띠를 누르면 공구와 수명이 나옵니다.</translation>
+        </message>
+        <message>
+            <source>Header</source>
+            <translation>머리글</translation>
+        </message>
+        <message>
+            <source>Machine, part type, lot and part; whether the machine is connected; who is signed on; language and settings.</source>
+            <translation>기계, 품종, 로트와 공작물, 연결 상태, 로그인한 사람, 언어와 설정입니다.</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>전체 보기</translation>
+        </message>
+        <message>
+            <source>One card for each loop of this machine: its lamp, one sentence, the figure that matters and its course. Made to be read from three metres; touch a card for its page.</source>
+            <translation>이 기계의 제어마다 카드 하나: 상태등, 한 문장, 가장 중요한 값과 그 추이입니다. 3 m에서 읽도록 만들었으며, 카드를 누르면 그 페이지가 열립니다.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>보링</translation>
+        </message>
+        <message>
+            <source>Each bore that is measured teaches how this tool bends. From that the feed along the next bore is chosen so that it comes out at the target at every depth.</source>
+            <translation>측정한 내경마다 이 공구가 얼마나 휘는지 배웁니다. 그것으로 다음 내경의 이송을 정해, 모든 깊이에서 목표 직경이 나오게 합니다.</translation>
+        </message>
+        <message>
+            <source>Bores against the tolerance</source>
+            <translation>공차와 내경</translation>
+        </message>
+        <message>
+            <source>Measured diameters of the last 25 parts, one curve for each depth, between the limits of the recipe. The diamond with its bar is what the next part should become. A cross is a bore outside its limits.</source>
+            <translation>최근 공작물 25개의 측정 직경이며, 깊이마다 곡선 하나씩 레시피의 한계 사이에 그립니다. 막대가 달린 마름모는 다음 공작물의 예상값입니다. 가위표는 한계를 벗어난 내경입니다.</translation>
+        </message>
+        <message>
+            <source>Feed along the bore</source>
+            <translation>내경을 따른 이송</translation>
+        </message>
+        <message>
+            <source>The schedule of the part in the machine (dashed), what is really cut, and the part before in grey. Deeper the bar bends more, so the feed falls.</source>
+            <translation>기계 안 공작물의 이송 계획(점선)과 실제 이송, 회색은 직전 공작물입니다. 깊을수록 바가 더 휘므로 이송이 줄어듭니다.</translation>
+        </message>
+        <message>
+            <source>Next part</source>
+            <translation>다음 공작물</translation>
+        </message>
+        <message>
+            <source>Diameters to be expected with the schedule shown, with their 95 % interval, and why the schedule has changed. Under control it is used by itself; advising, a person accepts it.</source>
+            <translation>표시한 계획으로 예상되는 직경과 95 % 구간, 그리고 계획이 바뀐 이유입니다. 제어 중에는 저절로 쓰이고, 추천 중에는 사람이 수락합니다.</translation>
+        </message>
+        <message>
+            <source>What has been learnt</source>
+            <translation>학습한 것</translation>
+        </message>
+        <message>
+            <source>The three constants of the law of bending and how sure they are. The band narrows with every bore; a jump means another insert, tool or material.</source>
+            <translation>휨 법칙의 세 상수와 그 확실함입니다. 내경을 잴 때마다 띠가 좁아지며, 갑자기 뛰면 인서트나 공구, 소재가 바뀐 것입니다.</translation>
+        </message>
+        <message>
+            <source>Entering a bore</source>
+            <translation>내경 입력</translation>
+        </message>
+        <message>
+            <source>The bore that waits for its diameter. Type the last two figures or the whole diameter and press Enter, press Gauge, or use a hand gauge. What is not plausible is asked about first.</source>
+            <translation>측정 대기 중인 내경입니다. 마지막 두 자리나 직경 전체를 입력하고 Enter를 누르거나, 게이지 버튼 또는 손 게이지를 쓰십시오. 그럴듯하지 않은 값은 먼저 되묻습니다.</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>밀링</translation>
+        </message>
+        <message>
+            <source>The feed follows the cutting force: where the blank has more stock it slows down, where it has less it hurries. The force stays even, so the wall bends evenly.</source>
+            <translation>이송이 절삭력을 따릅니다. 소재 여유가 많으면 늦추고 적으면 높입니다. 절삭력이 고르므로 벽도 고르게 휩니다.</translation>
+        </message>
+        <message>
+            <source>Force and feed</source>
+            <translation>절삭력과 이송</translation>
+        </message>
+        <message>
+            <source>The force averaged over a revolution against its reference (dashed) and the overload limit; below, the feed that is really made.</source>
+            <translation>한 회전 평균 절삭력과 기준값(점선), 과부하 한계이며, 아래는 실제 이송입니다.</translation>
+        </message>
+        <message>
+            <source>Wall deviation</source>
+            <translation>벽 편차</translation>
+        </message>
+        <message>
+            <source>How far the wall stands from its place along the path, as the force tells it. Waviness is what is left when the mean is taken off.</source>
+            <translation>절삭력으로 본, 경로를 따른 벽의 벗어남입니다. 굴곡은 평균을 뺀 나머지입니다.</translation>
+        </message>
+        <message>
+            <source>Tool and wear</source>
+            <translation>공구와 마모</translation>
+        </message>
+        <message>
+            <source>The cutting stiffness of each part since the tool was new. Wear makes it rise; at the line it is announced.</source>
+            <translation>공구가 새것일 때부터 공작물마다의 절삭 강성입니다. 마모되면 올라가며, 선에 닿으면 알립니다.</translation>
+        </message>
+        <message>
+            <source>Milling control</source>
+            <translation>밀링 제어</translation>
+        </message>
+        <message>
+            <source>Off, advise or control. Advising, the cut is made at the planned feed and the page says what control would have done, and what it would have saved.</source>
+            <translation>꺼짐, 추천, 제어입니다. 추천 중에는 계획 이송으로 가공하며, 제어했다면 무엇을 했고 얼마나 절약했을지 말해 줍니다.</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>선삭</translation>
+        </message>
+        <message>
+            <source>The cutting force shows how deep the tool really is. A fast trim moves the tool against the disturbance, so the face becomes flatter than the machine alone makes it.</source>
+            <translation>절삭력이 공구의 실제 깊이를 보여 줍니다. 빠른 보정이 외란에 맞서 공구를 움직여, 기계만으로 깎을 때보다 면이 평평해집니다.</translation>
+        </message>
+        <message>
+            <source>Spectrum</source>
+            <translation>스펙트럼</translation>
+        </message>
+        <message>
+            <source>What the disturbance consists of. A named line is a frequency that the law has found and cancels, or would cancel.</source>
+            <translation>외란이 무엇으로 이루어졌는지 보여 줍니다. 이름이 붙은 선은 찾아낸 주파수이며, 상쇄하거나 상쇄할 대상입니다.</translation>
+        </message>
+        <message>
+            <source>Margins</source>
+            <translation>여유</translation>
+        </message>
+        <message>
+            <source>How much the loop may be wrong about the process before it begins to ring: gain, phase, delay. Below the line the law is made milder.</source>
+            <translation>공정을 얼마나 잘못 알아도 떨기 시작하지 않는지 보여 줍니다: 게인, 위상, 지연. 선 아래로 내려가면 법칙을 부드럽게 합니다.</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>표면</translation>
+        </message>
+        <message>
+            <source>The surface as it is predicted: with the trim, and what it would be without. Root mean square and peak to valley of the last whole revolution.</source>
+            <translation>예측한 표면입니다: 보정이 있을 때와 없을 때. 제곱평균제곱근과, 마지막 한 회전의 최고 최저 차이입니다.</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>A warm machine grows, and the work origin moves. From the temperatures the model says how far, and the origin is shifted back.</source>
+            <translation>기계가 더워지면 늘어나 공작물 원점이 움직입니다. 모델이 온도로 그 거리를 말하고, 원점을 되돌립니다.</translation>
+        </message>
+        <message>
+            <source>Drift of the origin</source>
+            <translation>원점 열변위</translation>
+        </message>
+        <message>
+            <source>How far the origin has gone in each axis since the temperatures to count from were taken, and the interval in which it is with 95 %. Wider than the part allows: measure.</source>
+            <translation>기준 온도를 잡은 뒤 축마다 원점이 움직인 거리와 95 % 구간입니다. 공작물이 허용하는 것보다 넓으면 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Thermocouples</source>
+            <translation>열전대</translation>
+        </message>
+        <message>
+            <source>Where each one sits and what it reads. One that does not agree with its neighbours is left out and named; the interval becomes wider.</source>
+            <translation>각각의 위치와 온도입니다. 이웃과 맞지 않는 것은 빼고 이름을 말하며, 구간이 넓어집니다.</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>탭 가공</translation>
+        </message>
+        <message>
+            <source>Spindle and Z must keep step, or the thread is cut too wide. Kerf tries gains in the air, proposes better ones, and learns a trim from tap to tap.</source>
+            <translation>주축과 Z가 걸음을 맞춰야 나사가 헐거워지지 않습니다. Kerf가 에어 탭으로 게인을 시험해 더 나은 값을 제안하고, 탭마다 보정을 배웁니다.</translation>
+        </message>
+        <message>
+            <source>Error along the thread</source>
+            <translation>나사를 따른 오차</translation>
+        </message>
+        <message>
+            <source>How far Z is from where the spindle says it should be, over the revolutions in and out, in the band of the thread's class. Now against the first tap.</source>
+            <translation>들어가고 나오는 회전에 따라, 주축이 말하는 위치에서 Z가 벗어난 거리이며 나사 등급의 띠 안에 그립니다. 지금과 첫 탭을 비교합니다.</translation>
+        </message>
+        <message>
+            <source>Gains</source>
+            <translation>게인</translation>
+        </message>
+        <message>
+            <source>The drive's gains now, the next that are proposed, and the range that was found safe in the air. Nothing outside of it is ever tried.</source>
+            <translation>지금 드라이브의 게인, 다음 제안, 그리고 공중에서 안전하다고 확인한 범위입니다. 그 밖은 시험하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>What can be done</source>
+            <translation>할 수 있는 일</translation>
+        </message>
+        <message>
+            <source>An air tap touches nothing. A tuning tries some gains and keeps the best. A tap that stands in the hole is turned out in sync from here, never jogged.</source>
+            <translation>에어 탭은 아무것에도 닿지 않습니다. 튜닝은 게인을 몇 번 시험해 가장 좋은 것을 남깁니다. 구멍에 멈춘 탭은 여기서 동기로 돌려 뺍니다. 절대 조그로 빼지 마십시오.</translation>
+        </message>
+        <message>
+            <source>Quality</source>
+            <translation>품질</translation>
+        </message>
+        <message>
+            <source>Whether the process is in control, and what drives it. Signals are about the error against the law's prediction: the raw diameter is moved by the controller itself.</source>
+            <translation>공정이 관리 상태인지, 무엇이 움직이는지 보여 줍니다. 신호는 법칙의 예측에 대한 오차로 봅니다. 직경 자체는 제어기가 움직이기 때문입니다.</translation>
+        </message>
+        <message>
+            <source>Indices</source>
+            <translation>지수</translation>
+        </message>
+        <message>
+            <source>How well the lot fits its tolerance. They are shown only where the whole lot is steady: an index of a process that moves says nothing.</source>
+            <translation>로트가 공차에 얼마나 잘 맞는지입니다. 로트 전체가 안정할 때만 보여 줍니다. 움직이는 공정의 지수는 아무 뜻이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>Every part of every process, newest first, with its figures and its verdict. Search by serial number, lot or part type; touch a row for its details, report and corrections.</source>
+            <translation>모든 공정의 모든 공작물을 최신순으로 값과 판정과 함께 보여 줍니다. 일련번호나 로트, 품종으로 찾고, 줄을 누르면 상세와 보고서, 정정이 나옵니다.</translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>근무조</translation>
+        </message>
+        <message>
+            <source>What is stored between two handovers: parts with verdicts, pauses longer than three minutes and why, changes with names, alarms and notes. Handing over signs it and begins the next shift.</source>
+            <translation>두 인계 사이에 저장된 것입니다: 판정별 공작물, 3분을 넘는 정지와 사유, 이름이 남은 변경, 알람과 메모. 인계하면 서명되고 다음 근무조가 시작됩니다.</translation>
+        </message>
+        <message>
+            <source>What was saved</source>
+            <translation>절약한 것</translation>
+        </message>
+        <message>
+            <source>Milled parts: the time at the planned feed less the time really cut. Bores: how many are inside their tolerance that would be outside with the recipe's first feed, by the bending found at that time.</source>
+            <translation>밀링: 계획 이송의 시간에서 실제 절삭 시간을 뺀 것입니다. 내경: 그때 알아낸 휨으로 볼 때, 레시피의 첫 이송이었다면 공차를 벗어났을 내경의 개수입니다.</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>센서</translation>
+        </message>
+        <message>
+            <source>What is connected, what it reads, how old that is and where it sits. “Which one rises?”: hold a finger on a sensor and see which channel it is.</source>
+            <translation>무엇이 연결되어 있고, 값과 그 나이, 위치를 보여 줍니다. 센서에 손가락을 대면 어느 채널인지 알 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>Each alarm with its cause, what follows from it and what to do. Seen takes it off the bottom line; it stays here until it is gone, then in the history.</source>
+            <translation>알람마다 원인과 결과, 할 일이 있습니다. 확인하면 아래 줄에서 사라지고, 없어질 때까지 여기에, 그 뒤에는 이력에 남습니다.</translation>
+        </message>
+        <message>
+            <source>Diagnostics</source>
+            <translation>진단</translation>
+        </message>
+        <message>
+            <source>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</source>
+            <translation>엔진이 얼마나 정시에 도는지, 주기가 얼마나 걸리는지, 버전과 데이터 파일, 백업입니다. Kerf를 관리하는 사람을 위한 페이지입니다.</translation>
+        </message>
+    </context>
+    <context>
         <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
@@ -447,6 +730,10 @@
             <source>Quality</source>
             <translation>품질</translation>
         </message>
+        <message>
+            <source>Shift</source>
+            <translation>근무조</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -672,6 +959,164 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>Shift</name>
+        <message>
+            <source>no reason given yet</source>
+            <translation>아직 사유 없음</translation>
+        </message>
+        <message>
+            <source>Setting up</source>
+            <translation>준비 작업</translation>
+        </message>
+        <message>
+            <source>Tool change</source>
+            <translation>공구 교환</translation>
+        </message>
+        <message>
+            <source>No material</source>
+            <translation>소재 없음</translation>
+        </message>
+        <message>
+            <source>Measuring</source>
+            <translation>측정</translation>
+        </message>
+        <message>
+            <source>Fault, repair</source>
+            <translation>고장, 수리</translation>
+        </message>
+        <message>
+            <source>Cleaning, chips</source>
+            <translation>청소, 칩 제거</translation>
+        </message>
+        <message>
+            <source>No order</source>
+            <translation>작업 지시 없음</translation>
+        </message>
+        <message>
+            <source>Break, nobody there</source>
+            <translation>휴식, 작업자 없음</translation>
+        </message>
+        <message>
+            <source>Something else</source>
+            <translation>기타</translation>
+        </message>
+        <message>
+            <source>%1 made</source>
+            <translation>생산 %1</translation>
+        </message>
+        <message>
+            <source>%1 good</source>
+            <translation>양품 %1</translation>
+        </message>
+        <message>
+            <source>%1 rework</source>
+            <translation>재가공 %1</translation>
+        </message>
+        <message>
+            <source>%1 scrap</source>
+            <translation>폐기 %1</translation>
+        </message>
+        <message>
+            <source>%1 not judged</source>
+            <translation>미판정 %1</translation>
+        </message>
+        <message>
+            <source>%1 broken off</source>
+            <translation>중단 %1</translation>
+        </message>
+        <message>
+            <source>%1 min in the cut</source>
+            <translation>절삭 %1분</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 min saved in %n milled parts against the planned feed.</source>
+            <translation>
+                <numerusform>밀링 공작물 %n개에서 계획 이송 대비 %1분 절약.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 of %n bores are inside the tolerance that the recipe's first feed would have put outside.</source>
+            <translation>
+                <numerusform>내경 %n개 중 %1개: 레시피의 첫 이송이었다면 공차를 벗어났을 것.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What the loops have saved is computed from milled parts and measured bores.</source>
+            <translation>제어로 절약한 시간과 공작물은 밀링 공작물과 측정한 내경에서 계산합니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>ShiftReport</name>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>외 %n건</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Shift</source>
+            <translation>근무조</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1부터 %2까지</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>No part was finished.</source>
+            <translation>완료된 공작물이 없습니다.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n minutes</source>
+            <translation>
+                <numerusform>%n분</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Stops</source>
+            <translation>정지</translation>
+        </message>
+        <message>
+            <source>Nothing stood longer than three minutes.</source>
+            <translation>3분을 넘는 정지가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>변경</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>변경 사항이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>No alarm came.</source>
+            <translation>알람이 없었습니다.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>메모</translation>
+        </message>
+        <message>
+            <source>No note was left.</source>
+            <translation>남긴 메모가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Handed over: ____________________</source>
+            <translation>인계자: ____________________</translation>
+        </message>
+        <message>
+            <source>Taken over: ____________________</source>
+            <translation>인수자: ____________________</translation>
         </message>
     </context>
     <context>
@@ -1310,6 +1755,69 @@
         <message>
             <source>Leave out</source>
             <translation>제외</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>Tools</name>
+        <message>
+            <source>%1 of %2 parts</source>
+            <translation>%2개 중 %1개</translation>
+        </message>
+        <message>
+            <source>%1 parts, no life is set</source>
+            <translation>%1개, 수명 미설정</translation>
+        </message>
+        <message>
+            <source>changed %1 by %2</source>
+            <translation>교환: %1, %2</translation>
+        </message>
+        <message>
+            <source>Life of the tool: %1</source>
+            <translation>공구 수명: %1</translation>
+        </message>
+        <message>
+            <source>Parts that a tool is used for. At nine tenths of them Kerf says so. 0: no life is set.</source>
+            <translation>공구 하나로 가공할 개수입니다. 그 9할에서 Kerf가 알립니다. 0: 수명 미설정.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>A life is a whole number of parts.</source>
+            <translation>수명은 공작물 개수(정수)입니다.</translation>
+        </message>
+        <message>
+            <source>The life is kept.</source>
+            <translation>수명을 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>Keep it</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>공구</translation>
+        </message>
+        <message>
+            <source>Parts are counted from the last change. Say so when a new tool or insert is in: wear and what the loop has learnt of the old one end with it.</source>
+            <translation>마지막 교환부터 센 개수입니다. 새 공구나 인서트를 끼우면 알려 주십시오. 이전 공구의 마모와 학습 내용은 거기서 끝납니다.</translation>
+        </message>
+        <message>
+            <source>Life</source>
+            <translation>수명</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>새 공구</translation>
+        </message>
+        <message>
+            <source>A new tool is in: its parts are counted from here.</source>
+            <translation>새 공구: 지금부터 개수를 셉니다.</translation>
         </message>
         <message>
             <source>Close</source>
@@ -4588,6 +5096,110 @@
             <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
             <translation>angle_rev이면 %1 rpm입니다. 최소 %2 rpm이어야 합니다. 시간이 ms입니까?</translation>
         </message>
+        <message>
+            <source>A tool comes to the end of its life</source>
+            <translation>공구 수명이 거의 끝났습니다</translation>
+        </message>
+        <message>
+            <source>Cutting force unknown: control would go no faster than planned.</source>
+            <translation>절삭력을 모름: 제어한다면 계획보다 빠르지 않게 합니다.</translation>
+        </message>
+        <message>
+            <source>Feed really made is unknown: control would go no faster than planned.</source>
+            <translation>실제 이송을 모름: 제어한다면 계획보다 빠르지 않게 합니다.</translation>
+        </message>
+        <message>
+            <source>Have the next tool ready. After the change touch the strip under the header, and New tool.</source>
+            <translation>다음 공구를 준비하십시오. 교환한 뒤 머리글 아래 띠를 누르고 ‘새 공구’를 누르십시오.</translation>
+        </message>
+        <message>
+            <source>In air: control would take the entry feed until the tool meets the work.</source>
+            <translation>공중: 제어한다면 공구가 닿을 때까지 진입 이송을 씁니다.</translation>
+        </message>
+        <message>
+            <source>It has made nine tenths of the parts that were set for it, or more.</source>
+            <translation>정해 둔 수명의 9할 이상을 가공했습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is stopped. Wear beyond its life changes the parts, and the loop has to follow it.</source>
+            <translation>멈추지는 않습니다. 수명을 넘긴 마모는 공작물을 바꾸며, 제어가 이를 따라가야 합니다.</translation>
+        </message>
+        <message>
+            <source>Outside the training range: the shift would fade to hold. Measure the origin.</source>
+            <translation>학습 범위 밖: 제어한다면 보정을 서서히 멈춥니다. 원점을 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Programmed feed unknown: control would go no faster than the schedule's lowest feed.</source>
+            <translation>프로그램 이송을 모름: 제어한다면 계획의 최저 이송을 넘지 않음.</translation>
+        </message>
+        <message>
+            <source>Ready: force feedback would begin at the touch of the next part.</source>
+            <translation>준비됨: 제어한다면 다음 공작물에 닿을 때 힘 피드백을 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Spindle overhang unknown: control would go no faster than the schedule's lowest feed.</source>
+            <translation>주축 돌출 길이를 모름: 제어한다면 계획의 최저 이송을 넘지 않음.</translation>
+        </message>
+        <message>
+            <source>Spindle speed unknown or zero: control would go no faster than the schedule's lowest feed.</source>
+            <translation>주축 회전수를 모르거나 0: 제어한다면 계획의 최저 이송을 넘지 않음.</translation>
+        </message>
+        <message>
+            <source>The best feed lies outside %1 to %2 mm/rev: the feed would sit at the limit.</source>
+            <translation>최적 이송이 %1~%2 mm/rev 범위 밖: 제어한다면 이송이 한계에 머무름.</translation>
+        </message>
+        <message>
+            <source>The feed stands; control would go on with it.</source>
+            <translation>이송이 멈춤: 제어한다면 그대로 이어 갑니다.</translation>
+        </message>
+        <message>
+            <source>The feed would follow the schedule along the bore.</source>
+            <translation>제어한다면 내경을 따라 이송이 계획대로 움직입니다.</translation>
+        </message>
+        <message>
+            <source>The feed would hold the reference force.</source>
+            <translation>제어한다면 이송이 기준 절삭력을 유지합니다.</translation>
+        </message>
+        <message>
+            <source>The insert of the boring bar has made %1 of %2 parts.</source>
+            <translation>보링 바 인서트: %2개 중 %1개 가공.</translation>
+        </message>
+        <message>
+            <source>The milling tool has made %1 of %2 parts.</source>
+            <translation>밀링 공구: %2개 중 %1개 가공.</translation>
+        </message>
+        <message>
+            <source>The reference force would need a feed outside %1 to %2 mm/s.</source>
+            <translation>기준 절삭력에 맞추려면 %1~%2 mm/s 범위 밖의 이송이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>The shift would sit at its limit of size or rate.</source>
+            <translation>제어한다면 보정량이 크기나 속도 한계에 머무릅니다.</translation>
+        </message>
+        <message>
+            <source>The tap has cut %1 of %2 threads.</source>
+            <translation>탭: 나사 %2개 중 %1개 가공.</translation>
+        </message>
+        <message>
+            <source>The trim would cancel %1 tones of the disturbance.</source>
+            <translation>제어한다면 보정이 외란의 톤 %1개를 상쇄합니다.</translation>
+        </message>
+        <message>
+            <source>The trim would follow the depth error.</source>
+            <translation>제어한다면 보정이 깊이 오차를 따라갑니다.</translation>
+        </message>
+        <message>
+            <source>The trim would follow what can be foreseen of the disturbance.</source>
+            <translation>제어한다면 보정이 예측 가능한 외란을 따라갑니다.</translation>
+        </message>
+        <message>
+            <source>The turning tool has made %1 of %2 parts.</source>
+            <translation>선삭 공구: %2개 중 %1개 가공.</translation>
+        </message>
+        <message>
+            <source>The work origin would follow the predicted drift.</source>
+            <translation>제어한다면 공작물 원점이 예측한 열변위를 따라갑니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -4725,6 +5337,38 @@
         <message>
             <source>Seen</source>
             <translation>확인</translation>
+        </message>
+        <message>
+            <source>All priorities</source>
+            <translation>모든 등급</translation>
+        </message>
+        <message>
+            <source>Priority 1 and 2</source>
+            <translation>1·2등급</translation>
+        </message>
+        <message>
+            <source>Priority 1 only</source>
+            <translation>1등급만</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>내보내기</translation>
+        </message>
+        <message>
+            <source>Export the history</source>
+            <translation>이력 내보내기</translation>
+        </message>
+        <message>
+            <source>What the list shows, as CSV. A file that is there already is never written over.</source>
+            <translation>목록에 보이는 것을 CSV로 저장합니다. 이미 있는 파일은 덮어쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>저장했습니다: %1</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
         </message>
     </context>
     <context>
@@ -5252,6 +5896,10 @@
             <source>Num Lock is off: the keypad sends no figures. Switch it on and type again.</source>
             <translation>Num Lock이 꺼져 있어 숫자가 입력되지 않습니다. 켜고 다시 입력하십시오.</translation>
         </message>
+        <message>
+            <source>%1 is kept here and is stored as soon as there is room: %2</source>
+            <translation>%1: 여기에 보관하며 자리가 나면 저장합니다: %2</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ErrorMap</name>
@@ -5657,6 +6305,10 @@
             <source>Lots</source>
             <translation>로트</translation>
         </message>
+        <message>
+            <source>Help: touch what you want explained</source>
+            <translation>도움말: 궁금한 것을 누르십시오</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HeldBand</name>
@@ -5707,6 +6359,21 @@
         <message>
             <source>Release hold</source>
             <translation>홀드 해제</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::HelpMode</name>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>The formula</source>
+            <translation>수식</translation>
+        </message>
+        <message>
+            <source>The guide</source>
+            <translation>설명서</translation>
         </message>
     </context>
     <context>
@@ -5809,6 +6476,10 @@
         <message>
             <source>Leave out</source>
             <translation>제외</translation>
+        </message>
+        <message>
+            <source>%1: pitch diameter 2B (ASME B1.1) allows %2 p-p in the work, %3 with a tap at its upper limit.</source>
+            <translation>%1: 유효지름 2B(ASME B1.1) 허용치는 가공 중 %2 p-p, 상한에 있는 탭이면 %3입니다.</translation>
         </message>
     </context>
     <context>
@@ -5957,10 +6628,6 @@
             <translation>다 차지 않음: 이유를 쓰십시오</translation>
         </message>
         <message>
-            <source>Lot %1 is open.</source>
-            <translation>로트 %1을(를) 열었습니다.</translation>
-        </message>
-        <message>
             <source>Lot %1 goes on.</source>
             <translation>로트 %1을(를) 계속합니다.</translation>
         </message>
@@ -6009,12 +6676,81 @@
             <source>Lot %1 is left out of what lots begin from.</source>
             <translation>로트 %1을 로트의 시작 값에서 제외합니다.</translation>
         </message>
+        <message numerus="yes">
+            <source>%n bores wait for diameters</source>
+            <translation>
+                <numerusform>내경 %n개 측정 대기</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Part %1 of this lot waits for its diameter. It is kept when another lot is opened; go on with this lot to enter it.</source>
+            <translation>이 로트의 공작물 %1: 직경 측정 대기 중. 다른 로트를 열어도 보관되며, 이 로트를 이어서 진행하면 입력할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open. Its first part is started by hand.</source>
+            <translation>로트 %1: 열렸습니다. 첫 공작물은 직접 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
+            <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 직경 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::MachineStrip</name>
+        <message>
+            <source>Force</source>
+            <translation>절삭력</translation>
+        </message>
+        <message>
+            <source>%1, paused</source>
+            <translation>%1, 일시 정지</translation>
+        </message>
+        <message>
+            <source>Program</source>
+            <translation>프로그램</translation>
+        </message>
+        <message>
+            <source>none runs</source>
+            <translation>실행 없음</translation>
+        </message>
+        <message>
+            <source>S</source>
+            <translation>S</translation>
+        </message>
+        <message>
+            <source>F</source>
+            <translation>F</translation>
+        </message>
+        <message>
+            <source>Knob</source>
+            <translation>이송 오버라이드</translation>
+        </message>
+        <message>
+            <source>Tool</source>
+            <translation>공구</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n parts left</source>
+            <translation>
+                <numerusform>%n개 남음</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n parts</source>
+            <translation>
+                <numerusform>%n개</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>To go</source>
+            <translation>남은 시간</translation>
         </message>
     </context>
     <context>
@@ -6070,6 +6806,10 @@
         <message>
             <source>Ending Kerf lets go of it: the machine goes on at or below its planned feed, with its last offset, and what is cut from now on is not recorded.</source>
             <translation>Kerf를 끝내면 손을 뗍니다. 기계는 계획된 이송 이하로 마지막 보정을 유지한 채 계속 가공하며, 이후의 가공은 기록되지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Touch what you want explained.</source>
+            <translation>궁금한 것을 누르십시오.</translation>
         </message>
     </context>
     <context>
@@ -7877,6 +8617,162 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::ShiftPage</name>
+        <message>
+            <source>this shift has been handed over</source>
+            <translation>이미 인계한 근무조입니다</translation>
+        </message>
+        <message>
+            <source>No data file is open: a shift is what is stored between two handovers.</source>
+            <translation>열린 데이터 파일이 없습니다. 근무조는 두 인계 사이에 저장된 기록입니다.</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물</translation>
+        </message>
+        <message>
+            <source>Stops: touch one and say why</source>
+            <translation>정지: 눌러서 사유를 고르십시오</translation>
+        </message>
+        <message>
+            <source>Notes and handover</source>
+            <translation>메모와 인계</translation>
+        </message>
+        <message>
+            <source>Changes</source>
+            <translation>변경</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>알람</translation>
+        </message>
+        <message>
+            <source>◀ Shift before</source>
+            <translation>◀ 이전 근무조</translation>
+        </message>
+        <message>
+            <source>This shift</source>
+            <translation>이번 근무조</translation>
+        </message>
+        <message>
+            <source>One page (PDF)</source>
+            <translation>한 장 보고서 (PDF)</translation>
+        </message>
+        <message>
+            <source>Leave a note</source>
+            <translation>메모 남기기</translation>
+        </message>
+        <message>
+            <source>Hand over</source>
+            <translation>인계</translation>
+        </message>
+        <message>
+            <source>Shift from %1 to %2</source>
+            <translation>근무조 %1 – %2</translation>
+        </message>
+        <message>
+            <source>The last twelve hours; a shift begins when one is handed over.</source>
+            <translation>최근 12시간입니다. 인계하면 새 근무조가 시작됩니다.</translation>
+        </message>
+        <message>
+            <source>This shift, taken over from %2 at %1</source>
+            <translation>이번 근무조: %1, %2에게서 인수</translation>
+        </message>
+        <message>
+            <source>No part was finished.</source>
+            <translation>완료된 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>since %1</source>
+            <translation>%1부터</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1분</translation>
+        </message>
+        <message>
+            <source>Nothing stood longer than three minutes.</source>
+            <translation>3분을 넘는 정지가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Handover: %1</source>
+            <translation>인계: %1</translation>
+        </message>
+        <message>
+            <source>No note was left.</source>
+            <translation>남긴 메모가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>변경 사항이 없습니다.</translation>
+        </message>
+        <message>
+            <source>No alarm came.</source>
+            <translation>알람이 없었습니다.</translation>
+        </message>
+        <message>
+            <source>Why did nothing run?</source>
+            <translation>왜 멈췄습니까?</translation>
+        </message>
+        <message>
+            <source>The reason is kept.</source>
+            <translation>사유를 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Hand over the shift</source>
+            <translation>근무조 인계</translation>
+        </message>
+        <message>
+            <source>A note for the next shift</source>
+            <translation>다음 근무조에 남기는 메모</translation>
+        </message>
+        <message>
+            <source>It is signed by %1. The next shift begins now.</source>
+            <translation>%1 이름으로 서명합니다. 지금부터 다음 근무조입니다.</translation>
+        </message>
+        <message>
+            <source>What the next one has to know</source>
+            <translation>다음 사람이 알아야 할 것</translation>
+        </message>
+        <message>
+            <source>Sign and hand over</source>
+            <translation>서명하고 인계</translation>
+        </message>
+        <message>
+            <source>Keep the note</source>
+            <translation>메모 저장</translation>
+        </message>
+        <message>
+            <source>The shift is handed over.</source>
+            <translation>근무조를 인계했습니다.</translation>
+        </message>
+        <message>
+            <source>The note is kept.</source>
+            <translation>메모를 저장했습니다.</translation>
+        </message>
+        <message>
+            <source>Where to</source>
+            <translation>저장할 곳</translation>
+        </message>
+        <message>
+            <source>A file that is there already is never written over.</source>
+            <translation>이미 있는 파일은 덮어쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>shift</source>
+            <comment>file name</comment>
+            <translation>근무조</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>저장했습니다: %1</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QEvent>
 #include <algorithm>
+#include <ctime>
 #include <map>
 
 #include "tests/support/console_bench.h"
@@ -90,6 +91,52 @@ BENCHMARK(liveConsole)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+double threadTime_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// What the screen costs while nothing is cut: CPU time of the GUI thread alone, every page at 1280 × 800, a bore
+/// waiting for its diameter; the engine runs on its own thread at ×20.
+void idlePages(benchmark::State& state) {
+    for (auto _ : state) {
+        test::ConsoleBench bench;
+        bench.setOwnThread(true);
+        bench.start(console::Options{});
+        const auto idle = [&] {
+            return bench.up() && bench.console().shift()->prepared() && bench.service().awaiting.has_value();
+        };
+        if (!QTest::qWaitFor(idle, 240'000)) {
+            state.SkipWithError("the console did not come to rest");
+            return;
+        }
+        ui::MainWindow* window = bench.console().window();
+        for (const ui::PageEntry& page : window->pages()) {
+            window->showPage(page.key);
+            QTest::qWait(1000);
+            PaintCounter counter;
+            for (QWidget* widget : window->findChildren<QWidget*>()) {
+                if (widget->isVisibleTo(window)) {
+                    widget->installEventFilter(&counter);
+                }
+            }
+            QElapsedTimer clock;
+            clock.start();
+            const double before_s = threadTime_s();
+            QTest::qWait(kMeasured_ms);
+            const double wall_s = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+            state.counters[std::string(page.key) + "_core_percent"] = 100.0 * (threadTime_s() - before_s) / wall_s;
+            int painted = 0;
+            for (const auto& [widget, frames] : counter.frames) {
+                painted += frames;
+            }
+            state.counters[std::string(page.key) + "_paints_per_s"] = painted / wall_s;
+        }
+    }
+}
+BENCHMARK(idlePages)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

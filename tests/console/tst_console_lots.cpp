@@ -71,7 +71,11 @@ class TestConsoleLots : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("lot 2")));
         QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
-        QVERIFY(waitForFullLot(bench));  // the shift goes on by itself
+        QTest::qWait(200);
+        QVERIFY(bench.service().parts.empty());  // opening a lot is opening it
+        bench.console().window()->showPage("overview");
+        QVERIFY(bench.press("startPart"));
+        QVERIFY(waitForFullLot(bench));  // after that the demonstration goes on by itself
         QCOMPARE(bench.service().parts.size(), std::size_t{3});
         bench.stop();
         start(bench, options(3, true));
@@ -87,6 +91,7 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.press("lots"));
         QVERIFY(bench.press("lotOpen"));
         QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
+        QVERIFY(bench.press("startPart"));
         QVERIFY(waitForFullLot(bench));
         QVERIFY(bench.press("lots"));
         auto* table = bench.find<QTableWidget>("lotTable");
@@ -99,6 +104,27 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.press("lotClose"));
         QTRY_VERIFY(bench.service().lotClosed);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("closed")));
+    }
+    void aBoreThatWaitsIsKeptAndTheLawStays() {
+        test::ConsoleBench bench;
+        start(bench, options(5, false));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.service().awaiting.has_value(), 60'000);
+        const PartId part = *bench.service().awaiting;
+        signOn(bench, "Kim", ui::Role::Setter);
+        QVERIFY(bench.press("lots"));
+        QTRY_VERIFY(bench.text("lotMessage").contains(QStringLiteral("waits for its diameter")));
+        QVERIFY(bench.press("lotPerturbation"));
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
+        QVERIFY(bench.console().window()->bottomLine().contains(QStringLiteral("still waits")));
+        QVERIFY(bench.press("lots"));
+        QVERIFY(bench.find<QPushButton>("lotPerturbation")->isChecked());
+        auto* table = bench.find<QTableWidget>("lotTable");
+        QVERIFY(table->item(1, 4)->text().contains(u'1'));
+        table->selectRow(1);
+        QVERIFY(bench.press("lotChoose"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("1"), 30'000);
+        QCOMPARE(bench.service().awaiting, std::optional(part));
     }
     void onlyASetterOpensLotsAndTheButtonSaysSo() {
         test::ConsoleBench bench;

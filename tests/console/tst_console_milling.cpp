@@ -247,7 +247,7 @@ class TestConsoleMilling : public QObject {
         QVERIFY(milling().cutting);
         QTRY_VERIFY_WITH_TIMEOUT(buttonText("millingStart").contains(QStringLiteral("절삭")), 5'000);
         const auto& specs = m_bench->console().look().units().of("mm/s");
-        QCOMPARE(specs.symbol, QStringLiteral("in/s"));
+        QCOMPARE(specs.symbol, QStringLiteral("in/min"));
     }
 
  private:

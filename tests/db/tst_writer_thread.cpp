@@ -241,6 +241,29 @@ class TestWriterThread : public QObject {
         bench.writer.submit(entry(bench.part, 50.0), [&](const Result<Receipt>& done) { again = done.has_value(); });
         QTRY_VERIFY(again);
     }
+    void anEntryRefusedByAFullDiskStopsNewPartsUntilThereIsRoom() {
+        std::atomic<bool> refused{false};
+        WriterThread::Options options = kQuick;
+        options.partsRefused = &refused;
+        Bench bench(16, options);
+        bench.writer.limitPages(1);
+        bool full = false;
+        for (int i = 0; i < 2000 && !full; ++i) {
+            bool answered = false;
+            bench.writer.submit(entry(bench.part, 50.0), [&](const Result<Receipt>& done) {
+                answered = true;
+                full = !done;
+            });
+            QTRY_VERIFY(answered);
+        }
+        QVERIFY(full);
+        QTRY_VERIFY(refused.load() && !bench.writer.problem().empty());
+        QTest::qWait(10 * options.retry_ms);  // tried again several times, with nothing else to be stored
+        QVERIFY(refused.load() && !bench.writer.problem().empty());
+        bench.writer.limitPages(0);
+        QTRY_VERIFY(!refused.load() && bench.writer.problem().empty());  // by itself
+        QVERIFY(db::checkDatabase(bench.scratch.path()));
+    }
     void lockedFileIsReportedAndTriedAgain() {
         Bench bench;
         std::optional<Sentence> refused;

@@ -46,7 +46,9 @@ inline QStringList clippedTexts(const QWidget* root) {
         }
         QString text;
         QSize needed;
-        if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+        if (widget->property("elides").toBool()) {
+            needed = widget->minimumSizeHint();  // a sentence that ends in an ellipsis, where it has its place
+        } else if (const auto* label = qobject_cast<const QLabel*>(widget)) {
             text = label->text();
             const QFontMetrics metrics(label->font());
             const int flags = label->wordWrap() ? Qt::TextWordWrap : 0;

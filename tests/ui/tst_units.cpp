@@ -30,9 +30,16 @@ class TestUnits : public QObject {
         QCOMPARE(units.difference(5.0, "K", 1), QStringLiteral("9.0"));
         QCOMPARE(units.difference(5.0, "degC", 1), QStringLiteral("9.0"));
     }
+    void anAmericanShopSaysPoundsAndInchesPerMinute() {
+        const UnitSystem units(LengthUnit::Inch, TemperatureUnit::Fahrenheit);
+        QCOMPARE(units.withUnit(444.82216152605, "N", 0), QStringLiteral("100.0\u00a0lbf"));
+        QCOMPARE(units.withUnit(25.4, "mm/s", 1), QStringLiteral("60.0\u00a0in/min"));
+        QCOMPARE(units.withUnit(254.0, "mm/min", 0), QStringLiteral("10.0\u00a0in/min"));
+        QCOMPARE(units.withUnit(1.0, "N/um", 0), QStringLiteral("5710\u00a0lbf/in"));
+    }
     void unknownUnitsPassThrough() {
-        QCOMPARE(UnitSystem(LengthUnit::Inch, TemperatureUnit::Fahrenheit).withUnit(3.0, "N", 0),
-                 QStringLiteral("3\u00a0N"));
+        QCOMPARE(UnitSystem(LengthUnit::Inch, TemperatureUnit::Fahrenheit).withUnit(3.0, "rpm", 0),
+                 QStringLiteral("3\u00a0rpm"));
         QCOMPARE(UnitSystem().withUnit(0.5025, "", 3), QStringLiteral("0.502"));
     }
     void minusIsAMinusAndZeroHasNoSign() {

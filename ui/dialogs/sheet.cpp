@@ -1,46 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/sheet.h"
 
+#include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QPainter>
 #include <QResizeEvent>
 
+#include "ui/dialogs/sheet_buttons.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_box.h"
 
 namespace kerf::ui {
 
 Sheet::Sheet(Look& look, QWidget* host)
     : FaceWidget(look, host),
-      m_outer(new QVBoxLayout(this)),
-      m_row(new QHBoxLayout),
       m_frame(new QFrame(this)),
-      m_title(makeLabel(TextRole::CardNumber, m_frame, true)),
-      m_text(makeLabel(TextRole::Body, m_frame, true)),
-      m_body(new QVBoxLayout),
-      m_buttons(new QHBoxLayout) {
+      m_content(new QWidget),
+      m_scroll(new ScrollBox(m_frame)),
+      m_buttons(new SheetButtons(look, m_frame)),
+      m_column(new QVBoxLayout(m_content)),
+      m_title(makeLabel(TextRole::CardNumber, m_content, true)),
+      m_text(makeLabel(TextRole::Body, m_content, true)),
+      m_body(new QVBoxLayout) {
     setObjectName(QStringLiteral("sheet"));
     m_frame->setProperty("role", QStringLiteral("sheet"));
-    m_outer->addStretch(1);
-    m_outer->addLayout(m_row);
-    m_outer->addStretch(2);
-    m_row->addStretch(1);
-    m_row->addWidget(m_frame, 4);
-    m_row->addStretch(1);
-    auto* column = new QVBoxLayout(m_frame);
-    column->addWidget(m_title);
-    column->addWidget(m_text);
-    column->addLayout(m_body);
-    column->addLayout(m_buttons);
+    m_content->setProperty("role", QStringLiteral("scrolled"));
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->addWidget(m_title);
+    m_column->addWidget(m_text);
+    m_column->addLayout(m_body, 1);
     m_text->hide();
+    m_scroll->setContent(m_content);
+    m_content->installEventFilter(this);
+    m_buttons->installEventFilter(this);
     refresh();
 }
 
 void Sheet::setWide() {
-    m_row->setStretch(0, 0);
-    m_row->setStretch(2, 0);
-    m_outer->setStretch(0, 0);
-    m_outer->setStretch(1, 1);
-    m_outer->setStretch(2, 0);
+    m_wide = true;
+    place();
+}
+
+// As high as it would like to be, at most the page area; below that the content scrolls and the buttons stay.
+void Sheet::place() {
+    const int margin = look().space(Space::Large);
+    const int outer = m_wide ? look().space(Space::Medium) : 0;
+    const int width_px =
+        m_wide ? width() - 2 * outer : qMin(width(), qMax(2 * width() / 3, look().metrics().sideWidth()));
+    const int inner = width_px - 2 * margin;
+    const int buttons = m_buttons->heightForWidth(inner);
+    const int gap = buttons > 0 ? margin : 0;
+    const int room = height() - 2 * outer;
+    const int wanted = 2 * margin + m_scroll->wantedHeight(inner) + gap + buttons;
+    const int height_px = m_wide ? room : qMin(room, wanted);
+    m_frame->setGeometry((width() - width_px) / 2, outer + (room - height_px) / 3, width_px, height_px);
+    m_scroll->setGeometry(margin, margin, inner, qMax(0, height_px - 2 * margin - gap - buttons));
+    m_buttons->setGeometry(margin, height_px - margin - buttons, inner, buttons);
+}
+
+void Sheet::resizeEvent(QResizeEvent* event) {
+    FaceWidget::resizeEvent(event);
+    place();
+}
+
+bool Sheet::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        place();
+    }
+    return FaceWidget::eventFilter(watched, event);
+}
+
+void Sheet::settleFocus() {
+    const QWidget* now = QApplication::focusWidget();
+    if (now != nullptr && now != this && isAncestorOf(now) && now->isVisible()) {
+        return;
+    }
+    QWidget* wanted = nullptr;
+    QWidget* first = nullptr;
+    for (QWidget* child : m_content->findChildren<QWidget*>()) {
+        if (!child->isVisible() || !child->isEnabled() || child->focusPolicy() == Qt::NoFocus) {
+            continue;
+        }
+        if (child->focusWidget() == child) {
+            wanted = child;
+        } else if (const auto* field = qobject_cast<QLineEdit*>(child);
+                   first == nullptr && field != nullptr && !field->isReadOnly()) {
+            first = child;
+        }
+    }
+    if (wanted != nullptr || first != nullptr) {
+        (wanted != nullptr ? wanted : first)->setFocus();
+    }
 }
 
 void Sheet::setTitle(const QString& title) {
@@ -53,13 +104,9 @@ void Sheet::setText(const QString& text) {
 }
 
 void Sheet::addButton(QPushButton* button, std::function<void()> onClicked, bool closes) {
-    button->setParent(m_frame);
-    if (!m_list.empty()) {
-        m_buttons->addStretch(1);  // the safe answer stands apart from the others
-    }
-    m_buttons->addWidget(button);
-    button->show();
+    m_buttons->add(button);
     m_list.push_back(button);
+    place();
     connect(button, &QPushButton::clicked, this, [this, onClicked = std::move(onClicked), closes] {
         if (closes) {
             close();  // first: the answer may open the next sheet
@@ -98,13 +145,10 @@ void Sheet::keyPressEvent(QKeyEvent* event) {
 }
 
 void Sheet::refresh() {
-    const int large = look().space(Space::Large);
-    m_frame->layout()->setContentsMargins(large, large, large, large);
-    m_frame->layout()->setSpacing(large);
+    m_column->setSpacing(look().space(Space::Large));
     m_body->setSpacing(look().space(Space::Medium));
-    m_buttons->setSpacing(look().metrics().touchGap());
-    m_frame->setMinimumWidth(look().metrics().sideWidth());
     FaceWidget::refresh();
+    place();
 }
 
 SheetHost::SheetHost(Look& look, QWidget* parent) : QWidget(parent), m_look(look) {}
@@ -132,6 +176,11 @@ Sheet* SheetHost::open(const QString& title, const QString& text) {
     sheet->show();
     sheet->raise();
     sheet->setFocus();
+    // After the events by which its fields are shown, and those are posted while it is filled, after this.
+    const auto settle = [sheet] { sheet->settleFocus(); };
+    QMetaObject::invokeMethod(
+        sheet, [sheet, settle] { QMetaObject::invokeMethod(sheet, settle, Qt::QueuedConnection); },
+        Qt::QueuedConnection);
     return sheet;
 }
 

@@ -14,10 +14,16 @@
 
 namespace kerf::ui {
 
+class ScrollBox;
+class SheetButtons;
 class SheetHost;
 
 /// A question or form laid over the page area. It is modal for the pages only: the bottom line with HOLD ALL, the
-/// header and the engine stay reachable. Made by SheetHost; deletes itself when closed.
+/// header and the engine stay reachable. Made by SheetHost; deletes itself when closed. What does not fit is scrolled,
+/// the buttons stay in sight.
+///
+/// Focus: the field for which setFocus() was called while the sheet was built has the keys once it is laid out; when
+/// there is none, the first field for text.
 class Sheet : public FaceWidget {
     Q_OBJECT
  public:
@@ -38,19 +44,25 @@ class Sheet : public FaceWidget {
  protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void refresh() override;
 
  private:
     friend class SheetHost;
     Sheet(Look& look, QWidget* host);
+    void place();
+    void settleFocus();
 
-    QVBoxLayout* m_outer;
-    QHBoxLayout* m_row;
     QFrame* m_frame;
+    QWidget* m_content;
+    ScrollBox* m_scroll;
+    SheetButtons* m_buttons;
+    QVBoxLayout* m_column;
+    bool m_wide{false};
     QLabel* m_title;
     QLabel* m_text;
     QVBoxLayout* m_body;
-    QHBoxLayout* m_buttons;
     std::vector<QPushButton*> m_list;
 };
 

@@ -58,6 +58,7 @@ struct BoringLotView {
     bool current{false};
     std::string insertGrade{};  ///< as told when it was opened
     std::string material{};
+    std::uint32_t partsWaiting{0};  ///< of the newest lots: finished parts without all their diameters
 };
 
 /// A lot to be opened. The newest recipe of the part type holds for it, and stays with it.

@@ -7,6 +7,10 @@
 
 namespace kerf::ui {
 
+namespace {
+constexpr double kLongestName_mm = 32.0;
+}
+
 HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     : FaceWidget(look, parent),
       m_session(session),
@@ -17,6 +21,7 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
       m_clock(makeLabel(TextRole::Body, this)),
       m_operator(new QPushButton(this)),
       m_language(new QPushButton(this)),
+      m_help(new QPushButton(this)),
       m_settings(new QPushButton(this)) {
     m_path->setObjectName(QStringLiteral("path"));
     m_path->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -26,6 +31,9 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     m_speed->setObjectName(QStringLiteral("simulationSpeed"));
     m_operator->setObjectName(QStringLiteral("operator"));
     m_language->setObjectName(QStringLiteral("language"));
+    m_help->setObjectName(QStringLiteral("help"));
+    m_help->setCheckable(true);
+    m_help->setText(QStringLiteral("?"));
     m_settings->setObjectName(QStringLiteral("settings"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -36,10 +44,12 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     row->addWidget(m_clock);
     row->addWidget(m_operator);
     row->addWidget(m_language);
+    row->addWidget(m_help);
     row->addWidget(m_settings);
     connect(m_lots, &QPushButton::clicked, this, &HeaderBar::lotsRequested);
     connect(m_operator, &QPushButton::clicked, this, &HeaderBar::operatorRequested);
     connect(m_speed, &QPushButton::clicked, this, &HeaderBar::speedRequested);
+    connect(m_help, &QPushButton::clicked, this, &HeaderBar::helpRequested);
     connect(m_settings, &QPushButton::clicked, this, &HeaderBar::settingsRequested);
     connect(&session, &OperatorSession::changed, this, &HeaderBar::rebuild);
     connect(m_language, &QPushButton::clicked, this, [this] {
@@ -112,7 +122,11 @@ void HeaderBar::rebuild() {
     }
     m_speed->setVisible(m_simulated);
     m_speed->setText(m_factor > 0.0 ? tr("simulator ×%1").arg(m_factor) : tr("simulator, free run"));
-    m_operator->setText(m_session.signedOn() ? m_session.name() : tr("Sign on"));
+    const QFontMetrics metrics(look().font(TextSize::Body));
+    m_operator->setText(m_session.signedOn()
+                            ? metrics.elidedText(m_session.name(), Qt::ElideRight, look().px(kLongestName_mm))
+                            : tr("Sign on"));
+    m_operator->setToolTip(m_session.name());
 }
 
 void HeaderBar::refresh() {
@@ -121,6 +135,8 @@ void HeaderBar::refresh() {
                                                                           : QStringLiteral("한"));
     m_language->setAccessibleName(tr("Language"));
     m_lots->setText(tr("Lots"));
+    m_help->setAccessibleName(tr("Help: touch what you want explained"));
+    m_help->setToolTip(m_help->accessibleName());
     m_settings->setText(tr("Settings"));
     layout()->setSpacing(look().metrics().touchGap());
     rebuild();

@@ -23,12 +23,15 @@ class HeaderBar : public FaceWidget {
     void setTime(const QString& clock);
     /// Lots can be opened and closed here.
     void setLots(bool there) { m_lots->setVisible(there); }
+    void setHelp(bool on) { m_help->setChecked(on); }
 
  signals:
     void lotsRequested();
     void operatorRequested();
     void speedRequested();
     void settingsRequested();
+    /// The next touch is to be explained, or not after all.
+    void helpRequested(bool on);
 
  protected:
     void refresh() override;
@@ -44,6 +47,7 @@ class HeaderBar : public FaceWidget {
     QLabel* m_clock;
     QPushButton* m_operator;
     QPushButton* m_language;
+    QPushButton* m_help;
     QPushButton* m_settings;
     QString m_machine;
     QStringList m_work;

@@ -16,7 +16,7 @@ HeldBand::HeldBand(Look& look, EngineClient& client, QWidget* parent)
     : FaceWidget(look, parent),
       m_client(client),
       m_what(makeLabel(TextRole::Title, this)),
-      m_why(makeLabel(TextRole::Body, this, true)),
+      m_why(new ClampLabel(2, this)),
       m_release(new ActionButton(look, this)) {
     setObjectName(QStringLiteral("heldBand"));
     m_what->setObjectName(QStringLiteral("heldWhat"));
@@ -105,7 +105,7 @@ void HeldBand::refresh() {
 void HeldBand::say() {
     if (m_since.isValid()) {
         m_what->setText(what());
-        m_why->setText(why());
+        m_why->say(why());
     }
     const bool inWork = m_stopped && m_status.stops[static_cast<std::size_t>(*m_stopped)].slot.kind == StopKind::InWork;
     m_release->setText(inWork ? tr("Show") : m_stopped ? tr("Release stop") : tr("Release hold"));

@@ -8,6 +8,7 @@
 #include "engine/api/status.h"
 #include "ui/link/engine_client.h"
 #include "ui/widgets/action_button.h"
+#include "ui/widgets/clamp_label.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {
@@ -42,7 +43,7 @@ class HeldBand : public FaceWidget {
 
     EngineClient& m_client;
     QLabel* m_what;
-    QLabel* m_why;
+    ClampLabel* m_why;
     ActionButton* m_release;
     Status m_status{};
     std::optional<ProcessId> m_stopped{};  ///< of the stop that is shown

@@ -17,24 +17,34 @@
 #include "ui/dialogs/first_engineer_sheet.h"
 #include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/settings_sheet.h"
+#include "ui/dialogs/tool_sheet.h"
 #include "ui/entry/touch_keyboard.h"
+#include "ui/help/help_mode.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
+#include "ui/services/shift_service.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/held_band.h"
+#include "ui/shell/machine_strip.h"
 #include "ui/shell/navigation.h"
 #include "ui/widgets/alarm_bar.h"
 #include "ui/widgets/hold_all_button.h"
+#include "ui/widgets/scroll_box.h"
 
 namespace kerf::ui {
 namespace {
 constexpr int kSettling_ms = 400;  // before a page is rendered to a file
-}
+constexpr double kFrameDpi = 96.0;
+constexpr QSize kFrameSize{1280, 800};  // the frame is drawn for this at 96 dpi, and grows with the window
+constexpr QSize kSmallFrame{1024, 700};
+constexpr double kSmallestFrame = 0.6;
+}  // namespace
 
 MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* parent)
     : QMainWindow(parent),
       m_look(look),
+      m_frameLook(look),
       m_services(std::move(services)),
       m_pages(std::move(pages)),
       m_client(m_services.engine),
@@ -157,7 +167,7 @@ void MainWindow::buildFrame() {
     top->setObjectName(QStringLiteral("topLine"));
     top->setProperty("role", QStringLiteral("bar"));
     auto* topRow = new QHBoxLayout(top);
-    m_header = new HeaderBar(m_look, m_session, top);
+    m_header = new HeaderBar(m_frameLook, m_session, top);
     topRow->addWidget(m_header);
     grid->addWidget(top, 0, 0, 1, 2);
 
@@ -165,18 +175,26 @@ void MainWindow::buildFrame() {
     left->setProperty("role", QStringLiteral("bar"));
     auto* leftColumn = new QVBoxLayout(left);
     leftColumn->setContentsMargins(0, 0, 0, 0);
-    m_navigation = new Navigation(m_look, m_pages, left);
-    leftColumn->addWidget(m_navigation);
+    m_navigation = new Navigation(m_frameLook, m_pages, left);
+    auto* places = new ScrollBox(left);
+    places->setContent(m_navigation);
+    leftColumn->addWidget(places);
+    m_left = left;
     grid->addWidget(left, 2, 0);
 
-    m_sheets = new SheetHost(m_look, central);
+    auto* work = new QWidget(central);
+    auto* workColumn = new QVBoxLayout(work);
+    workColumn->setContentsMargins(0, 0, 0, 0);
+    workColumn->setSpacing(0);
+    m_strip = new MachineStrip(m_frameLook, work);
+    workColumn->addWidget(m_strip);
+    m_sheets = new SheetHost(m_look, work);
+    workColumn->addWidget(m_sheets, 1);
     auto* pageArea = new QVBoxLayout(m_sheets);
     pageArea->setContentsMargins(0, 0, 0, 0);
     m_stack = new QStackedWidget(m_sheets);
-    m_stack->setSizePolicy(QSizePolicy::Preferred,
-                           QSizePolicy::Ignored);  // a page never makes the window larger than the screen
     pageArea->addWidget(m_stack);
-    grid->addWidget(m_sheets, 2, 1);
+    grid->addWidget(work, 2, 1);
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(1, 1);
 
@@ -184,8 +202,8 @@ void MainWindow::buildFrame() {
     bottom->setObjectName(QStringLiteral("bottomLine"));
     bottom->setProperty("role", QStringLiteral("bar"));
     auto* bottomRow = new QHBoxLayout(bottom);
-    m_alarmBar = new AlarmBar(m_look, bottom);
-    m_holdAll = new HoldAllButton(m_look, m_services.engine, bottom);
+    m_alarmBar = new AlarmBar(m_frameLook, bottom);
+    m_holdAll = new HoldAllButton(m_frameLook, m_services.engine, bottom);
     bottomRow->addWidget(m_alarmBar, 1);
     bottomRow->addWidget(m_holdAll);
     m_bottom = bottom;
@@ -205,26 +223,39 @@ void MainWindow::buildFrame() {
     for (const PageEntry& entry : m_pages) {
         Page* made = entry.make(context);
         made->setProperty("pageKey", QLatin1String(entry.key));
-        m_stack->addWidget(made);
+        auto* room = new ScrollBox(m_stack);
+        room->setContent(made);
+        m_stack->addWidget(room);
         m_made.push_back(made);
     }
     connect(m_navigation, &Navigation::chosen, this, [this](std::size_t index) { showPage(m_pages[index].key); });
     m_header->setLots(m_services.boringLots != nullptr && m_services.boringService != nullptr);
     connect(m_header, &HeaderBar::lotsRequested, this, [context] { LotForm::open(context); });
+    if (m_services.shiftService != nullptr) {
+        connect(m_strip, &MachineStrip::touched, this, [context] { openTools(context); });
+    }
     connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
     connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
     connect(m_header, &HeaderBar::speedRequested, this, &MainWindow::chooseSpeed);
+    auto* help = new HelpMode(m_look, *m_sheets, this);
+    connect(m_header, &HeaderBar::helpRequested, this, [this, help](bool on) {
+        help->setActive(on);
+        if (on) {
+            m_alarmBar->notify(tr("Touch what you want explained."));
+        }
+    });
+    connect(help, &HelpMode::changed, m_header, &HeaderBar::setHelp);
     connect(m_alarmBar, &AlarmBar::showRequested, this, [this] { showPage("alarms"); });
     if (!m_pages.empty()) {
         showPage(m_pages.front().key);
     }
-    new TouchKeyboard(m_look, m_sheets);
+    m_keyboard = new TouchKeyboard(m_frameLook, m_sheets);
     m_sheets->setFocusPolicy(Qt::ClickFocus);
     m_sheets->setFocus();  // no button has the focus before somebody wants it
 }
 
 void MainWindow::buildHeldBand(QGridLayout* grid) {
-    m_heldBand = new HeldBand(m_look, m_client, centralWidget());
+    m_heldBand = new HeldBand(m_frameLook, m_client, centralWidget());
     grid->addWidget(m_heldBand, 1, 0, 1, 2);
     connect(m_holdAll, &QPushButton::pressed, this, [this] { m_heldBand->pressedBy(m_session.name()); });
     connect(m_heldBand, &HeldBand::releaseHoldRequested, this, [this] { m_client.sendAction(ReleaseHold{}); });
@@ -329,15 +360,36 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
+    fitFrame();
+}
+
+void MainWindow::fitFrame() {
+    const double dots = m_look.dpi() / kFrameDpi;
+    const auto share = [this, dots](const QSize& screen) {
+        return qMin(width() / (dots * screen.width()), height() / (dots * screen.height()));
+    };
+    m_frameLook.limitScale(qBound(kSmallestFrame, qMax(share(kFrameSize), qMin(1.0, share(kSmallFrame))), 2.5));
+    const bool own = m_frameLook.metrics().scale() != m_look.metrics().scale();
+    const QString sheet = own ? ui::styleSheet(m_frameLook) : QString();
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_header->parentWidget(), m_left, m_bottom, m_heldBand, m_keyboard}) {
+        if (part->styleSheet() != sheet) {
+            part->setStyleSheet(sheet);
+        }
+        part->setFont(own ? m_frameLook.font(TextSize::Body) : QFont());
+    }
+    const int medium = m_frameLook.space(Space::Medium);
+    for (QWidget* bar : {m_header->parentWidget(), m_bottom}) {
+        bar->layout()->setContentsMargins(2 * medium, medium / 2, 2 * medium, medium / 2);
+        bar->layout()->setSpacing(m_frameLook.metrics().touchGap());
+    }
+    m_left->setFixedWidth(m_frameLook.metrics().navWidth());
+    setMinimumSize(qRound(dots * 640), qRound(dots * 480));
 }
 
 void MainWindow::refresh() {
     setWindowTitle(tr("Kerf – operator console"));
-    const int medium = m_look.space(Space::Medium);
-    for (QWidget* bar : {m_header->parentWidget(), m_bottom}) {
-        bar->layout()->setContentsMargins(2 * medium, medium, 2 * medium, medium);
-        bar->layout()->setSpacing(m_look.metrics().touchGap());
-    }
+    fitFrame();
     showAlarm();
     onStatus(m_client.status());
 }
@@ -346,6 +398,18 @@ void MainWindow::onStatus(const Status& status) {
     m_header->setStatus(status, m_services.engine.capabilities());
     m_header->setWork(m_services.boringService != nullptr ? &m_services.boringService->view() : nullptr, status);
     m_navigation->setStatus(status);
+    StripTool tool;
+    if (m_services.shiftService != nullptr) {
+        for (const ToolLife& life : m_services.shiftService->tools()) {
+            if (life.process == status.programProcess) {
+                tool = {life.parts, {}, true};
+                if (life.life > 0) {
+                    tool.partsLeft = life.life - qMin(life.life, life.parts);
+                }
+            }
+        }
+    }
+    m_strip->setStatus(status, tool);
     m_holdAll->setHeld(status.held);
     m_heldBand->setStatus(status);
 }

@@ -18,13 +18,18 @@ class AlarmBar;
 class HeaderBar;
 class HeldBand;
 class HoldAllButton;
+class MachineStrip;
 class Navigation;
+class TouchKeyboard;
 
 /// The frame around every page: header, navigation, page area, bottom line with HOLD ALL.
 ///
 ///     Look look;
 ///     MainWindow window(look, Services{.engine = engine, .boringService = &service});
 ///     window.show();
+///
+/// The frame has its place whatever is on it: long sentences end in an ellipsis, and where the chosen size of text
+/// would make it larger than the window it is drawn smaller. Pages scroll inside.
 ///
 /// Look and everything in Services outlive the window. Pages are made when the window is.
 class MainWindow : public QMainWindow {
@@ -59,6 +64,7 @@ class MainWindow : public QMainWindow {
     void buildFrame();
     void buildHeldBand(QGridLayout* grid);
     void refresh();
+    void fitFrame();
     void onStatus(const Status& status);
     void showAlarm();
     void chooseSpeed();
@@ -66,6 +72,7 @@ class MainWindow : public QMainWindow {
     void withRole(Role least, std::function<void()> action);
 
     Look& m_look;
+    Look m_frameLook;  ///< never larger than the frame has room for
     Services m_services;
     PageList m_pages;
     EngineClient m_client;
@@ -82,7 +89,10 @@ class MainWindow : public QMainWindow {
     AlarmBar* m_alarmBar{nullptr};
     HoldAllButton* m_holdAll{nullptr};
     QWidget* m_bottom{nullptr};
+    QWidget* m_left{nullptr};
+    TouchKeyboard* m_keyboard{nullptr};
     HeldBand* m_heldBand{nullptr};
+    MachineStrip* m_strip{nullptr};
     bool m_closeAnyway{false};
     std::vector<Page*> m_made;
 };

@@ -105,7 +105,9 @@ Navigation::Navigation(Look& look, const PageList& pages, QWidget* parent) : Fac
 void Navigation::setStatus(const Status& status) {
     for (std::size_t i = 0; i < m_pages.size(); ++i) {
         if (m_pages[i].process) {
-            m_items[i]->setLoop(status.loops[static_cast<std::size_t>(*m_pages[i].process)]);
+            const LoopStatus& loop = status.loops[static_cast<std::size_t>(*m_pages[i].process)];
+            m_items[i]->setLoop(loop);
+            m_items[i]->setVisible(loop.fitted || m_items[i]->isChecked());  // what the machine has not needs no place
         }
     }
 }
@@ -123,7 +125,6 @@ void Navigation::setCurrent(std::size_t index) {
 }
 
 void Navigation::refresh() {
-    setFixedWidth(look().metrics().navWidth());
     for (NavigationItem* item : m_items) {
         item->retitle();
     }

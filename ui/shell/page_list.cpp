@@ -10,6 +10,7 @@
 #include "ui/pages/parts/parts_page.h"
 #include "ui/pages/quality/quality_page.h"
 #include "ui/pages/sensors/sensors_page.h"
+#include "ui/pages/shift/shift_page.h"
 #include "ui/pages/tapping/tapping_page.h"
 #include "ui/pages/tapping/tapping_texts.h"
 #include "ui/pages/thermal/thermal_page.h"
@@ -112,6 +113,7 @@ PageList standardPages() {
          tappingFigure},
         {"quality", [] { return Pages::tr("Quality"); }, {}, makePage<QualityPage>, {}},
         {"parts", [] { return Pages::tr("Parts"); }, {}, makePage<PartsPage>, {}},
+        {"shift", [] { return Pages::tr("Shift"); }, {}, makePage<ShiftPage>, {}},
         {"sensors", [] { return Pages::tr("Sensors"); }, {}, makePage<SensorsPage>, {}},
         {"alarms", [] { return Pages::tr("Alarms"); }, {}, makePage<AlarmsPage>, {}},
         {"diagnostics", [] { return Pages::tr("Diagnostics"); }, {}, makePage<DiagnosticsPage>, {}},

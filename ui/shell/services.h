@@ -21,6 +21,7 @@ class PartReader;
 class SensorService;
 class QualityService;
 class SettingsReader;
+class ShiftService;
 class TappingService;
 class ThermalService;
 class TurningService;
@@ -43,6 +44,7 @@ struct Services {
     TappingService* tappingService{nullptr};
     SensorService* sensorService{nullptr};  ///< null: no sensor file
     QualityService* qualityService{nullptr};
+    ShiftService* shiftService{nullptr};
     PartReader* parts{nullptr};
     LotReader* lots{nullptr};
     AlarmReader* alarms{nullptr};
@@ -81,6 +83,13 @@ struct Services {
     std::function<QStringList()> backupFolders{};
     /// A checked copy of the whole data file into `file`, on a worker, while everything goes on.
     std::function<void(const QString& file, Done)> backUp{};
+    /// Checks that `file` is a whole backup and keeps it for the next start, which takes its place; what is there now
+    /// is kept beside it. Empty: not possible here.
+    std::function<void(const QString& file, const QString& author, Done)> restore{};
+    /// Files of that ending on removable drives and among the documents, newest first.
+    std::function<QStringList(const QString& ending)> filesThere{};
+    /// Takes somebody off the list of people; what they have signed stays.
+    std::function<void(const QString& name, const QString& author, Done)> removeAccount{};
     /// Called when alarms have been acknowledged by code; the application writes it to the history.
     std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
 };

@@ -18,12 +18,38 @@ Look::Look(double dpi, QObject* parent) : QObject(parent), m_dpi(dpi) {
     refresh();
 }
 
+Look::Look(Look& content) : QObject(nullptr), m_content(&content), m_dpi(content.m_dpi) {
+    const auto follow = [this] {
+        m_preferences = m_content->m_preferences;
+        m_units = m_content->m_units;
+        refresh();
+        emit changed();
+    };
+    connect(m_content, &Look::changed, this, follow);
+    follow();
+}
+
+void Look::limitScale(double most) {
+    if (most != m_most) {
+        m_most = most;
+        const double before = m_metrics.scale();
+        refresh();
+        if (m_metrics.scale() != before) {
+            emit changed();
+        }
+    }
+}
+
 Look::~Look() {
     QCoreApplication::removeTranslator(&m_texts);
     QCoreApplication::removeTranslator(&m_qtTexts);
 }
 
 void Look::apply(const Preferences& preferences) {
+    if (m_content != nullptr) {
+        m_content->apply(preferences);
+        return;
+    }
     if (preferences == m_preferences) {
         return;
     }
@@ -57,7 +83,10 @@ QPen Look::pen(Token token, Stroke stroke, Qt::PenStyle style) const {
 
 void Look::refresh() {
     m_palette = Palette(m_preferences.brightness);
-    m_metrics = Metrics(m_dpi, m_preferences.scale);
+    m_metrics = Metrics(m_dpi, qMin(m_preferences.scale, m_most));
+    if (m_content != nullptr) {
+        return;
+    }
     QPalette p;
     p.setColor(QPalette::Window, color(Token::Ground));
     p.setColor(QPalette::WindowText, color(Token::Text));

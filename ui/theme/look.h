@@ -34,8 +34,15 @@ class Look : public QObject {
  public:
     /// @param dpi logical dots per inch; 0: the primary screen's
     explicit Look(double dpi = 0.0, QObject* parent = nullptr);
+    /// The look of the frame around `content`: the same in everything, but never larger than limitScale() allows. What
+    /// is applied to it is applied to `content`, which outlives it; it has no effect on the application's own style
+    /// sheet.
+    explicit Look(Look& content);
     ~Look() override;
 
+    /// Of a frame's look: the largest scale at which it fits its window.
+    void limitScale(double most);
+    [[nodiscard]] double dpi() const { return m_dpi; }
     [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
     /// Switch whatever differs, live: style sheet, fonts, translator, units. Emits changed() once.
     void apply(const Preferences& preferences);
@@ -58,6 +65,8 @@ class Look : public QObject {
     void refresh();
     void setLanguage(Language language);
 
+    Look* m_content{nullptr};  ///< this is the look of the frame around it
+    double m_most{Metrics::kMaxScale};
     double m_dpi;
     Preferences m_preferences;
     Palette m_palette;

@@ -11,7 +11,7 @@
 namespace kerf::ui {
 namespace {
 
-struct LengthRow {
+struct InchRow {
     std::string_view stored;
     const char* metric;
     const char* inch;
@@ -22,15 +22,19 @@ struct LengthRow {
 constexpr double kPerInch = 1.0 / kMillimetrePerInch;
 constexpr double kMicroinchPerMicrometre = 1000.0 / kMillimetrePerInch;
 // 0.001 mm is 0.00004 in: two more decimals keep what the gauge resolved.
-constexpr std::array<LengthRow, 8> kLengths{{
+constexpr double kNewtonPerPoundForce = 4.4482216152605;  // as defined
+constexpr double kPoundForcePerNewton = 1.0 / kNewtonPerPoundForce;
+// What an American shop says: feeds in in/min or in/rev, forces in lbf, stiffness in lbf/in.
+constexpr std::array<InchRow, 9> kLengths{{
     {"mm", "mm", "in", kPerInch, 2},
     {"um", "µm", "µin", kMicroinchPerMicrometre, -1},
     {"mm/rev", "mm/rev", "in/rev", kPerInch, 2},
-    {"mm/s", "mm/s", "in/s", kPerInch, 2},
+    {"mm/s", "mm/s", "in/min", 60.0 * kPerInch, 0},
     {"mm/min", "mm/min", "in/min", kPerInch, 1},
     {"mm/tooth", "mm/tooth", "in/tooth", kPerInch, 2},
-    {"N/mm", "N/mm", "N/in", kMillimetrePerInch, -1},
-    {"N/um", "N/µm", "N/µin", 1.0 / kMicroinchPerMicrometre, 1},
+    {"N", "N", "lbf", kPoundForcePerNewton, 1},
+    {"N/mm", "N/mm", "lbf/in", kPoundForcePerNewton* kMillimetrePerInch, -1},
+    {"N/um", "N/µm", "lbf/in", kPoundForcePerNewton * 1000.0 * kMillimetrePerInch, -3},
 }};
 
 }  // namespace
@@ -40,7 +44,7 @@ int DisplayUnit::decimals(int storedDecimals) const {
 }
 
 DisplayUnit UnitSystem::of(std::string_view stored) const {
-    for (const LengthRow& row : kLengths) {
+    for (const InchRow& row : kLengths) {
         if (row.stored == stored) {
             return m_length == LengthUnit::Millimetre
                        ? DisplayUnit{QString::fromUtf8(row.metric)}

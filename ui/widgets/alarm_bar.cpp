@@ -10,7 +10,8 @@
 namespace kerf::ui {
 namespace {
 constexpr int kNotice_ms = 10'000;
-}
+constexpr int kLines = 3;  // as many as beside a button
+}  // namespace
 
 class AlarmBar::SignBox : public QWidget {
  public:
@@ -37,7 +38,7 @@ class AlarmBar::SignBox : public QWidget {
 AlarmBar::AlarmBar(Look& look, QWidget* parent)
     : FaceWidget(look, parent),
       m_sign(new SignBox(look, this)),
-      m_text(makeLabel(TextRole::Body, this, true)),
+      m_text(new ClampLabel(kLines, this)),
       m_show(new QPushButton(this)) {
     setObjectName(QStringLiteral("alarmBar"));
     m_text->setObjectName(QStringLiteral("alarmText"));
@@ -81,13 +82,13 @@ void AlarmBar::rebuild() {
     const bool notice = !m_notice.isEmpty() && m_priority != 1;
     m_sign->set(notice || m_priority == 0 ? Sign::None : signOfAlarm(m_priority));
     if (notice) {
-        m_text->setText(m_notice);
+        m_text->say(m_notice);
     } else if (m_priority == 0) {
-        m_text->setText(tr("No alarms."));
+        m_text->say(tr("No alarms."));
     } else if (m_more > 0) {
-        m_text->setText(tr("%1  (and %n more)", nullptr, m_more).arg(m_words));
+        m_text->say(tr("%1  (and %n more)", nullptr, m_more).arg(m_words));
     } else {
-        m_text->setText(m_words);
+        m_text->say(m_words);
     }
     setTextRole(m_text, notice || m_priority > 0 ? TextRole::Body : TextRole::Dim);
     m_show->setVisible(m_priority > 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLabel>
 #include <QPushButton>
 
+#include "ui/widgets/clamp_label.h"
 #include "ui/widgets/face_widget.h"
 #include "ui/widgets/sign.h"
 
@@ -33,7 +33,7 @@ class AlarmBar : public FaceWidget {
     void rebuild();
 
     SignBox* m_sign;
-    QLabel* m_text;
+    ClampLabel* m_text;
     QPushButton* m_show;
     int m_priority{0};
     QString m_words;

@@ -2,11 +2,14 @@
 #include "app/service/boring/boring_lots.h"
 
 #include <algorithm>
+#include <set>
 
 namespace kerf {
 namespace {
 
 constexpr std::uint32_t kLotsLooked = 1000;
+constexpr std::size_t kLotsLookedInto = 5;
+constexpr std::uint32_t kPartsLookedInto = 3;
 
 void answer(const BoringLots::Done& done, const Result<void>& result) {
     if (done) {
@@ -138,8 +141,38 @@ Result<std::vector<BoringLotView>> StoredBoringLots::lots() {
         shown.push_back({lot.id, lot.partType, lot.partTypeName, lot.name, lot.size, lot.estimator, lot.openedUtc_ms,
                          lot.closedUtc_ms.has_value(), lot.id == m_current, contexts[i].names[2],
                          contexts[i].names[3]});
+        shown.back().partsWaiting = i < kLotsLookedInto ? partsWaiting(lot) : 0;
     }
     return shown;
+}
+
+// Of the newest parts: a bore from before them is not waited for any more.
+std::uint32_t StoredBoringLots::partsWaiting(const LotRow& lot) {
+    const auto history = m_reader.newestParts(lot.id, kPartsLookedInto, std::nullopt);
+    if (!history || !*history) {
+        return 0;
+    }
+    const auto recipe = recipeFromJson((*history)->recipe.parametersJson);
+    if (!recipe) {
+        return 0;
+    }
+    std::set<MeasurementId> replaced;
+    for (const MeasurementRow& row : (*history)->measurements) {
+        if (row.replaces) {
+            replaced.insert(*row.replaces);
+        }
+    }
+    std::uint32_t waiting = 0;
+    for (const PartDetail& detail : (*history)->parts) {
+        std::set<std::uint8_t> measured;
+        for (const MeasurementRow& row : (*history)->measurements) {
+            if (row.part == detail.part.id && row.diameter_mm && !replaced.contains(row.id)) {
+                measured.insert(row.station);
+            }
+        }
+        waiting += detail.part.complete && measured.size() < recipe->depths.size() ? 1 : 0;
+    }
+    return waiting;
 }
 
 std::vector<BoringRecipeChange> StoredBoringLots::compare(const BoringRecipeForm& before,

@@ -50,6 +50,7 @@ class StoredBoringLots final : public BoringLots {
  private:
     /// Boring lots of this machine, newest first.
     [[nodiscard]] Result<std::vector<LotRow>> rows();
+    [[nodiscard]] std::uint32_t partsWaiting(const LotRow& lot);
     [[nodiscard]] Result<EnsureLot> ensureLot(const BoringLotOrder& order);
     void activate(LotId lot, const std::string& author, Done done);
     [[nodiscard]] Result<void> openService(LotId lot);

@@ -69,6 +69,9 @@ StoredBoringService::StoredBoringService(const Links& links, const LotHistory& h
     restore(history);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     m_problemSubscription = m_links.writer.onProblemChanged([this] {
+        if (m_links.writer.problem().empty()) {
+            m_storeProblem = {};
+        }
         rebuild();
         m_listeners.tell();
     });

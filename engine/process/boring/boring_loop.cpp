@@ -97,6 +97,7 @@ LoopVerdict BoringLoop::step(const MachineInputs& inputs, const Capabilities& ca
 LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                                EventSink& events) noexcept {
     const BoringSchedule& schedule = m_part.schedule;
+    const bool advises = m_mode == LoopMode::Advise;
     const bool overhangKnown = inputs.overhang_mm.good() && inputs.overhang_mm.value > 0.0;
     const bool speedKnown = inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value > 0.0;
     events.set(boring_alarm::kOverhangLost, !overhangKnown);
@@ -111,8 +112,12 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
         outputs.plannedFeedScale = lowest_mmPerS / inputs.programmedFeed_mmPerS.value;
     }
     if (!overhangKnown) {
-        return {LoopState::Limited,
-                Sentence(KERF_TEXT("Spindle overhang unknown: no faster than the schedule's lowest feed."))};
+        return {
+            LoopState::Limited,
+            Sentence(
+                advises
+                    ? KERF_TEXT("Spindle overhang unknown: control would go no faster than the schedule's lowest feed.")
+                    : KERF_TEXT("Spindle overhang unknown: no faster than the schedule's lowest feed."))};
     }
     const double overhang_mm = inputs.overhang_mm.value;
     const double wanted_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
@@ -120,8 +125,13 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
     const double length_mm = schedule.overhangTo_mm - schedule.overhangFrom_mm;
     m_status.progress = std::clamp((overhang_mm - schedule.overhangFrom_mm) / length_mm, 0.0, 1.0);
     if (!speedKnown) {
-        return {LoopState::Limited,
-                Sentence(KERF_TEXT("Spindle speed unknown or zero: no faster than the schedule's lowest feed."))};
+        return {
+            LoopState::Limited,
+            Sentence(
+                advises
+                    ? KERF_TEXT(
+                          "Spindle speed unknown or zero: control would go no faster than the schedule's lowest feed.")
+                    : KERF_TEXT("Spindle speed unknown or zero: no faster than the schedule's lowest feed."))};
     }
     const double perRev = 60.0 / inputs.spindleSpeed_rpm.value;
     if (inputs.actualFeed_mmPerS.good()) {
@@ -137,8 +147,12 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
         events.set(boring_alarm::kFeedNotFollowing, off && inputs.time_ns - m_offScheduleSince_ns > kFollowPatience_ns);
     }
     if (!inputs.programmedFeed_mmPerS.good() || inputs.programmedFeed_mmPerS.value <= 0.0) {
-        return {LoopState::Limited,
-                Sentence(KERF_TEXT("Programmed feed unknown: no faster than the schedule's lowest feed."))};
+        return {
+            LoopState::Limited,
+            Sentence(
+                advises
+                    ? KERF_TEXT("Programmed feed unknown: control would go no faster than the schedule's lowest feed.")
+                    : KERF_TEXT("Programmed feed unknown: no faster than the schedule's lowest feed."))};
     }
     const double scale = wanted_mmPerRev / (inputs.programmedFeed_mmPerS.value * perRev);
     outputs.feedScale = scale;
@@ -148,11 +162,14 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                          {capabilities.maxFeedScale, 2})};
     }
     if (wanted_mmPerRev != schedule.unclampedFeed_mmPerRev(overhang_mm)) {
-        return {LoopState::Limited,
-                Sentence(KERF_TEXT("The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit."),
-                         {schedule.minFeed_mmPerRev, 3}, {schedule.maxFeed_mmPerRev, 3})};
+        return {
+            LoopState::Limited,
+            Sentence(advises ? KERF_TEXT("The best feed lies outside %1 to %2 mm/rev: the feed would sit at the limit.")
+                             : KERF_TEXT("The best feed lies outside %1 to %2 mm/rev: the feed sits at the limit."),
+                     {schedule.minFeed_mmPerRev, 3}, {schedule.maxFeed_mmPerRev, 3})};
     }
-    return {LoopState::Controlling, Sentence(KERF_TEXT("The feed follows the schedule along the bore."))};
+    return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The feed would follow the schedule along the bore.")
+                                                     : KERF_TEXT("The feed follows the schedule along the bore."))};
 }
 
 void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {

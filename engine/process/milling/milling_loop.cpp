@@ -462,6 +462,7 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
                    static_cast<double>(inputs.time_ns - m_limitedSince_ns) > kPatience_s * kNanosecondPerSecond);
     wish(inputs, outputs);
 
+    const bool advises = m_mode == LoopMode::Advise;
     if (m_stopAlarm != 0 && m_mode != LoopMode::Control) {
         return {LoopState::Advising, Sentence(KERF_TEXT("Control would have held the feed: see the alarm."))};
     }
@@ -469,25 +470,35 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
         return {LoopState::Held, Sentence(KERF_TEXT("The feed is held: see the alarm, then release the feed here."))};
     }
     if (!m_feedKnown) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Feed really made is unknown: no faster than planned."))};
+        return {LoopState::Limited,
+                Sentence(advises ? KERF_TEXT("Feed really made is unknown: control would go no faster than planned.")
+                                 : KERF_TEXT("Feed really made is unknown: no faster than planned."))};
     }
     if (forceBlind) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Cutting force unknown: no faster than planned."))};
+        return {LoopState::Limited,
+                Sentence(advises ? KERF_TEXT("Cutting force unknown: control would go no faster than planned.")
+                                 : KERF_TEXT("Cutting force unknown: no faster than planned."))};
     }
     if (m_paused) {
-        return {LoopState::Controlling, Sentence(KERF_TEXT("The feed stands; control goes on with it."))};
+        return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The feed stands; control would go on with it.")
+                                                         : KERF_TEXT("The feed stands; control goes on with it."))};
     }
     if (m_law == MillingLaw::Constant) {
         return {LoopState::Controlling, Sentence(KERF_TEXT("The planned feed is kept."))};
     }
     if (m_decision.inAir) {
-        return {LoopState::Controlling, Sentence(KERF_TEXT("In air: entry feed until the tool meets the work."))};
+        return {LoopState::Controlling,
+                Sentence(advises ? KERF_TEXT("In air: control would take the entry feed until the tool meets the work.")
+                                 : KERF_TEXT("In air: entry feed until the tool meets the work."))};
     }
     if (m_decision.limited) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("The reference force needs a feed outside %1 to %2 mm/s."),
-                                             {m_setup.lowestFeed_mmPerS, 2}, {m_setup.highestFeed_mmPerS, 2})};
+        return {LoopState::Limited,
+                Sentence(advises ? KERF_TEXT("The reference force would need a feed outside %1 to %2 mm/s.")
+                                 : KERF_TEXT("The reference force needs a feed outside %1 to %2 mm/s."),
+                         {m_setup.lowestFeed_mmPerS, 2}, {m_setup.highestFeed_mmPerS, 2})};
     }
-    return {LoopState::Controlling, Sentence(KERF_TEXT("The feed holds the reference force."))};
+    return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The feed would hold the reference force.")
+                                                     : KERF_TEXT("The feed holds the reference force."))};
 }
 
 void MillingLoop::wish(const MachineInputs& inputs, LoopOutputs& outputs) const noexcept {

@@ -585,6 +585,7 @@ void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) no
 }
 
 LoopVerdict ThermalLoop::verdict() const noexcept {
+    const bool advises = m_mode == LoopMode::Advise;
     const bool limited = std::ranges::any_of(m_status.sizeLimited, [](bool flag) { return flag; }) ||
                          std::ranges::any_of(m_status.rateLimited, [](bool flag) { return flag; });
     switch (m_status.stage) {
@@ -608,16 +609,20 @@ LoopVerdict ThermalLoop::verdict() const noexcept {
                 Sentence(KERF_TEXT("The control does not report its work offset; nothing is shifted."))};
     }
     if (limited) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("The shift sits at its limit of size or rate."))};
+        return {LoopState::Limited, Sentence(advises ? KERF_TEXT("The shift would sit at its limit of size or rate.")
+                                                     : KERF_TEXT("The shift sits at its limit of size or rate."))};
     }
     if (m_status.outside > kOutsideAlarm) {
         return {LoopState::Limited,
-                Sentence(KERF_TEXT("Outside the training range: the shift fades to hold. Measure the origin."))};
+                Sentence(
+                    advises ? KERF_TEXT("Outside the training range: the shift would fade to hold. Measure the origin.")
+                            : KERF_TEXT("Outside the training range: the shift fades to hold. Measure the origin."))};
     }
     if (m_prediction.changed >= thermal::kDayDiffers) {
         return {LoopState::Limited, Sentence(KERF_TEXT("Today differs from the days trained on: measure."))};
     }
-    return {LoopState::Controlling, Sentence(KERF_TEXT("The work origin follows the predicted drift."))};
+    return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The work origin would follow the predicted drift.")
+                                                     : KERF_TEXT("The work origin follows the predicted drift."))};
 }
 
 }  // namespace kerf

@@ -164,7 +164,9 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
         m_status.stage = TurningStage::Idle;
         m_wanted_um = m_trim_um = 0.0;
         return {m_mode == LoopMode::Control ? LoopState::Controlling : LoopState::Advising,
-                Sentence(KERF_TEXT("Ready: force feedback begins at the touch of the next part."))};
+                Sentence(m_mode == LoopMode::Advise
+                             ? KERF_TEXT("Ready: force feedback would begin at the touch of the next part.")
+                             : KERF_TEXT("Ready: force feedback begins at the touch of the next part."))};
     }
     if (capabilities.cycle_ns != kCycle_ns) {
         return {LoopState::Limited,
@@ -380,19 +382,23 @@ void TurningLoop::showTones(EventSink& events) noexcept {
 }
 
 Sentence TurningLoop::cuttingReason() const noexcept {
+    const bool advises = m_mode == LoopMode::Advise;
     switch (m_controller) {
         case TurningController::Open:
             return Sentence(KERF_TEXT("Open: the disturbance is watched, the tool is not trimmed."));
         case TurningController::Paper:
         case TurningController::Pi:
-            return Sentence(KERF_TEXT("The trim follows the depth error."));
+            return Sentence(advises ? KERF_TEXT("The trim would follow the depth error.")
+                                    : KERF_TEXT("The trim follows the depth error."));
         case TurningController::Tones:
             break;
     }
     if (m_status.acting && (m_status.toneCount == 0 || m_status.toneShare < 0.5)) {
-        return Sentence(KERF_TEXT("The trim follows what can be foreseen of the disturbance."));
+        return Sentence(advises ? KERF_TEXT("The trim would follow what can be foreseen of the disturbance.")
+                                : KERF_TEXT("The trim follows what can be foreseen of the disturbance."));
     }
-    return m_status.acting ? Sentence(KERF_TEXT("The trim cancels %1 tones of the disturbance."),
+    return m_status.acting ? Sentence(advises ? KERF_TEXT("The trim would cancel %1 tones of the disturbance.")
+                                              : KERF_TEXT("The trim cancels %1 tones of the disturbance."),
                                       SentenceArg(static_cast<double>(m_status.toneCount), 0))
                            : Sentence(KERF_TEXT("Listening to the disturbance: no trim yet."));
 }

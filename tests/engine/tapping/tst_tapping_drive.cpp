@@ -118,6 +118,9 @@ class TestTappingDrive : public QObject {
     void toleranceTableKeepsTheStandardsLaw() {
         // ISO 965-1: T_D2 grade 6 is 1.32 · 90 P^.4 d^.1, d the geometric mean of its range, then rounded to R 40.
         for (const ThreadPreset& thread : threadPresets()) {
+            if (!thread.metric()) {
+                continue;
+            }
             const double mean_mm = thread.diameter_mm <= 5.6    ? std::sqrt(2.8 * 5.6)
                                    : thread.diameter_mm <= 11.2 ? std::sqrt(5.6 * 11.2)
                                                                 : std::sqrt(11.2 * 22.4);
@@ -126,6 +129,20 @@ class TestTappingDrive : public QObject {
             QVERIFY2(std::abs(thread.grade5_um / thread.grade6_um - 0.8) < 0.03, thread.name);
             QVERIFY(findThread(thread.name) == &thread);
         }
+    }
+
+    void unifiedThreadsHaveTheirTable() {
+        // ASME B1.1, class 2B: largest less smallest pitch diameter in inches, as tables print it to four places.
+        const std::vector<std::pair<const char*, double>> table{
+            {"#10-32", 0.0039}, {"1/4-20", 0.0049}, {"3/8-16", 0.0057}, {"1/2-13", 0.0065}, {"1/2-20", 0.0056}};
+        for (const auto& [name, tolerance_in] : table) {
+            const ThreadPreset* thread = findThread(name);
+            QVERIFY2(thread != nullptr, name);
+            QVERIFY2(std::abs(thread->grade6_um / 25400.0 - tolerance_in) < 0.00006, name);
+            QVERIFY(thread->allowedPpWornTap_um() > 0.0 && thread->allowedPpWornTap_um() < thread->allowedPp_um());
+        }
+        QVERIFY(std::abs(findThread("1/4-20")->pitch_mm - 1.27) < 1e-12);
+        QVERIFY(findThread("1/4-20")->coarse && !findThread("1/4-28")->coarse);
     }
 
     void m8TolerancesAreThePagesFigures() {

@@ -2,9 +2,15 @@
 #include "ui/pages/alarms/alarms_page.h"
 
 #include <QButtonGroup>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
 #include <QHeaderView>
+#include <QSaveFile>
+#include <algorithm>
 
 #include "db/api/alarm_reader.h"
+#include "ui/dialogs/file_place.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
@@ -20,7 +26,11 @@ AlarmsPage::AlarmsPage(const PageContext& context, QWidget* parent)
       m_detail(new Card(context.look, this)),
       m_title(makeLabel(TextRole::Title, this, true)),
       m_acknowledge(new ActionButton(context.look, this)),
-      m_more(new ActionButton(context.look, this)) {
+      m_more(new ActionButton(context.look, this)),
+      m_filter(new QPushButton(this)),
+      m_export(new QPushButton(this)) {
+    m_filter->setObjectName(QStringLiteral("alarmFilter"));
+    m_export->setObjectName(QStringLiteral("alarmExport"));
     m_nowButton->setObjectName(QStringLiteral("alarmsNow"));
     m_historyButton->setObjectName(QStringLiteral("alarmsHistory"));
     m_table->setObjectName(QStringLiteral("alarmTable"));
@@ -53,6 +63,8 @@ AlarmsPage::AlarmsPage(const PageContext& context, QWidget* parent)
     top->addWidget(m_nowButton);
     top->addWidget(m_historyButton);
     top->addStretch(1);
+    top->addWidget(m_filter);
+    top->addWidget(m_export);
     top->addWidget(m_more);
     column->addLayout(top);
     column->addWidget(m_table, 3);
@@ -75,6 +87,11 @@ AlarmsPage::AlarmsPage(const PageContext& context, QWidget* parent)
     m_acknowledge->setPredicate([this] { return whyNoAcknowledge(); });
     m_more->setPredicate([this] { return m_complete ? tr("That is all.") : QString(); });
     connect(m_more, &QPushButton::clicked, this, &AlarmsPage::loadMore);
+    connect(m_filter, &QPushButton::clicked, this, [this] {
+        m_lowest = m_lowest == 1 ? 3 : m_lowest - 1;
+        refresh();
+    });
+    connect(m_export, &QPushButton::clicked, this, &AlarmsPage::askExport);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
         const AlarmLine* line = chosen();
         if (line == nullptr) {
@@ -138,7 +155,8 @@ void AlarmsPage::reload() {
         before != nullptr ? std::optional(std::pair(before->code, before->raised)) : std::nullopt;
     std::vector<AlarmLine> lines;
     if (m_showHistory) {
-        lines = m_history;
+        std::ranges::copy_if(m_history, std::back_inserter(lines),
+                             [this](const AlarmLine& line) { return wanted(line); });
     } else {
         for (const AlarmEntry& entry : context().alarms.entries()) {
             if (entry.open()) {
@@ -160,7 +178,10 @@ void AlarmsPage::reload() {
     m_table->setVisible(!empty);
     m_empty->setVisible(empty);
     m_detail->setVisible(!empty);
-    m_more->setVisible(m_showHistory);
+    for (QWidget* button : std::initializer_list<QWidget*>{m_more, m_filter, m_export}) {
+        button->setVisible(m_showHistory);
+    }
+    m_export->setEnabled(!empty);
     m_empty->setText(!m_problem.isEmpty() && m_showHistory ? m_problem
                      : m_showHistory
                          ? tr("No alarm has been recorded yet.")
@@ -217,6 +238,10 @@ void AlarmsPage::refresh() {
     m_nowButton->setText(tr("Standing or unseen"));
     m_historyButton->setText(tr("History"));
     m_more->setText(tr("Older"));
+    m_filter->setText(m_lowest == 3   ? tr("All priorities")
+                      : m_lowest == 2 ? tr("Priority 1 and 2")
+                                      : tr("Priority 1 only"));
+    m_export->setText(tr("Export"));
     m_cause.name->setText(tr("Cause"));
     m_consequence.name->setText(tr("Consequence"));
     m_action.name->setText(tr("What to do"));
@@ -234,6 +259,56 @@ void AlarmsPage::showEvent(QShowEvent* event) {
         showHistory(true);
     }
     selectFirstUnseen();
+}
+
+// What the list shows, as CSV.
+void AlarmsPage::askExport() {
+    Sheet* sheet =
+        context().sheets.open(tr("Export the history"),
+                              tr("What the list shows, as CSV. A file that is there already is never written over."));
+    const QString name = QStringLiteral("kerf_alarms_%1.csv")
+                             .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmm")));
+    const QStringList folders = context().services.backupFolders ? context().services.backupFolders() : QStringList();
+    for (int i = 0; i < folders.size(); ++i) {
+        auto* button = new QPushButton(folders[i], sheet);
+        button->setObjectName(QStringLiteral("alarmFolder%1").arg(i));
+        sheet->body()->addWidget(button);
+        connect(button, &QPushButton::clicked, sheet, [this, sheet, folder = folders[i], name] {
+            const QString file = freeFileName(QDir(folder).filePath(name));
+            const Result<void> written = writeHistory(file);
+            context().notify(written ? tr("Written: %1").arg(file) : sentenceText(written.error(), look().units()));
+            sheet->close();
+        });
+    }
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
+Result<void> AlarmsPage::writeHistory(const QString& file) const {
+    const auto quoted = [](QString text) { return u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"'; };
+    const auto instant = [](const std::optional<QDateTime>& at) {
+        return at ? at->toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) : QString();
+    };
+    QString text = QStringLiteral("code,priority,alarm,detail,raised,cleared,acknowledged,acknowledged_by\r\n");
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const AlarmLine& line = *m_model.line(row);
+        text += QStringList{QString::number(line.code),
+                            QString::number(line.priority),
+                            quoted(alarmText(context().alarms.spec(line.code), line.code).title),
+                            quoted(m_model.detail(line)),
+                            instant(line.raised),
+                            instant(line.cleared),
+                            instant(line.acknowledged),
+                            quoted(line.acknowledgedBy)}
+                    .join(u',') +
+                QStringLiteral("\r\n");
+    }
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    QSaveFile target(file);
+    const QByteArray bytes = QByteArray("\xEF\xBB\xBF") + text.toUtf8();  // spreadsheets take UTF-8 only with this mark
+    if (!target.open(QIODevice::WriteOnly) || target.write(bytes) != bytes.size() || !target.commit()) {
+        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
+    }
+    return {};
 }
 
 // The one on the bottom line: "Show" and "Seen" then mean what the operator has read there.

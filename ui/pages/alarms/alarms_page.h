@@ -27,6 +27,9 @@ class AlarmsPage : public Page {
     void loadMore();
     void showDetail();
     void selectFirstUnseen();
+    void askExport();
+    [[nodiscard]] Result<void> writeHistory(const QString& file) const;
+    [[nodiscard]] bool wanted(const AlarmLine& line) const { return line.priority <= m_lowest; }
     [[nodiscard]] QString whyNoAcknowledge() const;
     [[nodiscard]] const AlarmLine* chosen() const;
 
@@ -48,6 +51,9 @@ class AlarmsPage : public Page {
     Part m_action{};
     ActionButton* m_acknowledge;
     ActionButton* m_more;
+    QPushButton* m_filter;
+    QPushButton* m_export;
+    int m_lowest{3};  ///< priority down to which the history is shown
     std::vector<AlarmLine> m_history;
     std::optional<AlarmId> m_oldest;
     bool m_complete{false};

@@ -151,7 +151,11 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
     painter->setFont(look().font(TextSize::Label));
     const QFontMetricsF metrics(painter->font());
     painter->setClipping(false);
-    for (const Beyond& beyond : m_beyond) {
+    std::vector<QRectF> words;  // no text lies on another one: the newest is written, the sign of the others stays
+    const auto free = [&words](const QRectF& box) {
+        return std::ranges::none_of(words, [&box](const QRectF& other) { return other.intersects(box); });
+    };
+    for (const Beyond& beyond : std::views::reverse(m_beyond)) {
         const bool below = beyond.diameter_mm < m_view.targetDiameter_mm;
         const double x = at(beyond.part, m_view.targetDiameter_mm).x();
         const QString value =
@@ -161,10 +165,12 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const bool left = beyond.part < std::round(beyond.part) && x - 2.0 * r - side > plot.left();
         const QRectF box(left ? x - 2.0 * r - side : std::min(x + 2.0 * r, plot.right() - side),
                          below ? plot.bottom() - metrics.height() : plot.top(), side, metrics.height());
-        painter->setPen(look().color(Token::Text));
-        painter->drawText(box, Qt::AlignCenter, value);
+        if (free(box)) {
+            painter->setPen(look().color(Token::Text));
+            painter->drawText(box, Qt::AlignCenter, value);
+            words.push_back(box);
+        }
     }
-    std::vector<QRectF> words;
     for (const Bad& bad : std::views::reverse(m_bad)) {
         const QPointF centre = at(bad.part, bad.diameter_mm);
         painter->setPen(
@@ -175,14 +181,17 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const double width = metrics.horizontalAdvance(word);
         const double x =
             centre.x() + 2.0 * r + width > plot.right() ? centre.x() - 2.0 * r - width : centre.x() + 2.0 * r;
-        // Beside the mark, towards the middle of the chart: the edge may already hold the value.
-        const double y = bad.diameter_mm > m_view.targetDiameter_mm ? centre.y() : centre.y() - metrics.height();
-        const QRectF box(x, y, width, metrics.height());
-        // Two words never lie on each other: the sign stays, the word of the newest one is written.
-        if (std::ranges::none_of(words, [&box](const QRectF& other) { return other.intersects(box); })) {
-            painter->setPen(look().color(Token::Text));
-            painter->drawText(box, Qt::AlignLeft, word);
-            words.push_back(box);
+        // Beside the mark; where the edge holds the value already, a line nearer to the middle of the chart.
+        const double step = bad.diameter_mm > m_view.targetDiameter_mm ? metrics.height() : -metrics.height();
+        const double beside = bad.diameter_mm > m_view.targetDiameter_mm ? centre.y() : centre.y() - metrics.height();
+        for (int line = 0; line < 3; ++line) {
+            const QRectF box(x, beside + line * step, width, metrics.height());
+            if (plot.contains(box) && free(box)) {
+                painter->setPen(look().color(Token::Text));
+                painter->drawText(box, Qt::AlignLeft, word);
+                words.push_back(box);
+                break;
+            }
         }
     }
     for (const double part : m_changes) {

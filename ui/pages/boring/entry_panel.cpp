@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPointer>
 #include <QStackedWidget>
+#include <utility>
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
@@ -156,6 +157,7 @@ std::optional<EntryPanel::Target> EntryPanel::nextTarget() const {
 }
 
 void EntryPanel::refreshView() {
+    tryKeptAgain();
     const bool untouched = m_field->input().empty() && !m_question && !m_pending;
     if (untouched) {
         m_target = nextTarget();
@@ -260,7 +262,18 @@ QString EntryPanel::place(const BoreEntry& entry) const {
                                                                : QString();
 }
 
+void EntryPanel::tryKeptAgain() {
+    if (!m_kept || m_pending || !m_service.view().storeProblem.empty()) {
+        return;
+    }
+    const BoreEntry entry = *std::exchange(m_kept, std::nullopt);
+    if (m_target && m_target->part == entry.part && m_target->depth == entry.depth) {
+        store(entry);
+    }
+}
+
 void EntryPanel::onTyped() {
+    m_kept.reset();
     m_question.reset();  // typing is the answer "measured again"
     m_confirmWords = nullptr;
     m_fromGauge = false;
@@ -381,11 +394,17 @@ void EntryPanel::store(const BoreEntry& entry) {
 
 void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
     m_pending = false;
+    m_kept.reset();
     if (!result) {
+        if (!m_service.view().storeProblem.empty()) {
+            m_kept = entry;
+        }
         say(
             [this, entry, reason = result.error()] {
-                return tr("Not stored, %1 is kept here: %2 Enter tries again.")
-                    .arg(diameterText(entry.diameter_mm, m_look.units()), sentenceText(reason, m_look.units()));
+                const QString value = diameterText(entry.diameter_mm, m_look.units());
+                const QString why = sentenceText(reason, m_look.units());
+                return m_kept ? tr("%1 is kept here and is stored as soon as there is room: %2").arg(value, why)
+                              : tr("Not stored, %1 is kept here: %2 Enter tries again.").arg(value, why);
             },
             true);
         if (m_field->input().empty()) {  // it came from a gauge: into the field, so that Enter can try again

@@ -92,6 +92,7 @@ class EntryPanel : public Card {
     void ask(const BoreEntry& entry, Words words, Words confirm);
     void store(const BoreEntry& entry);
     void stored(const BoreEntry& entry, const Result<void>& result);
+    void tryKeptAgain();
     void measureAgain();
     void confirm();
     void readGauge();
@@ -131,6 +132,7 @@ class EntryPanel : public Card {
     std::optional<Target> m_target;
     std::optional<Target> m_chosen;
     std::optional<BoreEntry> m_question;
+    std::optional<BoreEntry> m_kept;  ///< the store had no room for it: tried again by itself while the field shows it
     bool m_pending{false};
     bool m_fromGauge{false};  ///< the field holds a reading of the gauge button
     Words m_words;

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "ui/link/texts.h"
+#include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/boring/recipe_form.h"
 #include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
@@ -230,7 +231,8 @@ PartTypeId LotForm::partType() const {
 void LotForm::propose() {
     m_name->setText(nextName(m_known, partType()));
     double size = sizeSpec().fallback;
-    std::string estimator = "kalman";
+    // The law of the lot that is open, unless this part type has been bored by another one.
+    std::string estimator = m_context.services.boringService->view().estimator;
     for (const BoringLotView& lot : m_known) {
         if (lot.partType == partType()) {
             size = lot.size > 0 ? lot.size : size;
@@ -299,9 +301,10 @@ void LotForm::fillTable() {
             QString::fromStdString(lot.partTypeName),
             QString::number(lot.size),
             QDateTime::fromMSecsSinceEpoch(lot.openedUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")),
-            lot.current  ? tr("current")
-            : lot.closed ? tr("closed")
-                         : tr("open"),
+            lot.current            ? tr("current")
+            : lot.partsWaiting > 0 ? tr("%n bores wait for diameters", nullptr, static_cast<int>(lot.partsWaiting))
+            : lot.closed           ? tr("closed")
+                                   : tr("open"),
             memory == m_memory.end() ? QString()
             : memory->leftOut        ? tr("left out")
                                      : QStringLiteral("%1 %").arg(qRound(100.0 * memory->share))};
@@ -326,8 +329,13 @@ void LotForm::reconsider() {
         button->reconsider();
     }
     m_leaveOut->setText(remembered() != nullptr && remembered()->leftOut ? tr("Take in again") : tr("Leave out"));
-    const QString text = !m_trouble.isEmpty()
-                             ? m_trouble
+    const BoringServiceView& view = m_context.services.boringService->view();
+    const BorePartView* waiting = view.awaiting ? findPart(view, *view.awaiting) : nullptr;
+    const QString text = !m_trouble.isEmpty() ? m_trouble
+                         : waiting != nullptr
+                             ? tr("Part %1 of this lot waits for its diameter. It is kept when another lot is opened; "
+                                  "go on with this lot to enter it.")
+                                   .arg(waiting->number)
                              : tr("The newest recipe of the part type holds for a new lot, and stays with it.");
     if (m_message->text() != text) {
         m_message->setText(text);
@@ -419,7 +427,16 @@ void LotForm::openLot() {
     order.insertGrade = m_grade->text().trimmed().toStdString();
     order.material = m_material->text().trimmed().toStdString();
     order.estimator = m_perturbation->isChecked() ? "perturbation" : "kalman";
-    const QString done = withParticles(tr("Lot %1 is open.").arg(m_name->text().trimmed()));
+    QString done =
+        withParticles(tr("Lot %1 is open. Its first part is started by hand.").arg(m_name->text().trimmed()));
+    const BoringServiceView& view = m_context.services.boringService->view();
+    const BorePartView* waiting = view.awaiting ? findPart(view, *view.awaiting) : nullptr;
+    if (waiting != nullptr) {
+        done = tr("Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.")
+                   .arg(m_name->text().trimmed())
+                   .arg(waiting->number)
+                   .arg(QString::fromStdString(view.lot));
+    }
     change(done, [order](const PageContext& context, BoringLots::Done answer) mutable {
         order.author = context.session.author();
         context.services.boringLots->open(order, std::move(answer));

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "db/api/lot_reader.h"
+#include "ui/dialogs/file_place.h"
 #include "ui/dialogs/measurement_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/services/quality_service.h"
@@ -329,6 +330,7 @@ void PartsPage::openReport() {
     auto* file = new QLineEdit(folder + QStringLiteral("/kerf_") + QString(name).replace(u'/', u'_'), sheet);
     file->setObjectName(QStringLiteral("reportFile"));
     sheet->body()->addWidget(file);
+    addFolders(sheet, context().services.backupFolders ? context().services.backupFolders() : QStringList(), file);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("reportClose"));
     QPushButton* csv = sheet->addButton(
         tr("CSV"),
@@ -338,7 +340,7 @@ void PartsPage::openReport() {
                 only.after = id - 1;
                 only.before = id + 1;
                 m_exporter->start(context().services.openParts, {}, only, PartExport::What::Measurements,
-                                  file->text().trimmed() + QStringLiteral(".csv"));
+                                  freeFileName(file->text().trimmed() + QStringLiteral(".csv")));
                 sheet->close();
             }
         },
@@ -348,7 +350,7 @@ void PartsPage::openReport() {
     QPushButton* pdf = sheet->addButton(
         tr("PDF"),
         [this, sheet, file, id = part.id] {
-            writeReport(id, file->text().trimmed() + QStringLiteral(".pdf"));
+            writeReport(id, freeFileName(file->text().trimmed() + QStringLiteral(".pdf")));
             sheet->close();
         },
         false);
@@ -418,6 +420,7 @@ void PartsPage::openExport() {
     auto* file = new QLineEdit(folder + QStringLiteral("/kerf_") + stamp + QStringLiteral(".csv"), sheet);
     file->setObjectName(QStringLiteral("exportFile"));
     sheet->body()->addWidget(file);
+    addFolders(sheet, context().services.backupFolders ? context().services.backupFolders() : QStringList(), file);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("exportClose"));
     const auto add = [this, sheet, file](const QString& text, const char* name, PartExport::What what) {
         sheet
@@ -428,7 +431,7 @@ void PartsPage::openExport() {
                                 m_exporter->start(
                                     context().services.openParts,
                                     quality != nullptr ? quality->openVerdicts() : PartExport::OpenVerdicts(),
-                                    m_model->query(), what, edit->text().trimmed());
+                                    m_model->query(), what, freeFileName(edit->text().trimmed()));
                                 m_export->reconsider();
                             }
                         })

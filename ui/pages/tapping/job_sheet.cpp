@@ -131,8 +131,6 @@ JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service, std::functio
 void JobForm::refresh() {
     FaceWidget::refresh();
     m_sheet.setTitle(tr("What is tapped"));
-    m_coarseButton->setText(tr("coarse"));
-    m_fineButton->setText(tr("fine"));
     m_fields[kSpeed]->setLabel(tr("speed"));
     m_fields[kDepth]->setLabel(tr("depth"));
     m_fields[kGear]->setLabel(tr("gear"));
@@ -178,15 +176,22 @@ void JobForm::leaveOut() {
 void JobForm::showThreads() {
     m_coarseButton->setChecked(m_coarse);
     m_fineButton->setChecked(!m_coarse);
+    // The threads of the shop's own table; the other one stays in reach by the units in Settings.
+    const bool inch = look().units().length() == LengthUnit::Inch;
+    m_coarseButton->setText(inch ? QStringLiteral("UNC") : tr("coarse"));
+    m_fineButton->setText(inch ? QStringLiteral("UNF") : tr("fine"));
     std::size_t place = 0;
     for (const TapThreadView& thread : m_service.threads()) {
         if (thread.name == m_choice.thread) {
-            m_thread->setText(tr("%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a tap at its "
-                                 "upper limit.")
-                                  .arg(threadText(thread), errorText(thread.allowedPp_um, look().units()),
-                                       errorText(thread.allowedPpWornTap_um, look().units())));
+            const QString sentence = thread.name.starts_with('M')
+                                         ? tr("%1: pitch diameter 6H (ISO 965-1) allows %2 p-p in the work, %3 with a "
+                                              "tap at its upper limit.")
+                                         : tr("%1: pitch diameter 2B (ASME B1.1) allows %2 p-p in the work, %3 with a "
+                                              "tap at its upper limit.");
+            m_thread->setText(sentence.arg(threadText(thread), errorText(thread.allowedPp_um, look().units()),
+                                           errorText(thread.allowedPpWornTap_um, look().units())));
         }
-        if (thread.coarse != m_coarse || place >= m_threadButtons.size()) {
+        if (thread.coarse != m_coarse || thread.name.starts_with('M') == inch || place >= m_threadButtons.size()) {
             continue;
         }
         QPushButton* button = m_threadButtons[place++];

@@ -18,6 +18,9 @@ QString plain(double value) {
 }  // namespace
 
 QString threadText(const TapThreadView& thread) {
+    if (!thread.name.starts_with('M')) {
+        return QString::fromStdString(thread.name) + (thread.coarse ? QStringLiteral(" UNC") : QStringLiteral(" UNF"));
+    }
     const QString name = QString::fromStdString(thread.name).section(u'x', 0, 0);
     return name + QStringLiteral("\u00a0×\u00a0") + plain(thread.pitch_mm);
 }

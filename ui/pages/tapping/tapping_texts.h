@@ -12,7 +12,7 @@ namespace kerf::ui {
 inline constexpr int kErrorDecimals = 1;  ///< of µm
 inline constexpr int kGainDecimals = 2;
 
-/// "M8 × 1.25", the pitch in mm in every unit system: it is the thread's name.
+/// "1/4-20 UNC"; "M8 × 1.25", the pitch in mm in every unit system: it is the thread's name.
 [[nodiscard]] QString threadText(const TapThreadView& thread);
 /// "M8 × 1.25, 3000 rpm, 22 rev, gear 1".
 [[nodiscard]] QString choiceText(const TapChoice& choice, const TapThreadView& thread);

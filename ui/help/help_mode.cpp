@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/help_mode.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QMouseEvent>
+#include <QScroller>
+#include <QTextBrowser>
+#include <algorithm>
+
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+
+HelpMode::HelpMode(Look& look, SheetHost& sheets, QWidget* window)
+    : QObject(window), m_look(look), m_sheets(sheets), m_window(window) {
+    qApp->installEventFilter(this);
+}
+
+void HelpMode::setActive(bool active) {
+    if (active != m_active) {
+        m_active = active;
+        emit changed(active);
+    }
+}
+
+bool HelpMode::eventFilter(QObject* watched, QEvent* event) {
+    if (m_swallow != nullptr && event->type() == QEvent::MouseButtonRelease && watched == m_swallow) {
+        m_swallow = nullptr;
+        return true;
+    }
+    if (!m_active || event->type() != QEvent::MouseButtonPress || !watched->isWidgetType()) {
+        return false;
+    }
+    auto* widget = static_cast<QWidget*>(watched);
+    const QString name = widget->objectName();
+    if (widget->window() != m_window || name == QLatin1String("holdAll") || name == QLatin1String("help")) {
+        return false;
+    }
+    m_swallow = watched;
+    setActive(false);
+    explain(widget);
+    return true;
+}
+
+void HelpMode::explain(const QWidget* widget) {
+    const std::vector<HelpText> texts = helpTexts();
+    for (const QWidget* w = widget; w != nullptr; w = w->parentWidget()) {
+        const QString page = w->property("pageKey").toString();
+        for (const QString& key : {w->objectName(), page.isEmpty() ? QString() : QStringLiteral("page:") + page}) {
+            const auto found = std::ranges::find_if(
+                texts, [&key](const HelpText& text) { return !key.isEmpty() && key == QLatin1String(text.key); });
+            if (found != texts.end()) {
+                show(*found);
+                return;
+            }
+        }
+    }
+    openGuide();
+}
+
+void HelpMode::show(const HelpText& text) {
+    Sheet* sheet = m_sheets.open(text.title);
+    auto* words = makeLabel(TextRole::Body, sheet, true);
+    words->setObjectName(QStringLiteral("helpWords"));
+    words->setText(text.words);
+    sheet->body()->addWidget(words);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    if (!text.formula.isEmpty()) {
+        auto* formula = makeLabel(TextRole::Title, sheet, true);
+        formula->setText(text.formula);
+        formula->hide();
+        sheet->body()->addWidget(formula);
+        QPushButton* more = sheet->addButton(
+            tr("The formula"), [formula] { formula->setVisible(!formula->isVisible()); }, false);
+        more->setObjectName(QStringLiteral("helpFormula"));
+    }
+    sheet->addButton(tr("The guide"), [this] { openGuide(); })->setObjectName(QStringLiteral("helpGuide"));
+}
+
+void HelpMode::openGuide() {
+    const bool korean = m_look.preferences().language == Language::Korean;
+    QFile file(korean ? QStringLiteral(":/guide/ko/operator.md") : QStringLiteral(":/guide/operator.md"));
+    QString text;
+    if (file.open(QIODevice::ReadOnly)) {
+        text = QString::fromUtf8(file.readAll());
+    }
+    Sheet* sheet = m_sheets.open(tr("The guide"));
+    sheet->setWide();
+    auto* guide = new QTextBrowser(sheet);
+    guide->setObjectName(QStringLiteral("helpGuideText"));
+    guide->setOpenLinks(false);
+    guide->setFont(m_look.font(TextSize::Body));
+    guide->setMarkdown(text);
+    QScroller::grabGesture(guide->viewport(), QScroller::TouchGesture);
+    sheet->body()->addWidget(guide, 1);
+    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
+}  // namespace kerf::ui
