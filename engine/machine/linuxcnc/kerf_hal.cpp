@@ -192,6 +192,7 @@ class Bridge {
         m_fitted.servoRecord = m_sampler.has_value();
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
+        m_fitted.programDeclared = m_pins.programProcess.linked();
         m_fitted.units = m_units;
         m_fitted.maxFeedScale = m_mayRise ? std::max(1.0, static_cast<double>(*m_pins.maxFeedOverride)) : 1.0;
     }
@@ -241,6 +242,8 @@ class Bridge {
         seen.programRunning = *m_pins.programRunning;
         seen.programPaused = *m_pins.programPaused;
         seen.cutting = *m_pins.cutting;
+        const double declared = *m_pins.programProcess;
+        seen.declared = declared >= 1.0 && declared < 1e6 ? static_cast<std::uint32_t>(declared + 0.5) : 0;
         seen.finished = *m_pins.finished;
         seen.onSoftLimit = *m_pins.softLimit;
         seen.consoleLost = *m_pins.consoleLost;

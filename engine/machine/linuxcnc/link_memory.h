@@ -24,6 +24,7 @@ struct Fitted {
     bool servoGains{false};       ///< kerf.z-pgain is linked
     bool servoRecord{false};      ///< a sampler brings every servo period
     bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
+    bool programDeclared{false};  ///< kerf.program-process is linked: a program says whose it is
     bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
     MachineUnits units{MachineUnits::Unknown};  ///< [TRAJ]LINEAR_UNITS of the control's ini file
     double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
@@ -59,8 +60,9 @@ struct FromControl {
     bool emergencyStop{false};
     bool programRunning{false};
     bool programPaused{false};
-    bool cutting{false};   ///< M64 P0 … M65 P0 of the part program
-    bool finished{false};  ///< M64 P1: the program reached its end
+    bool cutting{false};        ///< M64 P0 … M65 P0 of the part program
+    bool finished{false};       ///< M64 P1: the program reached its end
+    std::uint32_t declared{0};  ///< M68 E3, as the program declares whose it is (programs.h); 0: it does not
     bool onSoftLimit{false};
     bool consoleLost{false};      ///< the bridge's own watchdog: our last beat is too old
     std::uint8_t requestWord{0};  ///< CNC → PC of the digital word
@@ -104,7 +106,7 @@ struct HalTemperatures {
 };
 
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524634;  // "KRF4": layout 4
+    static constexpr std::uint32_t kMagic = 0x4B524635;  // "KRF5": layout 5
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads

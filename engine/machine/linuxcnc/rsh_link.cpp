@@ -123,7 +123,7 @@ RequestReply RshLink::carryOut(const PortRequest& request) {
     }
     bool done = true;
     if (const auto* start = std::get_if<StartProgram>(&request.action)) {
-        const Result<std::string> line = programLine(*start);
+        const Result<std::string> line = programLine(*start, request.number);
         if (!line) {
             return refuse(line.error());
         }
