@@ -383,7 +383,8 @@ std::string ConsoleApplication::author() const {
 Rights ConsoleApplication::rights() {
     return [this](const std::string& who, Deed deed) -> std::optional<Sentence> {
         const Trust least = permissionOf(deed).least;
-        if (!m_window || who == kAuthor) {  // what Kerf does by itself
+        const bool byItself = who == kAuthor || (m_simulator && who == SimulatedShift::kAuthor);
+        if (!m_window || (byItself && m_window->session().author() != who)) {
             return std::nullopt;
         }
         const ui::OperatorAccount* account = m_window->session().account(QString::fromStdString(who));

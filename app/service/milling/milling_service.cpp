@@ -380,13 +380,10 @@ void StoredMillingService::leaveOut(std::uint32_t since, bool out, const std::st
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
-    if (reason.empty()) {
-        return answer(done, fail(KERF_TEXT("A reason is needed.")));
-    }
     if (!m_past.contains(since)) {
         return answer(done, fail(KERF_TEXT("There is no such tool.")));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::MillingMemory, reason); !may) {
         return answer(done, may);
     }
     const std::string body = out ? R"({"left_out":true})" : R"({"left_out":false})";

@@ -66,6 +66,7 @@ struct FromControl {
     bool onSoftLimit{false};
     bool consoleLost{false};      ///< the bridge's own watchdog: our last beat is too old
     std::uint8_t requestWord{0};  ///< CNC → PC of the digital word
+    bool commandsReady{false};    ///< the bridge reaches LinuxCNC's own command channel
     StopSlots stops{};            ///< as the bridge keeps them, over the console's and its own restart
     double plannedScale{0.0};     ///< of the running program, as a console has declared it; 0: nobody has
 };
@@ -105,13 +106,26 @@ struct HalTemperatures {
     std::array<double, 64> temp_degC{};
 };
 
+/// A command for LinuxCNC, in the words of linuxcncrsh, and the answer to it.
+struct CommandLine {
+    std::uint32_t number{0};  ///< of this line; 0: none
+    std::array<char, 240> text{};
+    std::uint32_t numberAgain{0};  ///< equals number in a whole value
+};
+struct CommandAnswer {
+    std::uint32_t number{0};
+    bool taken{false};
+};
+
 struct LinkMemory {
     static constexpr std::uint32_t kMagic = 0x4B524635;  // "KRF5": layout 5
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads
     LatestValue<ToControl> toControl{};                  ///< of the owner alone
-    Broadcast<ServoPeriod, 8192> servo{};                ///< 8 s at 1 kHz
+    LatestValue<CommandLine> commandLine{};              ///< of the owner alone
+    LatestValue<CommandAnswer> commandAnswer{};
+    Broadcast<ServoPeriod, 8192> servo{};  ///< 8 s at 1 kHz
     Broadcast<HalTemperatures, 8> temperatures{};
 };
 

@@ -52,6 +52,8 @@ class LinuxCncMachine final : public MachinePort {
     void write(const MachineOutputs& outputs) noexcept override;
     /// linuxcncrsh answers. Any thread.
     [[nodiscard]] bool commandsReady() const noexcept { return m_rsh != nullptr && m_rsh->connected(); }
+    /// … or the bridge itself takes commands, without a network. Any thread.
+    [[nodiscard]] bool commandsOverBridge() const noexcept { return m_rsh != nullptr && m_rsh->overBridge(); }
     /// A bridge is there. Any thread.
     [[nodiscard]] bool reached() const noexcept { return m_fittedKnown.load(std::memory_order_acquire); }
 
