@@ -380,11 +380,11 @@ void StoredMillingService::leaveOut(std::uint32_t since, bool out, const std::st
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
-    if (!m_past.contains(since)) {
-        return answer(done, fail(KERF_TEXT("There is no such tool.")));
-    }
     if (const auto may = permitted(m_links.rights, author, Deed::MillingMemory, reason); !may) {
         return answer(done, may);
+    }
+    if (!m_past.contains(since)) {
+        return answer(done, fail(KERF_TEXT("There is no such tool.")));
     }
     const std::string body = out ? R"({"left_out":true})" : R"({"left_out":false})";
     store(kMemoryRecord, std::to_string(since), body, author, reason, std::move(done),

@@ -217,9 +217,9 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
 }
 
 Result<void> StoredTappingService::leaveOut(bool out, const std::string& author, const std::string& reason) {
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingMemory, reason); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
-    if (const auto may = permitted(m_params.rights, author, Deed::TappingMemory, reason); !may) return may;
     GainsSource how{};
     const tapping::StoredTuning* tuning =
         out ? newestFor(m_view.choice, how) : tapping::leftOutFor(m_params.known, m_view.choice);

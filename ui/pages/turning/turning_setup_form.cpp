@@ -61,7 +61,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
         m_sides->addButton(button, side++);
-        m_sideRow->addWidget(button, 1);
+        m_sideRow->addWidget(button);
     }
     m_cut->setChecked(true);
 
@@ -95,7 +95,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
     auto* left = new QVBoxLayout;
     left->addLayout(m_sideRow);
     left->addWidget(m_pages, 1);
-    m_sideRow->addWidget(m_reason, 2);
+    m_sideRow->addWidget(m_reason, 1);
     left->addWidget(m_message);
     m_columns->addLayout(left, 1);
     m_columns->addWidget(m_keypad, 0, Qt::AlignTop);
@@ -137,6 +137,7 @@ void TurningSetupForm::refresh() {
     m_tones->setText(tr("Tones of the machine"));
     m_cancel->setText(tr("Leave as it is"));
     m_reason->setPlaceholderText(tr("Reason, when a limit is raised"));
+    m_reason->setMinimumHeight(look().metrics().touch());
     m_apply->setText(tr("Use for the next part"));
     for (std::size_t j = 0; j < m_toneFields.size(); ++j) {
         m_toneFields[j]->setLabel(tr("Tone %1").arg(j + 1));
