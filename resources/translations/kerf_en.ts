@@ -587,6 +587,30 @@
             <source>Close</source>
             <translation>Close</translation>
         </message>
+        <message>
+            <source>Who may do what</source>
+            <translation>Who may do what</translation>
+        </message>
+        <message>
+            <source>Each role may do what the ones before it may. Starting a part, HOLD ALL and its release, and ending a tap ask for no name.</source>
+            <translation>Each role may do what the ones before it may. Starting a part, HOLD ALL and its release, and ending a tap ask for no name.</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>what</translation>
+        </message>
+        <message>
+            <source>from this role on</source>
+            <translation>from this role on</translation>
+        </message>
+        <message>
+            <source>reason</source>
+            <translation>reason</translation>
+        </message>
+        <message>
+            <source>must be given</source>
+            <translation>must be given</translation>
+        </message>
     </context>
     <context>
         <name>PinSheet</name>
@@ -1186,6 +1210,14 @@
         <message>
             <source>Measured and learnt from: the coefficients of today follow from the next minute on.</source>
             <translation>Measured and learnt from: the coefficients of today follow from the next minute on.</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>Reason for the change</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
         </message>
     </context>
     <context>
@@ -2978,20 +3010,12 @@
             <translation>A recipe needs %1 numbers.</translation>
         </message>
         <message>
-            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
-            <translation>Only a setter or a process engineer who is signed on may switch a loop.</translation>
-        </message>
-        <message>
             <source>Overhang where the bore is measured</source>
             <translation>Overhang where the bore is measured</translation>
         </message>
         <message>
             <source>Parts in the lot</source>
             <translation>Parts in the lot</translation>
-        </message>
-        <message>
-            <source>Sign on first: this change needs a name.</source>
-            <translation>Sign on first: this change needs a name.</translation>
         </message>
         <message>
             <source>There is a lot of this name for the part type already; give another name.</source>
@@ -4562,10 +4586,6 @@
             <translation>6 rising or falling</translation>
         </message>
         <message>
-            <source>A reason is needed.</source>
-            <translation>A reason is needed.</translation>
-        </message>
-        <message>
             <source>There is no such tool.</source>
             <translation>There is no such tool.</translation>
         </message>
@@ -4588,6 +4608,194 @@
         <message>
             <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
             <translation>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</translation>
+        </message>
+        <message>
+            <source>A command was not carried out</source>
+            <translation>A command was not carried out</translation>
+        </message>
+        <message>
+            <source>Accept a feed schedule</source>
+            <translation>Accept a feed schedule</translation>
+        </message>
+        <message>
+            <source>Add a part type for boring</source>
+            <translation>Add a part type for boring</translation>
+        </message>
+        <message>
+            <source>Announce a change of tool or material</source>
+            <translation>Announce a change of tool or material</translation>
+        </message>
+        <message>
+            <source>Change a boring recipe</source>
+            <translation>Change a boring recipe</translation>
+        </message>
+        <message>
+            <source>Change law or reference of milling</source>
+            <translation>Change law or reference of milling</translation>
+        </message>
+        <message>
+            <source>Change the blank profile</source>
+            <translation>Change the blank profile</translation>
+        </message>
+        <message>
+            <source>Change the law of turning</source>
+            <translation>Change the law of turning</translation>
+        </message>
+        <message>
+            <source>Change the limits of the thermal shift</source>
+            <translation>Change the limits of the thermal shift</translation>
+        </message>
+        <message>
+            <source>Change the milling setup</source>
+            <translation>Change the milling setup</translation>
+        </message>
+        <message>
+            <source>Change the turning setup</source>
+            <translation>Change the turning setup</translation>
+        </message>
+        <message>
+            <source>Choose a milled part type</source>
+            <translation>Choose a milled part type</translation>
+        </message>
+        <message>
+            <source>Close a lot or leave it out of memory</source>
+            <translation>Close a lot or leave it out of memory</translation>
+        </message>
+        <message>
+            <source>Close the port in the firewall and give it passwords of your own: see the LinuxCNC guide, "Close the port". Then start the console anew.</source>
+            <translation>Close the port in the firewall and give it passwords of your own: see the LinuxCNC guide, "Close the port". Then start the console anew.</translation>
+        </message>
+        <message>
+            <source>Correct or void a diameter</source>
+            <translation>Correct or void a diameter</translation>
+        </message>
+        <message>
+            <source>Enter a diameter</source>
+            <translation>Enter a diameter</translation>
+        </message>
+        <message>
+            <source>Give a reason: it is kept with the change.</source>
+            <translation>Give a reason: it is kept with the change.</translation>
+        </message>
+        <message>
+            <source>It answers on %1.</source>
+            <translation>It answers on %1.</translation>
+        </message>
+        <message>
+            <source>Leave a milling tool out of memory</source>
+            <translation>Leave a milling tool out of memory</translation>
+        </message>
+        <message>
+            <source>Leave a stored tuning out</source>
+            <translation>Leave a stored tuning out</translation>
+        </message>
+        <message>
+            <source>Load a tapping job</source>
+            <translation>Load a tapping job</translation>
+        </message>
+        <message>
+            <source>Network, server or sign-on: the Diagnostics page says what it answered last.</source>
+            <translation>Network, server or sign-on: the Diagnostics page says what it answered last.</translation>
+        </message>
+        <message>
+            <source>Nothing is lost: parts and values wait here and travel when it answers again.</source>
+            <translation>Nothing is lost: parts and values wait here and travel when it answers again.</translation>
+        </message>
+        <message>
+            <source>Nothing to do at the machine. Tell whoever looks after the server when it stays.</source>
+            <translation>Nothing to do at the machine. Tell whoever looks after the server when it stays.</translation>
+        </message>
+        <message>
+            <source>Open or choose a lot</source>
+            <translation>Open or choose a lot</translation>
+        </message>
+        <message>
+            <source>Overhangs from %1 to %2 mm lie beyond what Z reaches by the machine file.</source>
+            <translation>Overhangs from %1 to %2 mm lie beyond what Z reaches by the machine file.</translation>
+        </message>
+        <message>
+            <source>Place a sensor on the picture</source>
+            <translation>Place a sensor on the picture</translation>
+        </message>
+        <message>
+            <source>Put a thermal model live or back</source>
+            <translation>Put a thermal model live or back</translation>
+        </message>
+        <message>
+            <source>Raise a limit of milling</source>
+            <translation>Raise a limit of milling</translation>
+        </message>
+        <message>
+            <source>Raise a limit of turning</source>
+            <translation>Raise a limit of turning</translation>
+        </message>
+        <message>
+            <source>Read the reason beside it, look at the control's own message, put it right and ask again.</source>
+            <translation>Read the reason beside it, look at the control's own message, put it right and ask again.</translation>
+        </message>
+        <message>
+            <source>Record a gap-sensor session</source>
+            <translation>Record a gap-sensor session</translation>
+        </message>
+        <message>
+            <source>Release a stop</source>
+            <translation>Release a stop</translation>
+        </message>
+        <message>
+            <source>Say that a new milling tool is in</source>
+            <translation>Say that a new milling tool is in</translation>
+        </message>
+        <message>
+            <source>Switch a loop</source>
+            <translation>Switch a loop</translation>
+        </message>
+        <message>
+            <source>Take a reference or a measurement of the origin over</source>
+            <translation>Take a reference or a measurement of the origin over</translation>
+        </message>
+        <message>
+            <source>The control or a rule of Kerf's has refused it, or nothing came of it.</source>
+            <translation>The control or a rule of Kerf's has refused it, or nothing came of it.</translation>
+        </message>
+        <message>
+            <source>The control's command port is open to the network</source>
+            <translation>The control's command port is open to the network</translation>
+        </message>
+        <message>
+            <source>The machine file does not name this process under hosts.</source>
+            <translation>The machine file does not name this process under hosts.</translation>
+        </message>
+        <message>
+            <source>The program is %1 mm long; the machine file gives this axis %2 mm.</source>
+            <translation>The program is %1 mm long; the machine file gives this axis %2 mm.</translation>
+        </message>
+        <message>
+            <source>The program wants %1 rpm; the machine file allows the spindle %2 rpm.</source>
+            <translation>The program wants %1 rpm; the machine file allows the spindle %2 rpm.</translation>
+        </message>
+        <message>
+            <source>The shop's store is out of reach</source>
+            <translation>The shop's store is out of reach</translation>
+        </message>
+        <message>
+            <source>Tune, accept a tuning or roll it back</source>
+            <translation>Tune, accept a tuning or roll it back</translation>
+        </message>
+        <message>
+            <source>What was asked for has not happened. The machine stands as it stood before.</source>
+            <translation>What was asked for has not happened. The machine stands as it stood before.</translation>
+        </message>
+        <message>
+            <source>Whoever reaches this computer may move the machine.</source>
+            <translation>Whoever reaches this computer may move the machine.</translation>
+        </message>
+        <message>
+            <source>linuxcncrsh answers on an address that other computers reach, with passwords that everybody knows.</source>
+            <translation>linuxcncrsh answers on an address that other computers reach, with passwords that everybody knows.</translation>
+        </message>
+        <message>
+            <source>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</source>
+            <translation>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</translation>
         </message>
     </context>
     <context>
@@ -6581,6 +6789,10 @@
             <source>Stored part types ▾</source>
             <translation>Stored part types ▾</translation>
         </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>Reason, when a limit is raised</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingToolPanel</name>
@@ -8521,6 +8733,10 @@
         <message>
             <source>The next part is cut with the new setup.</source>
             <translation>The next part is cut with the new setup.</translation>
+        </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>Reason, when a limit is raised</translation>
         </message>
     </context>
     <context>

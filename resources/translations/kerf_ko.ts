@@ -587,6 +587,30 @@
             <source>Close</source>
             <translation>닫기</translation>
         </message>
+        <message>
+            <source>Who may do what</source>
+            <translation>누가 무엇을 할 수 있는가</translation>
+        </message>
+        <message>
+            <source>Each role may do what the ones before it may. Starting a part, HOLD ALL and its release, and ending a tap ask for no name.</source>
+            <translation>각 권한은 앞 권한이 할 수 있는 일도 할 수 있습니다. 공작물 시작, 전체 정지와 그 해제, 탭 종료에는 이름이 필요 없습니다.</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>항목</translation>
+        </message>
+        <message>
+            <source>from this role on</source>
+            <translation>필요한 최소 권한</translation>
+        </message>
+        <message>
+            <source>reason</source>
+            <translation>사유</translation>
+        </message>
+        <message>
+            <source>must be given</source>
+            <translation>입력 필수</translation>
+        </message>
     </context>
     <context>
         <name>PinSheet</name>
@@ -1185,6 +1209,14 @@
         <message>
             <source>Measured and learnt from: the coefficients of today follow from the next minute on.</source>
             <translation>측정하고 학습했습니다: 다음 1분부터 오늘의 계수에 반영됩니다.</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 이유</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>사유를 입력하십시오</translation>
         </message>
     </context>
     <context>
@@ -2977,20 +3009,12 @@
             <translation>레시피에는 숫자 %1개가 필요합니다.</translation>
         </message>
         <message>
-            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
-            <translation>로그인한 셋업 담당자나 공정 엔지니어만 루프를 전환할 수 있습니다.</translation>
-        </message>
-        <message>
             <source>Overhang where the bore is measured</source>
             <translation>내경을 측정하는 돌출 길이</translation>
         </message>
         <message>
             <source>Parts in the lot</source>
             <translation>로트의 공작물 수</translation>
-        </message>
-        <message>
-            <source>Sign on first: this change needs a name.</source>
-            <translation>먼저 로그인하십시오. 이 변경에는 이름이 필요합니다.</translation>
         </message>
         <message>
             <source>There is a lot of this name for the part type already; give another name.</source>
@@ -4561,10 +4585,6 @@
             <translation>6개 연속 증가 또는 감소</translation>
         </message>
         <message>
-            <source>A reason is needed.</source>
-            <translation>사유가 필요합니다.</translation>
-        </message>
-        <message>
             <source>There is no such tool.</source>
             <translation>그런 공구가 없습니다.</translation>
         </message>
@@ -4587,6 +4607,194 @@
         <message>
             <source>angle_rev means %1 rpm; at least %2 rpm are expected: is the time in ms?</source>
             <translation>angle_rev이면 %1 rpm입니다. 최소 %2 rpm이어야 합니다. 시간이 ms입니까?</translation>
+        </message>
+        <message>
+            <source>A command was not carried out</source>
+            <translation>명령이 실행되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>Accept a feed schedule</source>
+            <translation>이송 계획 승인</translation>
+        </message>
+        <message>
+            <source>Add a part type for boring</source>
+            <translation>보링 품종 추가</translation>
+        </message>
+        <message>
+            <source>Announce a change of tool or material</source>
+            <translation>공구 또는 소재 변경 알림</translation>
+        </message>
+        <message>
+            <source>Change a boring recipe</source>
+            <translation>보링 레시피 변경</translation>
+        </message>
+        <message>
+            <source>Change law or reference of milling</source>
+            <translation>밀링 법칙 또는 기준값 변경</translation>
+        </message>
+        <message>
+            <source>Change the blank profile</source>
+            <translation>소재 형상 변경</translation>
+        </message>
+        <message>
+            <source>Change the law of turning</source>
+            <translation>선삭 법칙 변경</translation>
+        </message>
+        <message>
+            <source>Change the limits of the thermal shift</source>
+            <translation>열 시프트 한계 변경</translation>
+        </message>
+        <message>
+            <source>Change the milling setup</source>
+            <translation>밀링 설정 변경</translation>
+        </message>
+        <message>
+            <source>Change the turning setup</source>
+            <translation>선삭 설정 변경</translation>
+        </message>
+        <message>
+            <source>Choose a milled part type</source>
+            <translation>밀링 품종 선택</translation>
+        </message>
+        <message>
+            <source>Close a lot or leave it out of memory</source>
+            <translation>로트 마감 또는 기억에서 제외</translation>
+        </message>
+        <message>
+            <source>Close the port in the firewall and give it passwords of your own: see the LinuxCNC guide, "Close the port". Then start the console anew.</source>
+            <translation>방화벽에서 포트를 닫고 고유한 암호를 설정하십시오. LinuxCNC 안내서의 "Close the port"를 참조하십시오. 그런 다음 콘솔을 다시 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>Correct or void a diameter</source>
+            <translation>직경 정정 또는 무효 처리</translation>
+        </message>
+        <message>
+            <source>Enter a diameter</source>
+            <translation>직경 입력</translation>
+        </message>
+        <message>
+            <source>Give a reason: it is kept with the change.</source>
+            <translation>사유를 입력하십시오. 변경과 함께 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>It answers on %1.</source>
+            <translation>%1에서 응답합니다.</translation>
+        </message>
+        <message>
+            <source>Leave a milling tool out of memory</source>
+            <translation>밀링 공구를 기억에서 제외</translation>
+        </message>
+        <message>
+            <source>Leave a stored tuning out</source>
+            <translation>저장된 튜닝 제외</translation>
+        </message>
+        <message>
+            <source>Load a tapping job</source>
+            <translation>태핑 작업 불러오기</translation>
+        </message>
+        <message>
+            <source>Network, server or sign-on: the Diagnostics page says what it answered last.</source>
+            <translation>네트워크, 서버 또는 로그인 문제입니다. 마지막 응답은 진단 페이지에 있습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is lost: parts and values wait here and travel when it answers again.</source>
+            <translation>잃어버린 것은 없습니다. 공작물과 값은 여기서 기다렸다가 서버가 다시 응답하면 전송됩니다.</translation>
+        </message>
+        <message>
+            <source>Nothing to do at the machine. Tell whoever looks after the server when it stays.</source>
+            <translation>기계에서 할 일은 없습니다. 계속되면 서버 담당자에게 알리십시오.</translation>
+        </message>
+        <message>
+            <source>Open or choose a lot</source>
+            <translation>로트 열기 또는 선택</translation>
+        </message>
+        <message>
+            <source>Overhangs from %1 to %2 mm lie beyond what Z reaches by the machine file.</source>
+            <translation>돌출 길이 %1 ~ %2 mm는 기계 파일의 Z 이동 범위를 벗어납니다.</translation>
+        </message>
+        <message>
+            <source>Place a sensor on the picture</source>
+            <translation>그림에 센서 위치 지정</translation>
+        </message>
+        <message>
+            <source>Put a thermal model live or back</source>
+            <translation>열 모델 적용 또는 되돌리기</translation>
+        </message>
+        <message>
+            <source>Raise a limit of milling</source>
+            <translation>밀링 한계 올리기</translation>
+        </message>
+        <message>
+            <source>Raise a limit of turning</source>
+            <translation>선삭 한계 올리기</translation>
+        </message>
+        <message>
+            <source>Read the reason beside it, look at the control's own message, put it right and ask again.</source>
+            <translation>옆의 사유와 제어기 자체 메시지를 확인하고, 바로잡은 뒤 다시 요청하십시오.</translation>
+        </message>
+        <message>
+            <source>Record a gap-sensor session</source>
+            <translation>갭 센서 측정 기록</translation>
+        </message>
+        <message>
+            <source>Release a stop</source>
+            <translation>정지 해제</translation>
+        </message>
+        <message>
+            <source>Say that a new milling tool is in</source>
+            <translation>새 밀링 공구 장착 알림</translation>
+        </message>
+        <message>
+            <source>Switch a loop</source>
+            <translation>루프 전환</translation>
+        </message>
+        <message>
+            <source>Take a reference or a measurement of the origin over</source>
+            <translation>원점의 기준 설정 또는 측정값 적용</translation>
+        </message>
+        <message>
+            <source>The control or a rule of Kerf's has refused it, or nothing came of it.</source>
+            <translation>제어기 또는 Kerf의 규칙이 거부했거나 아무 일도 일어나지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The control's command port is open to the network</source>
+            <translation>제어기의 명령 포트가 네트워크에 열려 있습니다</translation>
+        </message>
+        <message>
+            <source>The machine file does not name this process under hosts.</source>
+            <translation>기계 파일의 hosts에 이 공정이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The program is %1 mm long; the machine file gives this axis %2 mm.</source>
+            <translation>프로그램 길이는 %1 mm인데 기계 파일의 이 축 이동 거리는 %2 mm입니다.</translation>
+        </message>
+        <message>
+            <source>The program wants %1 rpm; the machine file allows the spindle %2 rpm.</source>
+            <translation>프로그램은 %1 rpm을 요구하지만 기계 파일의 주축 허용값은 %2 rpm입니다.</translation>
+        </message>
+        <message>
+            <source>The shop's store is out of reach</source>
+            <translation>공장 저장소에 연결할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>Tune, accept a tuning or roll it back</source>
+            <translation>튜닝, 튜닝 승인 또는 되돌리기</translation>
+        </message>
+        <message>
+            <source>What was asked for has not happened. The machine stands as it stood before.</source>
+            <translation>요청한 일은 일어나지 않았습니다. 기계는 이전 상태 그대로입니다.</translation>
+        </message>
+        <message>
+            <source>Whoever reaches this computer may move the machine.</source>
+            <translation>이 컴퓨터에 접근하는 누구나 기계를 움직일 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>linuxcncrsh answers on an address that other computers reach, with passwords that everybody knows.</source>
+            <translation>linuxcncrsh가 다른 컴퓨터에서 접근할 수 있는 주소에서, 누구나 아는 암호로 응답합니다.</translation>
+        </message>
+        <message>
+            <source>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</source>
+            <translation>units: 기계 파일은 %1, 제어기의 [TRAJ]LINEAR_UNITS는 %2입니다. 일치할 때까지 아무 명령도 보내지 않습니다.</translation>
         </message>
     </context>
     <context>
@@ -6578,6 +6786,10 @@
             <source>Stored part types ▾</source>
             <translation>저장된 품종 ▾</translation>
         </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>한계를 올릴 때의 사유</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingToolPanel</name>
@@ -8516,6 +8728,10 @@
         <message>
             <source>The next part is cut with the new setup.</source>
             <translation>다음 공작물은 새 설정으로 절삭합니다.</translation>
+        </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>한계를 올릴 때의 사유</translation>
         </message>
     </context>
     <context>
