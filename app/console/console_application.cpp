@@ -18,6 +18,8 @@
 #include "app/machines/machine_module_loader.h"
 #include "app/service/quality/part_judge.h"
 #include "db/migrator.h"
+#include "engine/cycle/machine_alarms.h"
+#include "engine/machine/linuxcnc/port_exposure.h"
 #include "engine/process/boring/boring_loop.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
@@ -31,6 +33,7 @@ constexpr const char* kPartTypeName = "Cylinder 50";
 constexpr const char* kLotName = "1";
 constexpr const char* kAuthor = "Kerf";
 constexpr int kPoll_ms = 200;
+constexpr int kPortLook_ms = 600'000;
 
 /// The diamond turning lathe and a recorded day have no boring spindle.
 bool bores(const Options& options) {
@@ -198,7 +201,7 @@ Result<void> ConsoleApplication::openMachine() {
         }
     }
     if (m_options.machine == "linuxcnc") {
-        auto machine = loadMachine(m_options.machine);
+        auto machine = loadMachine(m_options.machine, m_options.described);
         if (!machine) {
             return tl::unexpected(machine.error());
         }
@@ -223,6 +226,10 @@ Result<void> ConsoleApplication::openMachine() {
     }
     m_simulator = std::make_unique<Simulator>(params, std::move(plants));
     m_machine = &m_simulator->machine();
+    if (!m_options.machineFile.empty()) {
+        m_described = std::make_unique<DescribedMachine>(*m_machine, m_options.described);
+        m_machine = m_described.get();
+    }
     return joinSensors();
 }
 
@@ -320,6 +327,11 @@ void ConsoleApplication::openWindow() {
         m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots ? &m_lots->service() : nullptr);
     }
     m_quality->start(m_lots ? &m_lots->service() : nullptr);
+    if (m_options.machine == "linuxcnc") {
+        connect(&m_portLook, &QTimer::timeout, this, &ConsoleApplication::lookAtPort);
+        m_portLook.start(kPortLook_ms);
+        lookAtPort();
+    }
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);
     poll();
@@ -347,27 +359,66 @@ void ConsoleApplication::poll() {
     }
 }
 
+/// The control's command port takes orders from anyone who reaches it: said for as long as others do.
+void ConsoleApplication::lookAtPort() {
+    const auto address = std::make_shared<std::string>();
+    m_background.run(
+        [address, port = m_options.described.commandPort]() -> Result<void> {
+            *address = linuxcnc::openAddress(port);
+            return {};
+        },
+        [this, address](const Result<void>&) {
+            const bool open = !address->empty();
+            if (open != m_portOpen && m_window) {
+                m_portOpen = open;
+                const AlarmEvent event{machine_alarm::kCommandPortOpen, open, 0,
+                                       Sentence(KERF_TEXT("It answers on %1."), SentenceArg(*address))};
+                emit m_window->client().alarmArrived(event);
+            }
+        });
+}
+
 std::string ConsoleApplication::author() const {
     const QString name = m_window ? m_window->session().name() : QString();
     return name.isEmpty() ? kAuthor : name.toStdString();
 }
 
 Rights ConsoleApplication::rights() {
-    return [this](const std::string& who, Trust least) -> std::optional<Sentence> {
-        if (!m_window || who == kAuthor) {  // what Kerf does by itself
+    return [this](const std::string& who, Deed deed) -> std::optional<Sentence> {
+        const Trust least = permissionOf(deed).least;
+        const bool byItself = who == kAuthor || (m_simulator && who == SimulatedShift::kAuthor);
+        if (!m_window || (byItself && m_window->session().author() != who)) {
             return std::nullopt;
         }
         const ui::OperatorAccount* account = m_window->session().account(QString::fromStdString(who));
-        if (account != nullptr && static_cast<int>(account->role) >= static_cast<int>(least)) {
+        if (account != nullptr && account->role >= least) {
             return std::nullopt;
         }
-        return least == Trust::Engineer ? Sentence(KERF_TEXT("Only a process engineer may do this."))
-                                        : Sentence(KERF_TEXT("Only a setter or a process engineer may do this."));
+        audit(who, "refused", permissionOf(deed).key, "role");
+        return onlyWho(least);
     };
 }
 
+void ConsoleApplication::audit(const std::string& who, const std::string& action, const char* object,
+                               const std::string& reason) {
+    AddAudit entry;
+    entry.author = who;
+    entry.action = action;
+    entry.object = object;
+    entry.reason = reason;
+    m_writer->submit(entry, {});
+}
+
 ui::Services ConsoleApplication::services() {
-    ui::Services services{*m_engine};
+    if (!m_gate) {
+        m_gate = std::make_unique<EngineGate>(EngineGate::Links{
+            *m_engine, [this] { return m_window ? m_window->session().author() : std::string(); }, rights(),
+            [this](const std::string& who, const char* key, const std::string& what) { audit(who, what, key, {}); },
+            [this](const Sentence& why) {
+                if (m_window) emit m_window->client().refused(why);
+            }});
+    }
+    ui::Services services{*m_gate};
     if (m_lots) {
         services.boringService = &m_lots->service();
         services.boringLots = m_lots.get();

@@ -20,11 +20,13 @@
 #include "app/console/simulator.h"
 #include "app/console/stop_keeper.h"
 #include "app/service/boring/boring_lots.h"
+#include "app/service/engine_gate.h"
 #include "app/service/rights.h"
 #include "db/data_file.h"
 #include "db/readers/database_reader.h"
 #include "db/writer_thread.h"
 #include "engine/cycle/engine.h"
+#include "engine/machine/described_machine.h"
 #include "ui/shell/main_window.h"
 #include "ui/theme/look.h"
 
@@ -78,10 +80,13 @@ class ConsoleApplication : public QObject {
     void lotIsOpen();
     void openWindow();
     void poll();
+    void lookAtPort();
     [[nodiscard]] std::string author() const;
     void keepAlarm(const AlarmEvent& event);
     /// What the services ask before they change anything.
     [[nodiscard]] Rights rights();
+    /// A line in the audit log for what is no row of a table.
+    void audit(const std::string& who, const std::string& action, const char* object, const std::string& reason);
     void wrapOldSeals();
     [[nodiscard]] std::vector<Sentence> startFindings() const;
     void serveFiles(ui::Services& services);
@@ -97,11 +102,13 @@ class ConsoleApplication : public QObject {
     std::vector<std::unique_ptr<Room>> m_rooms;  ///< those that fit the machine
     std::unique_ptr<Simulator> m_simulator;
     std::unique_ptr<MachinePort> m_realMachine;
+    std::unique_ptr<DescribedMachine> m_described;         ///< null without a machine file
     std::vector<std::string> m_recordedSensors;            ///< of a recorded day
     std::unique_ptr<StoredSensorService> m_sensorService;  ///< null without a sensor file
     std::unique_ptr<ConsoleSensors> m_sensors;             ///< null without a sensor file
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
+    std::unique_ptr<EngineGate> m_gate;  ///< the engine as the pages see it
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<QualityDesk> m_quality;
@@ -112,6 +119,8 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<LivePublisher> m_live;  ///< for gateways
     std::unique_ptr<ShopLink> m_shop;
     QTimer m_poll;
+    QTimer m_portLook;
+    bool m_portOpen{false};
     std::unique_ptr<ui::Look> m_look;
     ui::Preferences m_savedPreferences{};
     ui::SignOnSettings m_savedSignOn{};

@@ -2,8 +2,11 @@
 #include "app/console/options.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <regex>
 #include <vector>
+
+#include "app/machines/machine_file.h"
 
 namespace kerf::console {
 
@@ -40,6 +43,10 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
            "turning lathe), linuxcnc, or replay FILE (a recorded day comes again)")
         ->expected(1, 2)
         ->capture_default_str();
+    app.add_option(
+        "--machine-file", options.machineFile,
+        "Machine file (JSON, docs/linuxcnc.md): units, spindle geometry, travel, limits of Kerf's outputs, who "
+        "hosts what, addresses; it names the machine itself when --machine does not");
     app.add_option(
         "--sensors", options.sensors,
         "Sensor file of the machine (JSON, docs/sensors.md): temperatures and gauges beside what it brings itself");
@@ -79,9 +86,19 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     try {
         app.parse(argc, argv);
         takeMachine(machine, options);
+        if (!options.machineFile.empty()) {
+            const MachineFile file =
+                readMachineFile(options.machineFile, app.count("--machine") > 0 ? options.machine : std::string());
+            options.machine = file.machine;
+            options.described = file.description;
+        }
     } catch (const CLI::ParseError& error) {
         app.exit(error);
         exitCode = error.get_exit_code() == 0 ? 0 : 2;
+        return std::nullopt;
+    } catch (const MachineFileFault& fault) {
+        std::fprintf(stderr, "kerf-console: %s\n", fault.what());
+        exitCode = 3;
         return std::nullopt;
     }
     if (!size.empty()) {

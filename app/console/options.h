@@ -6,12 +6,16 @@
 #include <optional>
 #include <string>
 
+#include "engine/port/machine_description.h"
+
 namespace kerf::console {
 
 /// What the command line asks of kerf-console.
 struct Options {
     std::string dataDir{};  ///< empty: the user's data folder
     std::string machine{"simulator"};
+    std::string machineFile{};       ///< how the machine is described; empty: not at all
+    MachineDescription described{};  ///< as that file says
     std::string replayFile{};        ///< of --machine replay: the recorded day
     std::string sensors{};           ///< sensor file of the machine; empty: only what the machine itself brings
     double simulationSpeed{20.0};    ///< simulator only

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "db/shop/outbox.h"
+#include "engine/cycle/machine_alarms.h"
 
 namespace kerf::console {
 namespace {
@@ -76,7 +77,7 @@ void ShopLink::poll(std::int64_t now_ms) {
     if (state.trouble == db::ShopTrouble::None) {
         m_troubleSince_ms = -1;
         if (m_alarm) {
-            m_writer.submit(ClearAlarm{kShopOutOfReach}, {});
+            m_writer.submit(ClearAlarm{machine_alarm::kShopOutOfReach}, {});
             m_alarm = false;
         }
         return;
@@ -86,7 +87,7 @@ void ShopLink::poll(std::int64_t now_ms) {
     }
     if (!m_alarm && now_ms - m_troubleSince_ms >= kPatience_ms) {
         m_writer.submit(
-            RaiseAlarm{kShopOutOfReach, 3,
+            RaiseAlarm{machine_alarm::kShopOutOfReach, 3,
                        Sentence(KERF_TEXT("The shop has been out of reach for %1 min; %2 entries wait here."),
                                 SentenceArg(static_cast<double>(now_ms - m_troubleSince_ms) / 60000.0, 0),
                                 SentenceArg(static_cast<double>(state.unsent), 0))},

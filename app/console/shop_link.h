@@ -12,8 +12,6 @@
 
 namespace kerf::console {
 
-inline constexpr AlarmCode kShopOutOfReach = 90;
-
 /// The console's way to the shop: a sender on a thread of its own when the data folder names a server in shop/database,
 /// and an alarm of the third priority when nothing has reached it for a quarter of an hour. Nothing waits for it. GUI
 /// thread.

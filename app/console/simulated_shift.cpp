@@ -8,8 +8,6 @@
 namespace kerf::console {
 namespace {
 
-constexpr const char* kAuthor = "Simulator";
-
 template <class Action>
 Command commandOf(const Action& action) {
     Command command;

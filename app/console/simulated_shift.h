@@ -18,6 +18,8 @@ namespace kerf::console {
 class SimulatedShift : public QObject {
     Q_OBJECT
  public:
+    /// Who enters the simulated bores; no person has this name's rights by signing on with it.
+    static constexpr const char* kAuthor = "Simulator";
     struct Params {
         std::uint32_t preparedParts{0};  ///< measured by itself and as fast as it can, before the operator comes
         bool autoOperator{false};        ///< measured by itself for the rest of the lot too

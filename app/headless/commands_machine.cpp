@@ -10,6 +10,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/machines/machine_file.h"
 #include "app/machines/machine_module_loader.h"
 #include "engine/cycle/engine.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
@@ -24,20 +25,43 @@ using Clock = std::chrono::steady_clock;
 
 struct MachineOptions {
     std::string machine{"linuxcnc"};
+    std::string file{};  ///< machine file; empty: nothing is described
     double seconds{10.0};
     double period_s{0.5};
 };
 
 constexpr auto kLook = std::chrono::milliseconds(1);
-constexpr std::uint16_t kCommandPort = 5007;  ///< of linuxcncrsh
-constexpr double kAppear_s = 1.0;             ///< how long a link may take to come up
+constexpr double kAppear_s = 1.0;  ///< how long a link may take to come up
 
 std::int64_t now_ns() {
     return Clock::now().time_since_epoch().count();
 }
 
+MachineDescription describedBy(const MachineOptions& options) {
+    if (options.file.empty()) {
+        return {};
+    }
+    try {
+        return readMachineFile(options.file, options.machine).description;
+    } catch (const MachineFileFault& fault) {
+        throw BadInput(fault.what());
+    }
+}
+
+/// Whoever reaches the port may move the machine; said by every command that looks.
+std::string warnOfOpenPort(std::uint16_t port) {
+    const std::string address = linuxcnc::openAddress(port);
+    if (!address.empty()) {
+        std::fprintf(stderr,
+                     "kerf: linuxcncrsh answers on %s, port %u: whoever reaches this computer may move the machine. "
+                     "Close the port in the firewall (docs/linuxcnc.md).\n",
+                     address.c_str(), unsigned{port});
+    }
+    return address;
+}
+
 std::unique_ptr<MachinePort> open(const MachineOptions& options, bool onlyRead) {
-    auto machine = loadMachine(options.machine);
+    auto machine = loadMachine(options.machine, describedBy(options));
     if (!machine) {
         throw BadInput(machine.error().english());
     }
@@ -112,14 +136,7 @@ void status(const MachineOptions& options) {
     const auto machine = open(options, true);
     MachineInputs inputs;
     readFor(*machine, kAppear_s, inputs);
-    const std::string address = linuxcnc::openAddress(kCommandPort);
-    if (!address.empty()) {
-        std::fprintf(
-            stderr,
-            "kerf: linuxcncrsh answers on %s, port %u: whoever reaches this computer may move the machine. Close "
-            "the port in the firewall (docs/linuxcnc.md).\n",
-            address.c_str(), unsigned{kCommandPort});
-    }
+    (void)warnOfOpenPort(describedBy(options).commandPort);
     Json json;
     json["capabilities"] = capabilitiesJson(machine->capabilities());
     json["signals"] = signalsJson(inputs);
@@ -127,6 +144,28 @@ void status(const MachineOptions& options) {
     if (inputs.link != LinkState::Up) {
         throw BadInput("the machine is not reached: it does not run, or its HAL file does not load kerf-hal.");
     }
+}
+
+/// The machine file as it is understood, and what stands open; the machine need not run.
+void check(const MachineOptions& options) {
+    MachineFile file;
+    file.machine = options.machine;
+    if (!options.file.empty()) {
+        try {
+            file = readMachineFile(options.file);
+        } catch (const MachineFileFault& fault) {
+            throw BadInput(fault.what());
+        }
+    }
+    Json json;
+    json["description"] = machineFileJson(file);
+    json["open_address"] = nullptr;
+    if (file.machine == "linuxcnc") {
+        if (const std::string address = warnOfOpenPort(file.description.commandPort); !address.empty()) {
+            json["open_address"] = address;
+        }
+    }
+    printJson(json);
 }
 
 void watch(const MachineOptions& options) {
@@ -232,10 +271,16 @@ void addMachineCommands(CLI::App& kerf) {
         command->add_option("--machine", options->machine, "Which machine")
             ->check(CLI::IsMember({"linuxcnc"}))
             ->capture_default_str();
+        command->add_option("--machine-file", options->file,
+                            "Machine file (JSON, docs/linuxcnc.md): units, geometry, travel, limits, hosts");
         command->callback([options, run] { run(*options); });
         return command;
     };
     add("status", "Capabilities, with the reason for what is missing, and signals as JSON. Reads only.", status);
+    add("check",
+        "The machine file as it is understood, defaults included, and whether the control's command port answers on an "
+        "address that others reach, as JSON. The machine need not run.",
+        check);
     auto* watching = add("watch", "The signals as one line of JSON per period. Reads only.", watch);
     watching->add_option("--seconds", options->seconds, "How long")
         ->check(CLI::Range(0.1, 86400.0))

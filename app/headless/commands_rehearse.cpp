@@ -6,6 +6,7 @@
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
+#include "app/machines/machine_file.h"
 #include "app/machines/machine_module_loader.h"
 #include "app/rehearsal/rehearsal.h"
 #include "engine/port/state_keys.h"
@@ -16,6 +17,7 @@ namespace {
 struct RehearseOptions {
     std::string scenario{};
     std::string machine{};
+    std::string machineFile{};
     bool csv{false};
     bool summary{false};
     double every_ms{0.0};
@@ -59,11 +61,26 @@ void writeRow(CsvOutput& csv, const rehearsal::Row& row) {
 }
 
 void rehearse(const RehearseOptions& options) {
-    const rehearsal::Scenario scenario =
-        rehearsal::readScenario(readFile(options.scenario), options.scenario, options.machine);
+    std::string machineKind = options.machine;
+    MachineDescription described;
+    if (!options.machineFile.empty()) {
+        try {
+            const MachineFile file = readMachineFile(options.machineFile, options.machine);
+            machineKind = file.machine;
+            described = file.description;
+        } catch (const MachineFileFault& fault) {
+            throw BadInput(fault.what());
+        }
+    }
+    rehearsal::Scenario scenario = rehearsal::readScenario(readFile(options.scenario), options.scenario, machineKind);
+    if (!described.hosts[static_cast<std::size_t>(scenario.process)]) {
+        throw BadInput(options.machineFile + ": hosts: does not name " + processKey(scenario.process) +
+                       ", the scenario's process.");
+    }
+    scenario.limits = described.limits;
     std::unique_ptr<MachinePort> real;
     if (scenario.machine == rehearsal::MachineKind::LinuxCnc) {
-        auto machine = loadMachine(options.machine);
+        auto machine = loadMachine("linuxcnc", described);
         if (!machine) {
             throw BadInput(machine.error().english());
         }
@@ -96,6 +113,8 @@ void addRehearseCommand(CLI::App& kerf) {
         ->required();
     command->add_option("--machine", options->machine, "Machine to run on; without it the built-in one of the process")
         ->check(CLI::IsMember({"simulator", "diamond-lathe", "linuxcnc"}));
+    command->add_option("--machine-file", options->machineFile,
+                        "Machine file (JSON, docs/linuxcnc.md): its limits of the outputs, and who hosts what");
     auto* csv = command->add_flag("--csv", options->csv, "Rows as CSV (default)");
     command
         ->add_flag("--summary", options->summary,

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name) {
+Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name, const MachineDescription& described) {
     std::error_code unreadable;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", unreadable);
     const auto module = program.parent_path() / ("kerf-" + name + ".so");
@@ -18,7 +18,7 @@ Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name) {
             KERF_TEXT("The module kerf-%1.so is not beside the program: this machine cannot be driven from here."),
             SentenceArg(name));
     }
-    return std::unique_ptr<MachinePort>(make());
+    return std::unique_ptr<MachinePort>(make(described));
 }
 
 }  // namespace kerf

@@ -10,6 +10,7 @@
 namespace kerf {
 
 /// The machine of the module `kerf-<name>.so` in the folder of the running program, not yet connected.
-[[nodiscard]] Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name);
+[[nodiscard]] Result<std::unique_ptr<MachinePort>> loadMachine(const std::string& name,
+                                                               const MachineDescription& described = {});
 
 }  // namespace kerf

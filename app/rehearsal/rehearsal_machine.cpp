@@ -19,6 +19,7 @@ constexpr std::int64_t kLatheCycle_ns = 200'000;
 std::unique_ptr<SimulatedMachine> simulatedMachine(const Scenario& scenario) {
     std::vector<std::unique_ptr<SimulatedProcess>> plants;
     SimulatedMachine::Params machine;
+    machine.limits = scenario.limits;
     if (scenario.machine == MachineKind::DiamondLathe) {
         machine.name = "Kerf diamond lathe";
         machine.cycle_ns = kLatheCycle_ns;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/process.h"
+#include "engine/port/output_limits.h"
 #include "engine/process/boring/boring_types.h"
 #include "engine/process/milling/milling_types.h"
 #include "engine/process/tapping/tapping_types.h"
@@ -55,6 +56,7 @@ struct Scenario {
     LoopMode mode{LoopMode::Control};
     std::uint64_t seed{1};
     Setups setups{};
+    OutputLimits limits{};        ///< of the machine; the built-in ones unless a machine file says others
     std::vector<Event> events{};  ///< by time, those of one time in the file's order
 };
 

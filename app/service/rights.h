@@ -6,27 +6,28 @@
 #include <string>
 
 #include "engine/core/result.h"
+#include "ui/services/permissions.h"
 
 namespace kerf {
 
-/// What somebody is trusted with; each may do what the ones before may.
-enum class Trust : std::uint8_t {
-    Operator,  ///< enter and correct measurements, a new tool, acknowledge
-    Setter,    ///< part types, setups, tunings and models that are cut with, lots
-    Engineer,  ///< recipes and limits
-};
+/// Why this author's role does not allow it; empty when it does. An empty function asks nobody (a service on its own,
+/// in a test).
+using Rights = std::function<std::optional<Sentence>(const std::string& author, Deed deed)>;
 
-/// Asked by every service before it changes anything, whoever calls it: why this author may not; empty when he may. An
-/// empty function asks nobody (a service on its own, in a test).
-using Rights = std::function<std::optional<Sentence>(const std::string& author, Trust least)>;
-
-/// The same as a result, for the first line of a change.
-[[nodiscard]] inline Result<void> permitted(const Rights& rights, const std::string& author, Trust least) {
+/// Asked by every service as the first line of a change, whoever calls it: somebody with a name, his role, and where
+/// the table wants one (ui/services/permissions.h), a reason.
+[[nodiscard]] inline Result<void> permitted(const Rights& rights, const std::string& author, Deed deed,
+                                            const std::string& reason = {}) {
     if (author.empty()) {
         return fail(KERF_TEXT("Sign on first: a change needs a name."));
     }
-    const auto why = rights ? rights(author, least) : std::nullopt;
-    return why ? Result<void>(tl::unexpected<Sentence>(*why)) : Result<void>();
+    if (const auto why = rights ? rights(author, deed) : std::nullopt) {
+        return tl::unexpected<Sentence>(*why);
+    }
+    if (permissionOf(deed).reason && reason.find_first_not_of(" \t\n") == std::string::npos) {
+        return fail(KERF_TEXT("Give a reason: it is kept with the change."));
+    }
+    return {};
 }
 
 }  // namespace kerf

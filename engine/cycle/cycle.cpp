@@ -44,6 +44,7 @@ void Cycle::step(std::int64_t now_ns) noexcept {
     takeCommands();
     showStops();
     tellRefused();
+    sayRefused();
     for (const auto& loop : m_loops) {
         runLoop(*loop);
     }
@@ -139,6 +140,20 @@ void Cycle::tellRefused() noexcept {
     std::move(m_refused.begin() + 1, m_refused.begin() + static_cast<std::ptrdiff_t>(m_refusedCount),
               m_refused.begin());
     --m_refusedCount;
+}
+
+/// What the machine or the limiter did not carry out is said, whichever loop has asked for it; until something is
+/// taken.
+void Cycle::sayRefused() noexcept {
+    const RequestReply& reply = m_inputs.reply;
+    if (reply.number == m_saidReply.number && reply.state == m_saidReply.state) {
+        return;
+    }
+    m_saidReply = reply;
+    if (m_cycles > 0) {  // an answer to a console before this one is none to us
+        m_events.clear(machine_alarm::kNotCarriedOut);
+        m_events.set(machine_alarm::kNotCarriedOut, reply.state == RequestState::Refused, reply.reason);
+    }
 }
 
 void Cycle::takeCommands() noexcept {

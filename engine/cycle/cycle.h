@@ -64,6 +64,7 @@ class Cycle {
     void showStops() noexcept;
     void runLoop(ProcessLoop& loop) noexcept;
     void tellRefused() noexcept;
+    void sayRefused() noexcept;
 
     MachinePort& m_port;
     std::vector<std::unique_ptr<ProcessLoop>> m_loops;
@@ -86,6 +87,7 @@ class Cycle {
     std::array<RequestReply, LimitReport::kMaxRefused> m_refused{};  ///< of the limiter, told one per cycle
     std::size_t m_refusedCount{0};
     RequestReply m_portReply{};  ///< the last one
+    RequestReply m_saidReply{};  ///< the last one that an alarm has told, or need not tell
     double m_simulationSpeed{1.0};
 };
 

@@ -13,6 +13,9 @@ inline constexpr AlarmCode kEmergencyStop = 2;
 inline constexpr AlarmCode kPartStoreFull = 3;
 inline constexpr AlarmCode kOverruns = 4;
 inline constexpr AlarmCode kPartUnrecorded = 9;
+inline constexpr AlarmCode kNotCarriedOut = 11;
+inline constexpr AlarmCode kShopOutOfReach = 90;   ///< raised by the console
+inline constexpr AlarmCode kCommandPortOpen = 10;  ///< raised by the console, not by the cycle
 
 inline constexpr std::array kSpecs{
     AlarmSpec{
@@ -42,6 +45,20 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("This computer is too busy, or real-time scheduling is not allowed."),
               KERF_TEXT("Loops react later than designed. Feed and offsets stay inside their limits."),
               KERF_TEXT("End other programs. See Diagnostics for cycle times and how to allow real-time scheduling.")},
+    AlarmSpec{kNotCarriedOut, 2, KERF_TEXT("A command was not carried out"),
+              KERF_TEXT("The control or a rule of Kerf's has refused it, or nothing came of it."),
+              KERF_TEXT("What was asked for has not happened. The machine stands as it stood before."),
+              KERF_TEXT("Read the reason beside it, look at the control's own message, put it right and ask again.")},
+    AlarmSpec{kShopOutOfReach, 3, KERF_TEXT("The shop's store is out of reach"),
+              KERF_TEXT("Network, server or sign-on: the Diagnostics page says what it answered last."),
+              KERF_TEXT("Nothing is lost: parts and values wait here and travel when it answers again."),
+              KERF_TEXT("Nothing to do at the machine. Tell whoever looks after the server when it stays.")},
+    AlarmSpec{kCommandPortOpen, 2, KERF_TEXT("The control's command port is open to the network"),
+              KERF_TEXT("linuxcncrsh answers on an address that other computers reach, with passwords that everybody "
+                        "knows."),
+              KERF_TEXT("Whoever reaches this computer may move the machine."),
+              KERF_TEXT("Close the port in the firewall and give it passwords of your own: see the LinuxCNC guide, "
+                        "\"Close the port\". Then start the console anew.")},
 };
 
 }  // namespace kerf::machine_alarm

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko_KR" sourcelanguage="en_US">
     <context>
-        <name>BoringTexts</name>
+    <name>BoringTexts</name>
         <message>
             <source>top</source>
             <comment>depth of a bore</comment>
@@ -45,7 +45,7 @@
         </message>
     </context>
     <context>
-        <name>FirstEngineer</name>
+    <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
             <translation>첫 공정 엔지니어</translation>
@@ -76,7 +76,7 @@
         </message>
     </context>
     <context>
-        <name>Help</name>
+    <name>Help</name>
         <message>
             <source>HOLD ALL</source>
             <translation>전체 홀드</translation>
@@ -359,7 +359,7 @@
         </message>
     </context>
     <context>
-        <name>LotReport</name>
+    <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
             <translation>아직 표시할 것이 없습니다.</translation>
@@ -514,7 +514,7 @@
         </message>
     </context>
     <context>
-        <name>Milling</name>
+    <name>Milling</name>
         <message>
             <source>Constant feed</source>
             <translation>일정 이송</translation>
@@ -573,7 +573,7 @@
         </message>
     </context>
     <context>
-        <name>MillingCutLog</name>
+    <name>MillingCutLog</name>
         <message>
             <source>%1, aborted</source>
             <translation>%1, 중단</translation>
@@ -638,7 +638,7 @@
         </message>
     </context>
     <context>
-        <name>OperatorChooser</name>
+    <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
             <translation>작업자가 누구입니까?</translation>
@@ -685,7 +685,7 @@
         </message>
     </context>
     <context>
-        <name>Pages</name>
+    <name>Pages</name>
         <message>
             <source>Feed</source>
             <translation>이송</translation>
@@ -736,7 +736,7 @@
         </message>
     </context>
     <context>
-        <name>PartReport</name>
+    <name>PartReport</name>
         <message>
             <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
             <comment>units</comment>
@@ -829,7 +829,7 @@
         </message>
     </context>
     <context>
-        <name>People</name>
+    <name>People</name>
         <message>
             <source>No PIN</source>
             <translation>PIN 없음</translation>
@@ -874,16 +874,40 @@
             <source>Close</source>
             <translation>닫기</translation>
         </message>
+        <message>
+            <source>Who may do what</source>
+            <translation>누가 무엇을 할 수 있는가</translation>
+        </message>
+        <message>
+            <source>Each role may do what the ones before it may. Starting a part, HOLD ALL and its release, and ending a tap ask for no name.</source>
+            <translation>각 권한은 앞 권한이 할 수 있는 일도 할 수 있습니다. 공작물 시작, 전체 정지와 그 해제, 탭 종료에는 이름이 필요 없습니다.</translation>
+        </message>
+        <message>
+            <source>what</source>
+            <translation>항목</translation>
+        </message>
+        <message>
+            <source>from this role on</source>
+            <translation>필요한 최소 권한</translation>
+        </message>
+        <message>
+            <source>reason</source>
+            <translation>사유</translation>
+        </message>
+        <message>
+            <source>must be given</source>
+            <translation>입력 필수</translation>
+        </message>
     </context>
     <context>
-        <name>PinSheet</name>
+    <name>PinSheet</name>
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
         </message>
     </context>
     <context>
-        <name>QualityTexts</name>
+    <name>QualityTexts</name>
         <message>
             <source>Bore ⌀, %1</source>
             <translation>내경 ⌀, %1</translation>
@@ -919,7 +943,7 @@
         </message>
     </context>
     <context>
-        <name>Settings</name>
+    <name>Settings</name>
         <message>
             <source>Settings</source>
             <translation>설정</translation>
@@ -962,7 +986,7 @@
         </message>
     </context>
     <context>
-        <name>Shift</name>
+    <name>Shift</name>
         <message>
             <source>no reason given yet</source>
             <translation>아직 사유 없음</translation>
@@ -1049,7 +1073,7 @@
         </message>
     </context>
     <context>
-        <name>ShiftReport</name>
+    <name>ShiftReport</name>
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
@@ -1120,7 +1144,7 @@
         </message>
     </context>
     <context>
-        <name>ShopText</name>
+    <name>ShopText</name>
         <message>
             <source>%1 s ago</source>
             <translation>%1초 전</translation>
@@ -1180,7 +1204,7 @@
         </message>
     </context>
     <context>
-        <name>TappingTexts</name>
+    <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
             <comment>thread, speed, depth, gear</comment>
@@ -1268,7 +1292,7 @@
         </message>
     </context>
     <context>
-        <name>ThermalSheets</name>
+    <name>ThermalSheets</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -1631,9 +1655,17 @@
             <source>Measured and learnt from: the coefficients of today follow from the next minute on.</source>
             <translation>측정하고 학습했습니다: 다음 1분부터 오늘의 계수에 반영됩니다.</translation>
         </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 이유</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>사유를 입력하십시오</translation>
+        </message>
     </context>
     <context>
-        <name>ThermalTexts</name>
+    <name>ThermalTexts</name>
         <message>
             <source>healthy</source>
             <translation>정상</translation>
@@ -1716,7 +1748,7 @@
         </message>
     </context>
     <context>
-        <name>ToolMemory</name>
+    <name>ToolMemory</name>
         <message>
             <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
             <comment>part type, parts, figures of a tool</comment>
@@ -1762,7 +1794,7 @@
         </message>
     </context>
     <context>
-        <name>Tools</name>
+    <name>Tools</name>
         <message>
             <source>%1 of %2 parts</source>
             <translation>%2개 중 %1개</translation>
@@ -1825,7 +1857,7 @@
         </message>
     </context>
     <context>
-        <name>TurningTexts</name>
+    <name>TurningTexts</name>
         <message>
             <source>Open</source>
             <comment>turning controller</comment>
@@ -1873,7 +1905,7 @@
         </message>
     </context>
     <context>
-        <name>VerdictTexts</name>
+    <name>VerdictTexts</name>
         <message>
             <source>good</source>
             <translation>양품</translation>
@@ -1892,7 +1924,7 @@
         </message>
     </context>
     <context>
-        <name>Words</name>
+    <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
             <translation>이 콘솔이 모르는 알람 %1</translation>
@@ -1955,7 +1987,7 @@
         </message>
     </context>
     <context>
-        <name>engine</name>
+    <name>engine</name>
         <message>
             <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
             <translation>샘플의 %1 %가 빠졌습니다. 이 탭은 무효이니 다시 하십시오.</translation>
@@ -5200,9 +5232,197 @@
             <source>The work origin would follow the predicted drift.</source>
             <translation>제어한다면 공작물 원점이 예측한 열변위를 따라갑니다.</translation>
         </message>
+        <message>
+            <source>A command was not carried out</source>
+            <translation>명령이 실행되지 않았습니다</translation>
+        </message>
+        <message>
+            <source>Accept a feed schedule</source>
+            <translation>이송 계획 승인</translation>
+        </message>
+        <message>
+            <source>Add a part type for boring</source>
+            <translation>보링 품종 추가</translation>
+        </message>
+        <message>
+            <source>Announce a change of tool or material</source>
+            <translation>공구 또는 소재 변경 알림</translation>
+        </message>
+        <message>
+            <source>Change a boring recipe</source>
+            <translation>보링 레시피 변경</translation>
+        </message>
+        <message>
+            <source>Change law or reference of milling</source>
+            <translation>밀링 법칙 또는 기준값 변경</translation>
+        </message>
+        <message>
+            <source>Change the blank profile</source>
+            <translation>소재 형상 변경</translation>
+        </message>
+        <message>
+            <source>Change the law of turning</source>
+            <translation>선삭 법칙 변경</translation>
+        </message>
+        <message>
+            <source>Change the limits of the thermal shift</source>
+            <translation>열 시프트 한계 변경</translation>
+        </message>
+        <message>
+            <source>Change the milling setup</source>
+            <translation>밀링 설정 변경</translation>
+        </message>
+        <message>
+            <source>Change the turning setup</source>
+            <translation>선삭 설정 변경</translation>
+        </message>
+        <message>
+            <source>Choose a milled part type</source>
+            <translation>밀링 품종 선택</translation>
+        </message>
+        <message>
+            <source>Close a lot or leave it out of memory</source>
+            <translation>로트 마감 또는 기억에서 제외</translation>
+        </message>
+        <message>
+            <source>Close the port in the firewall and give it passwords of your own: see the LinuxCNC guide, "Close the port". Then start the console anew.</source>
+            <translation>방화벽에서 포트를 닫고 고유한 암호를 설정하십시오. LinuxCNC 안내서의 "Close the port"를 참조하십시오. 그런 다음 콘솔을 다시 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>Correct or void a diameter</source>
+            <translation>직경 정정 또는 무효 처리</translation>
+        </message>
+        <message>
+            <source>Enter a diameter</source>
+            <translation>직경 입력</translation>
+        </message>
+        <message>
+            <source>Give a reason: it is kept with the change.</source>
+            <translation>사유를 입력하십시오. 변경과 함께 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>It answers on %1.</source>
+            <translation>%1에서 응답합니다.</translation>
+        </message>
+        <message>
+            <source>Leave a milling tool out of memory</source>
+            <translation>밀링 공구를 기억에서 제외</translation>
+        </message>
+        <message>
+            <source>Leave a stored tuning out</source>
+            <translation>저장된 튜닝 제외</translation>
+        </message>
+        <message>
+            <source>Load a tapping job</source>
+            <translation>태핑 작업 불러오기</translation>
+        </message>
+        <message>
+            <source>Network, server or sign-on: the Diagnostics page says what it answered last.</source>
+            <translation>네트워크, 서버 또는 로그인 문제입니다. 마지막 응답은 진단 페이지에 있습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is lost: parts and values wait here and travel when it answers again.</source>
+            <translation>잃어버린 것은 없습니다. 공작물과 값은 여기서 기다렸다가 서버가 다시 응답하면 전송됩니다.</translation>
+        </message>
+        <message>
+            <source>Nothing to do at the machine. Tell whoever looks after the server when it stays.</source>
+            <translation>기계에서 할 일은 없습니다. 계속되면 서버 담당자에게 알리십시오.</translation>
+        </message>
+        <message>
+            <source>Open or choose a lot</source>
+            <translation>로트 열기 또는 선택</translation>
+        </message>
+        <message>
+            <source>Overhangs from %1 to %2 mm lie beyond what Z reaches by the machine file.</source>
+            <translation>돌출 길이 %1 ~ %2 mm는 기계 파일의 Z 이동 범위를 벗어납니다.</translation>
+        </message>
+        <message>
+            <source>Place a sensor on the picture</source>
+            <translation>그림에 센서 위치 지정</translation>
+        </message>
+        <message>
+            <source>Put a thermal model live or back</source>
+            <translation>열 모델 적용 또는 되돌리기</translation>
+        </message>
+        <message>
+            <source>Raise a limit of milling</source>
+            <translation>밀링 한계 올리기</translation>
+        </message>
+        <message>
+            <source>Raise a limit of turning</source>
+            <translation>선삭 한계 올리기</translation>
+        </message>
+        <message>
+            <source>Read the reason beside it, look at the control's own message, put it right and ask again.</source>
+            <translation>옆의 사유와 제어기 자체 메시지를 확인하고, 바로잡은 뒤 다시 요청하십시오.</translation>
+        </message>
+        <message>
+            <source>Record a gap-sensor session</source>
+            <translation>갭 센서 측정 기록</translation>
+        </message>
+        <message>
+            <source>Release a stop</source>
+            <translation>정지 해제</translation>
+        </message>
+        <message>
+            <source>Say that a new milling tool is in</source>
+            <translation>새 밀링 공구 장착 알림</translation>
+        </message>
+        <message>
+            <source>Switch a loop</source>
+            <translation>루프 전환</translation>
+        </message>
+        <message>
+            <source>Take a reference or a measurement of the origin over</source>
+            <translation>원점의 기준 설정 또는 측정값 적용</translation>
+        </message>
+        <message>
+            <source>The control or a rule of Kerf's has refused it, or nothing came of it.</source>
+            <translation>제어기 또는 Kerf의 규칙이 거부했거나 아무 일도 일어나지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>The control's command port is open to the network</source>
+            <translation>제어기의 명령 포트가 네트워크에 열려 있습니다</translation>
+        </message>
+        <message>
+            <source>The machine file does not name this process under hosts.</source>
+            <translation>기계 파일의 hosts에 이 공정이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The program is %1 mm long; the machine file gives this axis %2 mm.</source>
+            <translation>프로그램 길이는 %1 mm인데 기계 파일의 이 축 이동 거리는 %2 mm입니다.</translation>
+        </message>
+        <message>
+            <source>The program wants %1 rpm; the machine file allows the spindle %2 rpm.</source>
+            <translation>프로그램은 %1 rpm을 요구하지만 기계 파일의 주축 허용값은 %2 rpm입니다.</translation>
+        </message>
+        <message>
+            <source>The shop's store is out of reach</source>
+            <translation>공장 저장소에 연결할 수 없습니다</translation>
+        </message>
+        <message>
+            <source>Tune, accept a tuning or roll it back</source>
+            <translation>튜닝, 튜닝 승인 또는 되돌리기</translation>
+        </message>
+        <message>
+            <source>What was asked for has not happened. The machine stands as it stood before.</source>
+            <translation>요청한 일은 일어나지 않았습니다. 기계는 이전 상태 그대로입니다.</translation>
+        </message>
+        <message>
+            <source>Whoever reaches this computer may move the machine.</source>
+            <translation>이 컴퓨터에 접근하는 누구나 기계를 움직일 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>linuxcncrsh answers on an address that other computers reach, with passwords that everybody knows.</source>
+            <translation>linuxcncrsh가 다른 컴퓨터에서 접근할 수 있는 주소에서, 누구나 아는 암호로 응답합니다.</translation>
+        </message>
+        <message>
+            <source>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</source>
+            <translation>units: 기계 파일은 %1, 제어기의 [TRAJ]LINEAR_UNITS는 %2입니다. 일치할 때까지 아무 명령도 보내지 않습니다.</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::ActionChart</name>
+    <name>kerf::ui::ActionChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -5221,7 +5441,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmBar</name>
+    <name>kerf::ui::AlarmBar</name>
         <message>
             <source>No alarms.</source>
             <translation>알람이 없습니다.</translation>
@@ -5238,7 +5458,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmModel</name>
+    <name>kerf::ui::AlarmModel</name>
         <message>
             <source>stands, seen by %1</source>
             <translation>발생 중, %1 확인</translation>
@@ -5281,7 +5501,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmsPage</name>
+    <name>kerf::ui::AlarmsPage</name>
         <message>
             <source>That is all.</source>
             <translation>이것이 전부입니다.</translation>
@@ -5372,7 +5592,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoreChart</name>
+    <name>kerf::ui::BoreChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -5407,7 +5627,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoringPage</name>
+    <name>kerf::ui::BoringPage</name>
         <message>
             <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
             <translation>이 기계에 열린 보링 로트가 없습니다. 로트를 열면 이 화면이 채워집니다.</translation>
@@ -5498,7 +5718,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Chart</name>
+    <name>kerf::ui::Chart</name>
         <message>
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
@@ -5506,7 +5726,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ComparisonPanel</name>
+    <name>kerf::ui::ComparisonPanel</name>
         <message>
             <source>no part is archived yet</source>
             <translation>아직 보관된 공작물이 없습니다</translation>
@@ -5554,7 +5774,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ContourChart</name>
+    <name>kerf::ui::ContourChart</name>
         <message>
             <source>rev</source>
             <comment>spindle revolutions, on an axis</comment>
@@ -5598,7 +5818,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::DiagnosticsPage</name>
+    <name>kerf::ui::DiagnosticsPage</name>
         <message>
             <source>%1 (%2 %)</source>
             <translation>%1 (%2 %)</translation>
@@ -5733,7 +5953,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EntryPanel</name>
+    <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
             <translation>측정 대기 공작물 없음</translation>
@@ -5902,7 +6122,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ErrorMap</name>
+    <name>kerf::ui::ErrorMap</name>
         <message>
             <source>error in %1, %2</source>
             <translation>%1 오차, %2</translation>
@@ -5913,7 +6133,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimatePanel</name>
+    <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>Estimated law, 95 % intervals</source>
             <translation>추정한 법칙, 95 % 구간</translation>
@@ -5924,7 +6144,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimateStrips</name>
+    <name>kerf::ui::EstimateStrips</name>
         <message>
             <source>The estimated constants of the law appear here after the first measured part.</source>
             <translation>첫 공작물을 측정하면 추정한 상수가 여기에 나타납니다.</translation>
@@ -5935,7 +6155,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::FeedPanel</name>
+    <name>kerf::ui::FeedPanel</name>
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
@@ -5979,7 +6199,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ForcePanel</name>
+    <name>kerf::ui::ForcePanel</name>
         <message>
             <source>Force, %1: extremes and mean, last %2 s</source>
             <comment>unit, seconds</comment>
@@ -6032,7 +6252,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GainsPanel</name>
+    <name>kerf::ui::GainsPanel</name>
         <message>
             <source>Gains</source>
             <translation>게인</translation>
@@ -6092,7 +6312,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GaugeSheets</name>
+    <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
             <translation>아직 연구 없음</translation>
@@ -6244,7 +6464,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeaderBar</name>
+    <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
             <translation>로트 %1</translation>
@@ -6311,7 +6531,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeldBand</name>
+    <name>kerf::ui::HeldBand</name>
         <message>
             <source>HELD: all loops</source>
             <translation>홀드: 모든 루프</translation>
@@ -6362,7 +6582,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HelpMode</name>
+    <name>kerf::ui::HelpMode</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -6377,7 +6597,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HistogramChart</name>
+    <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
             <translation>엔진이 돌기 시작하면 나타납니다.</translation>
@@ -6400,7 +6620,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HoldAllButton</name>
+    <name>kerf::ui::HoldAllButton</name>
         <message>
             <source>HELD – all loops off</source>
             <translation>홀드됨 – 모든 루프 꺼짐</translation>
@@ -6415,7 +6635,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::JobForm</name>
+    <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
             <translation>탭 작업</translation>
@@ -6483,7 +6703,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Keypad</name>
+    <name>kerf::ui::Keypad</name>
         <message>
             <source>Enter</source>
             <translation>입력</translation>
@@ -6494,7 +6714,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LoopCard</name>
+    <name>kerf::ui::LoopCard</name>
         <message>
             <source>not fitted</source>
             <translation>미장착</translation>
@@ -6505,7 +6725,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LotForm</name>
+    <name>kerf::ui::LotForm</name>
         <message>
             <source>Lots</source>
             <translation>로트</translation>
@@ -6694,16 +6914,20 @@
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
             <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 직경 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
         </message>
+        <message>
+            <source>Lot %1 is open.</source>
+            <translation>로트 %1을(를) 열었습니다.</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::MachineDrawing</name>
+    <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::MachineStrip</name>
+    <name>kerf::ui::MachineStrip</name>
         <message>
             <source>Force</source>
             <translation>절삭력</translation>
@@ -6754,7 +6978,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MainWindow</name>
+    <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
             <translation>실행되지 않음: %1</translation>
@@ -6813,7 +7037,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MarginPanel</name>
+    <name>kerf::ui::MarginPanel</name>
         <message>
             <source>Loop margins and trim</source>
             <translation>루프 여유와 보정</translation>
@@ -6853,7 +7077,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementForm</name>
+    <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
             <comment>part and depth, diameter</comment>
@@ -6970,7 +7194,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementList</name>
+    <name>kerf::ui::MeasurementList</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -6989,7 +7213,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingBlankForm</name>
+    <name>kerf::ui::MillingBlankForm</name>
         <message>
             <source>There is no step.</source>
             <translation>단이 없습니다.</translation>
@@ -7046,7 +7270,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingControlPanel</name>
+    <name>kerf::ui::MillingControlPanel</name>
         <message>
             <source>Nothing is stopped.</source>
             <translation>멈춘 것이 없습니다.</translation>
@@ -7153,7 +7377,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingLivePanel</name>
+    <name>kerf::ui::MillingLivePanel</name>
         <message>
             <source>Force per revolution, %1, and feed, %2</source>
             <comment>units</comment>
@@ -7213,7 +7437,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingPage</name>
+    <name>kerf::ui::MillingPage</name>
         <message>
             <source>Nothing cut yet.</source>
             <translation>아직 가공한 것이 없습니다.</translation>
@@ -7268,7 +7492,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingSetupForm</name>
+    <name>kerf::ui::MillingSetupForm</name>
         <message>
             <source>This part type is open.</source>
             <translation>이 품종이 열려 있습니다.</translation>
@@ -7318,9 +7542,13 @@
             <source>Stored part types ▾</source>
             <translation>저장된 품종 ▾</translation>
         </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>한계를 올릴 때의 사유</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::MillingToolPanel</name>
+    <name>kerf::ui::MillingToolPanel</name>
         <message>
             <source>Tool: mean ln(C·b) per part</source>
             <translation>공구: 공작물별 평균 ln(C·b)</translation>
@@ -7364,7 +7592,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingWallPanel</name>
+    <name>kerf::ui::MillingWallPanel</name>
         <message>
             <source>Wall deviation, %1</source>
             <comment>unit</comment>
@@ -7396,7 +7624,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NextPartPanel</name>
+    <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
             <translation>이송, 내경 위에서 아래로</translation>
@@ -7468,7 +7696,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NumberDisplay</name>
+    <name>kerf::ui::NumberDisplay</name>
         <message>
             <source>%1 s old</source>
             <translation>%1 s 전</translation>
@@ -7479,7 +7707,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OffsetPanel</name>
+    <name>kerf::ui::OffsetPanel</name>
         <message>
             <source>Drift of the origin, predicted</source>
             <translation>원점 열변위 예측</translation>
@@ -7506,7 +7734,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OperatorSession</name>
+    <name>kerf::ui::OperatorSession</name>
         <message>
             <source>operator</source>
             <translation>작업자</translation>
@@ -7537,7 +7765,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OverviewPage</name>
+    <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
             <translation>제어기에서 프로그램을 시작하십시오.</translation>
@@ -7648,7 +7876,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartDetailPanel</name>
+    <name>kerf::ui::PartDetailPanel</name>
         <message>
             <source>overhang</source>
             <translation>돌출 길이</translation>
@@ -7776,7 +8004,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsModel</name>
+    <name>kerf::ui::PartsModel</name>
         <message>
             <source>finished</source>
             <translation>완료</translation>
@@ -7831,7 +8059,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsPage</name>
+    <name>kerf::ui::PartsPage</name>
         <message>
             <source>no lot is open</source>
             <translation>열린 로트 없음</translation>
@@ -7967,7 +8195,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ProcessPanel</name>
+    <name>kerf::ui::ProcessPanel</name>
         <message>
             <source>Cutting process</source>
             <translation>절삭 공정</translation>
@@ -8004,7 +8232,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualityPage</name>
+    <name>kerf::ui::QualityPage</name>
         <message>
             <source>no part waits for a decision</source>
             <translation>조치를 기다리는 공작물이 없습니다</translation>
@@ -8152,7 +8380,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualitySheets</name>
+    <name>kerf::ui::QualitySheets</name>
         <message>
             <source>Written: %1</source>
             <translation>작성됨: %1</translation>
@@ -8243,7 +8471,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RawChart</name>
+    <name>kerf::ui::RawChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -8266,7 +8494,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecipeForm</name>
+    <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
             <translation>깊이는 최대 %1곳</translation>
@@ -8408,7 +8636,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecoverySheet</name>
+    <name>kerf::ui::RecoverySheet</name>
         <message>
             <source>the tap is turning out</source>
             <translation>탭을 빼내는 중</translation>
@@ -8467,7 +8695,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ResidualChart</name>
+    <name>kerf::ui::ResidualChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -8498,7 +8726,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SensorsPage</name>
+    <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
             <translation>먼저 채널을 누르십시오</translation>
@@ -8613,14 +8841,14 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SheetHost</name>
+    <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::ShiftPage</name>
+    <name>kerf::ui::ShiftPage</name>
         <message>
             <source>this shift has been handed over</source>
             <translation>이미 인계한 근무조입니다</translation>
@@ -8776,7 +9004,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpectrumChart</name>
+    <name>kerf::ui::SpectrumChart</name>
         <message>
             <source>amplitude</source>
             <translation>진폭</translation>
@@ -8809,7 +9037,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpeedChart</name>
+    <name>kerf::ui::SpeedChart</name>
         <message>
             <source>error p-p</source>
             <translation>오차 p-p</translation>
@@ -8832,7 +9060,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpreadChart</name>
+    <name>kerf::ui::SpreadChart</name>
         <message>
             <source>parts</source>
             <translation>공작물</translation>
@@ -8855,7 +9083,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SurfacePanel</name>
+    <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
             <translation>힘으로 본 표면</translation>
@@ -8890,7 +9118,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TapActions</name>
+    <name>kerf::ui::TapActions</name>
         <message>
             <source>a tuning is under way</source>
             <translation>튜닝 진행 중</translation>
@@ -8997,7 +9225,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TappingPage</name>
+    <name>kerf::ui::TappingPage</name>
         <message>
             <source>Load this point?</source>
             <translation>이 점을 로드할까요?</translation>
@@ -9056,7 +9284,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ThermalPage</name>
+    <name>kerf::ui::ThermalPage</name>
         <message>
             <source>start it at the control</source>
             <translation>제어기에서 시작하십시오</translation>
@@ -9174,7 +9402,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TouchKeyboard</name>
+    <name>kerf::ui::TouchKeyboard</name>
         <message>
             <source>ABC</source>
             <translation>가나다</translation>
@@ -9193,7 +9421,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TrialBars</name>
+    <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
             <translation>전</translation>
@@ -9212,7 +9440,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningArchive</name>
+    <name>kerf::ui::TurningArchive</name>
         <message>
             <source>Archive of turned parts</source>
             <translation>선삭 공작물 보관함</translation>
@@ -9297,7 +9525,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningControlPanel</name>
+    <name>kerf::ui::TurningControlPanel</name>
         <message>
             <source>controller</source>
             <translation>제어기</translation>
@@ -9349,7 +9577,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningPage</name>
+    <name>kerf::ui::TurningPage</name>
         <message>
             <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
             <translation>이 기계에는 선삭 루프가 없습니다. 힘 피드백에는 0.2 ms 주기의 선반, 힘 센서, 빠른 공구 보정이 필요합니다.</translation>
@@ -9360,7 +9588,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningSetupForm</name>
+    <name>kerf::ui::TurningSetupForm</name>
         <message>
             <source>Setup of the next part</source>
             <translation>다음 공작물의 설정</translation>
@@ -9413,9 +9641,13 @@
             <source>The next part is cut with the new setup.</source>
             <translation>다음 공작물은 새 설정으로 절삭합니다.</translation>
         </message>
+        <message>
+            <source>Reason, when a limit is raised</source>
+            <translation>한계를 올릴 때의 사유</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::ValueField</name>
+    <name>kerf::ui::ValueField</name>
         <message>
             <source>Enter a number.</source>
             <translation>숫자를 입력하십시오.</translation>

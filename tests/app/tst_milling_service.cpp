@@ -22,9 +22,9 @@ struct Bench {
         service.reset();
         reader = std::move(*db::DatabaseReader::open(scratch.path()));
         StoredMillingService::Links links{writer, engine, [] { return std::string("Kerf"); }, {}, {}};
-        links.rights = [](const std::string& author, Trust least) -> std::optional<Sentence> {
+        links.rights = [](const std::string& author, Deed deed) -> std::optional<Sentence> {
             const Trust has = author == "Park" ? Trust::Engineer : author == "Lee" ? Trust::Setter : Trust::Operator;
-            return has >= least ? std::nullopt : std::optional(Sentence("not trusted with it"));
+            return has >= permissionOf(deed).least ? std::nullopt : std::optional(Sentence("not trusted with it"));
         };
         service = std::make_unique<StoredMillingService>(std::move(links), *reader, *reader);
     }

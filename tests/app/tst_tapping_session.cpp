@@ -143,11 +143,11 @@ class TestTappingSession : public QObject {
         KERF_CLOSE(bench.service->view().inForce.zKp_perS, 48.0, 1e-9);
         QVERIFY(bench.service->begin("Kim", false).has_value());
         QVERIFY(!bench.service->begin("Kim", false).has_value());  // one at a time
-        QVERIFY(!bench.service->load({}).has_value());
+        QVERIFY(!bench.service->load({}, "Kim").has_value());
         QVERIFY(bench.pollUntil([&](const TappingServiceView& view) {
             if (view.state == TuningState::Proposed && !view.finished) {
                 if (view.next.zKp_perS > view.highestZKp_perS || view.next.zKp_perS < view.lowestZKp_perS) return true;
-                bench.service->oneMore();
+                bench.service->oneMore("Kim");
             }
             return view.finished || view.state == TuningState::Failed;
         }));
@@ -225,7 +225,7 @@ class TestTappingSession : public QObject {
         QCOMPARE(bench.service->view().source, GainsSource::Stored);
         const TapChoice choice{thread.toStdString(), speed_rpm,        depth_rev, static_cast<std::uint8_t>(gear),
                                part.toStdString(),   tap.toStdString()};
-        QVERIFY(bench.service->load(choice).has_value());
+        QVERIFY(bench.service->load(choice, "Kim").has_value());
         QCOMPARE(static_cast<int>(bench.service->view().source), source);
         bench.engine->runCycles(3);
         QVERIFY(bench.runTap());
@@ -289,7 +289,7 @@ class TestTappingSession : public QObject {
         const std::size_t kept = bench.stored.size();
         QVERIFY(bench.service->begin("Kim", false).has_value());
         QVERIFY(bench.reaches(TuningState::Proposed));
-        bench.service->oneMore();
+        bench.service->oneMore("Kim");
         QVERIFY(bench.runUntil([](const TappingStatus& s) { return s.spindle_rev > 10.0; }));
         bench.service->abort();
         QVERIFY(bench.reaches(TuningState::Failed));
@@ -309,7 +309,7 @@ class TestTappingSession : public QObject {
         faults.emergencyStop = true;
         bench.machine->inject(faults);
         QVERIFY(bench.reaches(TuningState::Failed));
-        QVERIFY(!bench.service->load({}).has_value());
+        QVERIFY(!bench.service->load({}, "Kim").has_value());
         bench.machine->inject({});
         bench.engine->runCycles(5);
         // a person has looked: an emergency stop holds all loops until then
@@ -320,18 +320,18 @@ class TestTappingSession : public QObject {
         bench.service->recover();
         QVERIFY(bench.runToIdle());
         QVERIFY(std::abs(bench.tapping().z_mm) < 0.1);
-        QVERIFY(bench.service->load({}).has_value());
+        QVERIFY(bench.service->load({}, "Kim").has_value());
         QVERIFY(bench.tune());
     }
     void badChoicesAreRefusedWithTheirRange() {
         ServiceBench bench;
         const std::uint64_t revision = bench.service->view().revision;
-        QVERIFY(!bench.service->load({"M7x3", 3000.0, 22.0}).has_value());
-        QVERIFY(!bench.service->load({"M8", 5.0, 22.0}).has_value());
-        QVERIFY(!bench.service->load({"M8", std::nan(""), 22.0}).has_value());
-        QVERIFY(!bench.service->load({"M8", 3000.0, 0.5}).has_value());
-        QVERIFY(!bench.service->load({"M8", 3000.0, 22.0, 0}).has_value());
-        QVERIFY(!bench.service->load({"M8", 10.0, 100.0}).has_value());  // ten minutes cannot be recorded
+        QVERIFY(!bench.service->load({"M7x3", 3000.0, 22.0}, "Kim").has_value());
+        QVERIFY(!bench.service->load({"M8", 5.0, 22.0}, "Kim").has_value());
+        QVERIFY(!bench.service->load({"M8", std::nan(""), 22.0}, "Kim").has_value());
+        QVERIFY(!bench.service->load({"M8", 3000.0, 0.5}, "Kim").has_value());
+        QVERIFY(!bench.service->load({"M8", 3000.0, 22.0, 0}, "Kim").has_value());
+        QVERIFY(!bench.service->load({"M8", 10.0, 100.0}, "Kim").has_value());  // ten minutes cannot be recorded
         QCOMPARE(bench.service->view().revision, revision);
     }
     void anotherSpeedIsAnotherPoint() {
@@ -339,13 +339,13 @@ class TestTappingSession : public QObject {
         QVERIFY(bench.tune());
         TapChoice faster = bench.service->view().choice;
         faster.speed_rpm = 4500.0;
-        QVERIFY(bench.service->load(faster).has_value());
+        QVERIFY(bench.service->load(faster, "Kim").has_value());
         QVERIFY(bench.tune());
         const auto& speeds = bench.service->view().speeds;
         QCOMPARE(speeds.size(), 2U);
         QVERIFY(speeds[0].hole_s < speeds[1].hole_s);
         QVERIFY(speeds[0].current && !speeds[1].current);
-        QVERIFY(bench.service->load(speeds[1].choice).has_value());
+        QVERIFY(bench.service->load(speeds[1].choice, "Kim").has_value());
         QCOMPARE(bench.service->view().source, GainsSource::Stored);
     }
     void aThinnedCurveKeepsItsReversal() {

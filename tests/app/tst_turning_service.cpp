@@ -212,7 +212,8 @@ class TestTurningService : public QObject {
     }
     bool load(const TurningSetup& setup, const char* author) {
         std::optional<bool> done;
-        m_service->loadSetup(setup, author, [&done](const Result<void>& result) { done = result.has_value(); });
+        m_service->loadSetup(setup, author, "drawing",
+                             [&done](const Result<void>& result) { done = result.has_value(); });
         waitUntil([&done] { return done.has_value(); });
         return *done;
     }

@@ -22,7 +22,7 @@ ALLOWED = {
     "ui": ["ui/", "db/api/", "engine/core/", "engine/api/", "engine/quality/", *TYPES],
     "app/files": ["app/files/", "engine/"],
     "app/service": ["app/service/", "app/files/", "engine/", "db/", "ui/services/"],
-    "app/machines": ["app/machines/", "engine/"],
+    "app/machines": ["app/machines/", "app/sensors/", "engine/"],
     "app/sensors": ["app/sensors/", "engine/core/", "engine/machine/"],
     "app/rehearsal": ["app/rehearsal/", "app/files/", "engine/"],
     "app/headless": ["app/headless/", "app/files/", "app/rehearsal/", "app/service/", "app/machines/", "app/sensors/", "engine/", "db/"],

@@ -73,6 +73,9 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         settle();
     }
 
+    void commandsNeedNoNetwork() {
+        QVERIFY(cycleUntil([this] { return m_machine->commandsOverBridge(); }, neutral()));
+    }
     void boreReallyFollowsTheSchedule() {
         std::vector<std::unique_ptr<kerf::ProcessLoop>> loops;
         loops.push_back(std::make_unique<kerf::BoringLoop>());

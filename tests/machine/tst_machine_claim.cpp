@@ -160,7 +160,7 @@ class TestMachineClaim : public QObject {
         }
         const auto line = programLine(std::get<StartProgram>(startRequest(1).action));
         QVERIFY(line);
-        QCOMPARE(*line, std::string("set mdi o<kerf_bore> call [40.000000] [40.000000] [400.000000]"));
+        QCOMPARE(*line, std::string("set mdi o<kerf_bore> call [40.000000] [40.000000] [400.000000] [0.000000]"));
         QCOMPARE(originShiftLine({1.0, -2.0, 3.5}),
                  std::string("set mdi o<kerf_shift> call [1.000000] [-2.000000] [3.500000]"));
         QVERIFY(line->find(',') == std::string::npos);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "engine/machine/linuxcnc/programs.h"
 #include "tests/support/scripted_control.h"
 
 using namespace kerf;
@@ -260,6 +261,7 @@ class TestScriptedControl : public QObject {
         m_bridge->seen.programRunning = true;
         cycles(5);
         QCOMPARE(m_inputs.reply.state, RequestState::Accepted);
+        m_bridge->seen.declared = declaration(ProcessId::Boring, 41);
         m_bridge->seen.cutting = true;
         cycles(2);
         QCOMPARE(m_inputs.reply.state, RequestState::Done);
@@ -269,6 +271,105 @@ class TestScriptedControl : public QObject {
         m_bridge->seen.finished = true;
         cycles(2);
         QCOMPARE(m_inputs.program, ProgramState::Finished);
+    }
+    void anOperatorsOwnProgramIsNobodys_data() {
+        QTest::addColumn<bool>("declares");
+        QTest::newRow("a control whose programs declare") << true;
+        QTest::newRow("an older kerf.hal") << false;
+    }
+    void anOperatorsOwnProgramIsNobodys() {
+        QFETCH(bool, declares);
+        m_bridge->seen.fitted.programDeclared = declares;
+        makeMachine();
+        cycles(3);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
+        cycles(50);
+        QCOMPARE(m_inputs.program, ProgramState::Idle);
+        QCOMPARE(m_inputs.partSequence, 0U);
+        QVERIFY(!m_inputs.overhang_mm.good());  // nobody knows where it began
+    }
+    void itIsNotTakenForTheStartThatWasAskedFor() {
+        makeMachine();
+        cycles(3);
+        ask(44, bore());
+        QVERIFY(cyclesUntil([this] { return m_inputs.reply.number == 44 && m_rsh->hasHeard("set mdi"); }));
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;  // the operator was quicker
+        cycles(50);
+        QCOMPARE(m_inputs.partSequence, 0U);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = false;
+        QVERIFY(cyclesUntil([this] { return m_inputs.reply.state == RequestState::Refused; }));
+        QCOMPARE(m_inputs.reply.number, 44U);
+    }
+    void whatAProgramDeclaresCounts() {
+        makeMachine();
+        cycles(3);
+        m_bridge->seen.declared = declaration(ProcessId::Milling, 0);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
+        cycles(2);
+        QCOMPARE(m_inputs.program, ProgramState::Running);
+        QVERIFY(m_inputs.programProcess == ProcessId::Milling);
+        QVERIFY(!m_inputs.plannedFeedScale.good());
+        m_bridge->seen.programRunning = false;  // aborted: what it has declared stays behind in the control
+        cycles(2);
+        QCOMPARE(m_inputs.program, ProgramState::Aborted);
+        m_bridge->seen.cutting = false;
+        cycles(2);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;  // the next one declares nothing
+        cycles(5);
+        QCOMPARE(m_inputs.partSequence, 1U);
+        QCOMPARE(m_inputs.program, ProgramState::Aborted);
+    }
+    void theOverhangIsTheRecipesOrTheDescribedOne_data() {
+        QTest::addColumn<bool>("described");
+        QTest::newRow("recipe") << false;
+        QTest::newRow("machine file") << true;
+    }
+    void theOverhangIsTheRecipesOrTheDescribedOne() {
+        QFETCH(bool, described);
+        LinuxCncMachine::Params withFile;
+        withFile.rsh = params();
+        if (described) {
+            withFile.described.overhangAtZ0_mm = 55.0;
+        }
+        m_machine = std::make_unique<LinuxCncMachine>(withFile);
+        QVERIFY(m_machine->connect().has_value() && until([this] { return m_machine->commandsReady(); }));
+        m_bridge->seen.position_mm[2] = 10.0;
+        cycles(3);
+        QCOMPARE(m_inputs.overhang_mm.good(), described);
+        ask(45, bore());
+        QVERIFY(cyclesUntil([this] { return m_inputs.reply.number == 45 && m_rsh->hasHeard("set mdi"); }));
+        m_bridge->seen.declared = declaration(ProcessId::Boring, 45);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
+        cycles(2);
+        m_bridge->seen.position_mm[2] = 4.0;
+        cycles(1);
+        QCOMPARE(m_inputs.program, ProgramState::Running);
+        QVERIFY(m_inputs.overhang_mm.good());
+        QCOMPARE(m_inputs.overhang_mm.value, described ? 51.0 : 46.0);
+    }
+    void describedUnitsTravelAndHostsAreKept() {
+        LinuxCncMachine::Params described;
+        described.rsh = params();
+        described.described.hosts = {true, false, false, false, false};
+        described.described.limits.workOffsetMax_um = 30.0;
+        described.described.axes[2] = AxisTravel{-10.0, 5.0};
+        m_machine = std::make_unique<LinuxCncMachine>(described);
+        QVERIFY(m_machine->connect().has_value() && until([this] { return m_machine->commandsReady(); }));
+        cycles(3);
+        QCOMPARE(m_machine->capabilities().limits.workOffsetMax_um, 30.0);
+        QVERIFY(m_machine->capabilities().process[0].fitted);
+        QVERIFY(!m_machine->capabilities().process[1].fitted);
+        ask(46, bore());  // 20 mm
+        cycles(2);
+        QCOMPARE(m_inputs.reply.number, 46U);
+        QCOMPARE(m_inputs.reply.state, RequestState::Refused);
+        QVERIFY(!m_rsh->hasHeard("set mdi"));
+        described.described.units = DescribedUnits::Inch;
+        m_machine = std::make_unique<LinuxCncMachine>(described);
+        QVERIFY(m_machine->connect().has_value());
+        cycles(3);
+        QVERIFY(!m_machine->capabilities().cycleStart.fitted);
+        QVERIFY(m_machine->capabilities().cycleStart.why.english().starts_with("units:"));
     }
     void aStartThatVanishesIsRefused() {
         makeMachine();
@@ -310,6 +411,7 @@ class TestScriptedControl : public QObject {
     void anOperatorsPauseIsAPauseAndAStopEndsThePart() {
         makeMachine();
         cycles(3);
+        m_bridge->seen.declared = declaration(ProcessId::Boring, 0);
         m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
         m_bridge->seen.currentVelocity_mmPerS = 3.0;
         cycles(2);

@@ -25,7 +25,7 @@ class FakeTappingService : public TappingService {
 
     [[nodiscard]] const TappingServiceView& view() const override { return m_view; }
     [[nodiscard]] const std::vector<TapThreadView>& threads() const override { return m_threads; }
-    [[nodiscard]] Result<void> load(const TapChoice& choice) override {
+    [[nodiscard]] Result<void> load(const TapChoice& choice, const std::string&) override {
         if (!failWith.empty()) return tl::unexpected(failWith);
         loaded.push_back(choice);
         return {};
@@ -40,11 +40,11 @@ class FakeTappingService : public TappingService {
         calls.push_back((out ? "leave out " : "take in ") + author + " " + reason);
         return {};
     }
-    void setAutomatic(bool automatic) override {
+    void setAutomatic(bool automatic, const std::string&) override {
         edit().automatic = automatic;
         calls.emplace_back(automatic ? "automatic" : "by hand");
     }
-    void oneMore() override { calls.emplace_back("one more"); }
+    void oneMore(const std::string&) override { calls.emplace_back("one more"); }
     void accept(const std::string& author) override { calls.push_back("accept " + author); }
     void rollBack(const std::string& author) override { calls.push_back("roll back " + author); }
     void abort() override { calls.emplace_back("abort"); }

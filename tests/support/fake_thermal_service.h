@@ -144,7 +144,7 @@ class FakeThermalService : public ThermalService {
     }
     Result<void> goLive(const std::string& author) override { return called("goLive " + author); }
     Result<void> rollBack(const std::string& author) override { return called("rollBack " + author); }
-    Result<void> changeSetup(const ThermalSetup& next, const std::string& author) override {
+    Result<void> changeSetup(const ThermalSetup& next, const std::string& author, const std::string&) override {
         setup = next;
         return called("setup " + author);
     }

@@ -43,7 +43,7 @@ class FakeTurningService : public TurningService {
     [[nodiscard]] Result<double> overlap(double radius_um, double depth_um, double feed_umPerRev) const override {
         return turning::overlapFactor(radius_um, depth_um, feed_umPerRev);
     }
-    void loadSetup(const TurningSetup& setup, const std::string& author, Done done) override {
+    void loadSetup(const TurningSetup& setup, const std::string& author, const std::string&, Done done) override {
         authors.push_back(author);
         if (failWith.empty()) {
             fake.setup = setup;

@@ -37,6 +37,8 @@ class PageBench {
                                      [this](ui::Role least, std::function<void()> action) {
                                          if (session.may(least)) {
                                              action();
+                                         } else if (!session.signedOn()) {
+                                             ++askedForName;
                                          } else {
                                              notices.push_back(session.whyNot(least));
                                          }

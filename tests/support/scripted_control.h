@@ -152,6 +152,7 @@ class ScriptedBridge {
         seen.fitted.units = linuxcnc::MachineUnits::Millimetre;
         seen.fitted.externalOffsets = true;
         seen.fitted.simulator = true;
+        seen.fitted.programDeclared = true;
         seen.spindleSpeed_rps = 20.0;
     }
     ScriptedBridge(const ScriptedBridge&) = delete;

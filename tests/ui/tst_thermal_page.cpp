@@ -210,6 +210,8 @@ class TestThermalPage : public QObject {
         QVERIFY(!m_bench->find<ActionButton>("thermalLimitsUse")->isEnabled());
         allowed->edit()->setText(QStringLiteral("2.5"));
         emit allowed->edit()->textEdited(QStringLiteral("2.5"));
+        QVERIFY(!m_bench->find<ActionButton>("thermalLimitsUse")->isEnabled());  // not without a reason
+        m_bench->find<QLineEdit>("thermalLimitsReason")->setText(QStringLiteral("drawing B"));
         QVERIFY(m_bench->press("thermalLimitsUse"));
         QCOMPARE(m_service->setup.allowed_um, 2.5);
         QCOMPARE(m_service->setup.period_min, 1.0);

@@ -4,12 +4,15 @@
 #include <QButtonGroup>
 #include <QCoreApplication>
 #include <QGridLayout>
+#include <QHeaderView>
 #include <QScrollArea>
 #include <QScroller>
+#include <QTableWidget>
 #include <array>
 
 #include "ui/dialogs/pin_sheet.h"
 #include "ui/dialogs/sheet.h"
+#include "ui/link/texts.h"
 #include "ui/shell/operator_session.h"
 #include "ui/widgets/label.h"
 
@@ -58,6 +61,30 @@ void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayou
     });
 }
 
+/// The one table that services and pages ask, as it stands.
+void openPermissions(Look& look, SheetHost& host) {
+    Sheet* sheet = host.open(People::tr("Who may do what"),
+                             People::tr("Each role may do what the ones before it may. Starting a part, HOLD ALL and "
+                                        "its release, and ending a tap ask for no name."));
+    auto* table = new QTableWidget(static_cast<int>(kDeedCount), 3, sheet);
+    table->setObjectName(QStringLiteral("permissions"));
+    table->setHorizontalHeaderLabels({People::tr("what"), People::tr("from this role on"), People::tr("reason")});
+    table->verticalHeader()->hide();
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionMode(QAbstractItemView::NoSelection);
+    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (int row = 0; row < static_cast<int>(kDeedCount); ++row) {
+        const Permission& one = kPermissions[static_cast<std::size_t>(row)];
+        table->setItem(row, 0, new QTableWidgetItem(engineText(one.name)));
+        table->setItem(row, 1, new QTableWidgetItem(roleName(one.least)));
+        table->setItem(row, 2, new QTableWidgetItem(one.reason ? People::tr("must be given") : QString()));
+    }
+    table->setMinimumHeight(qMin(host.height() / 2, 12 * look.metrics().touch()));
+    QScroller::grabGesture(table->viewport(), QScroller::TouchGesture);
+    sheet->body()->addWidget(table, 1);
+    sheet->addButton(People::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
 }  // namespace
 
 void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
@@ -101,6 +128,8 @@ void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
                          [&session, minutes] { session.setAutoSignOff_min(minutes); });
     }
     sheet->body()->addLayout(times);
+    sheet->addButton(People::tr("Who may do what"), [&look, &host] { openPermissions(look, host); })
+        ->setObjectName(QStringLiteral("peoplePermissions"));
     sheet->addButton(People::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }
 

@@ -127,14 +127,14 @@ class TappingService {
     [[nodiscard]] virtual const std::vector<TapThreadView>& threads() const = 0;
     /// Load this job with the gains stored for it, else with the machine's own. Its first tap is made in the air.
     /// Refused during a tuning or a tap, for an unknown thread and for values out of range.
-    [[nodiscard]] virtual Result<void> load(const TapChoice& choice) = 0;
+    [[nodiscard]] virtual Result<void> load(const TapChoice& choice, const std::string& author) = 0;
     /// Tune the loaded job, the air tap first. Refused while a tuning is under way.
     [[nodiscard]] virtual Result<void> begin(const std::string& author, bool automatic) = 0;
     /// Leave the stored tuning that the loaded job began from out, for a reason: the job is loaded again with the next
     /// one, or the machine's own gains. Or take in again what was left out of it.
     [[nodiscard]] virtual Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) = 0;
-    virtual void setAutomatic(bool automatic) = 0;
-    virtual void oneMore() = 0;                            ///< make the proposed tap
+    virtual void setAutomatic(bool automatic, const std::string& author) = 0;
+    virtual void oneMore(const std::string& author) = 0;   ///< make the proposed tap
     virtual void accept(const std::string& author) = 0;    ///< keep the best so far
     virtual void rollBack(const std::string& author) = 0;  ///< return to the gains before the tuning
     virtual void abort() = 0;                              ///< end the running tap in sync

@@ -140,7 +140,8 @@ class ThermalService {
     [[nodiscard]] virtual Result<void> goLive(const std::string& author) = 0;
     /// The model that was live before.
     [[nodiscard]] virtual Result<void> rollBack(const std::string& author) = 0;
-    [[nodiscard]] virtual Result<void> changeSetup(const ThermalSetup& setup, const std::string& author) = 0;
+    [[nodiscard]] virtual Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
+                                                   const std::string& reason) = 0;
     /// Gap-sensor session: from a new reference on every minute is measured, until it ends and is kept as a day.
     [[nodiscard]] virtual Result<void> beginSession(const std::string& author) = 0;
     [[nodiscard]] virtual Result<void> endSession(const std::string& author) = 0;

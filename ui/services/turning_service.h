@@ -125,8 +125,10 @@ class TurningService {
 
     /// Called on the caller's thread when the change is safely on disk (or has failed: the sentence says why).
     using Done = std::function<void(const Result<void>&)>;
-    /// The next part is cut with this setup.
-    virtual void loadSetup(const TurningSetup& setup, const std::string& author, Done done) = 0;
+    /// The next part is cut with this setup. A larger trim authority is a limit: it wants a process engineer and a
+    /// reason.
+    virtual void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,
+                           Done done) = 0;
     /// Another law, bumpless, also while cutting.
     virtual void setController(TurningController controller, const std::string& author, Done done) = 0;
 

@@ -23,6 +23,7 @@
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
+#include "ui/services/command_deeds.h"
 #include "ui/services/shift_service.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/held_band.h"
@@ -86,12 +87,14 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
             m_services.saveWrongPins(name, tries, last_ms);
         }
     });
-    // One place for all pages: nobody switches a loop who is not trusted with it.
+    // One place for all pages: what somebody may not do is not even sent.
     m_client.setGuard([this](const Command& command) {
-        const bool mode = std::holds_alternative<SetLoopMode>(command.action);
-        return !mode || m_session.may(Role::Setter)
-                   ? Sentence()
-                   : Sentence(KERF_TEXT("Only a setter or a process engineer who is signed on may switch a loop."));
+        const auto deed = deedOf(command);
+        if (!deed || m_session.may(permissionOf(*deed).least)) {
+            return Sentence();
+        }
+        return m_session.signedOn() ? onlyWho(permissionOf(*deed).least)
+                                    : Sentence(KERF_TEXT("Sign on first: a change needs a name."));
     });
     if (m_services.boringService != nullptr) {
         m_serviceChanges = m_services.boringService->onChanged([this] { onStatus(m_client.status()); });

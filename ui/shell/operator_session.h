@@ -9,14 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "ui/services/permissions.h"
+
 namespace kerf::ui {
 
-/// What somebody is trusted with; each role may do what the ones before it may.
-enum class Role {
-    Operator,  ///< enter, correct and undo diameters, acknowledge alarms, hold
-    Setter,    ///< open and close lots, switch loops between off, advise and control
-    Engineer,  ///< process engineer: recipes, limits, people
-};
+/// What somebody is trusted with (ui/services/permissions.h).
+using Role = Trust;
 
 /// A person known at this machine.
 struct OperatorAccount {
@@ -68,6 +66,7 @@ class OperatorSession : public QObject {
     /// Why the one who is signed on may not do what needs `least` ("Only a setter or an engineer …", translated). Empty
     /// when it is allowed, and when nobody is signed on: then the action asks who is there first.
     [[nodiscard]] QString whyNot(Role least) const;
+    [[nodiscard]] QString whyNot(Deed deed) const { return whyNot(permissionOf(deed).least); }
     /// Signed on, and trusted with it.
     [[nodiscard]] bool may(Role least) const { return signedOn() && whyNot(least).isEmpty(); }
     /// Why nobody's role can be set now; only a demonstration without an engineer lets anybody name one.

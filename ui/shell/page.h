@@ -11,6 +11,7 @@
 #include "ui/link/engine_client.h"
 #include "ui/shell/operator_session.h"
 #include "ui/shell/services.h"
+#include "ui/widgets/action_button.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {
@@ -29,7 +30,17 @@ struct PageContext {
     std::function<void(std::function<void()> action)> withOperator;
     /// The same for what only some may do: asks who is there when nobody is, and says why not when it is refused.
     std::function<void(Role least, std::function<void()> action)> withRole{};
+    void withPermission(Deed deed, std::function<void()> action) const {
+        withRole ? withRole(permissionOf(deed).least, std::move(action)) : withOperator(std::move(action));
+    }
 };
+
+/// The one look of what somebody may not do: the button is off and says who may. With nobody signed on it stays on, and
+/// asks who is there.
+inline void allowOnly(ActionButton* button, OperatorSession& session, Deed deed) {
+    button->setPermission([&session, deed] { return session.whyNot(deed); });
+    QObject::connect(&session, &OperatorSession::changed, button, &ActionButton::reconsider);
+}
 
 /// A page of the console. Derive, build widgets in the constructor, set every text, size and colour in refresh(), call
 /// refresh() at the constructor's end, connect to context().client for live values. A page is only alive when visible:

@@ -23,8 +23,16 @@ void ActionButton::setPredicate(WhyNot whyNot) {
     reconsider();
 }
 
+void ActionButton::setPermission(WhyNot whoMay) {
+    m_whoMay = std::move(whoMay);
+    reconsider();
+}
+
 void ActionButton::reconsider() {
-    const QString reason = m_whyNot ? m_whyNot() : QString();
+    QString reason = m_whoMay ? m_whoMay() : QString();
+    if (reason.isEmpty() && m_whyNot) {
+        reason = m_whyNot();
+    }
     if (reason == m_reason && isEnabled() == reason.isEmpty()) {
         return;
     }

@@ -18,6 +18,8 @@ class ActionButton : public QPushButton {
     explicit ActionButton(Look& look, QWidget* parent = nullptr);
 
     void setPredicate(WhyNot whyNot);
+    /// Who may, asked before the predicate.
+    void setPermission(WhyNot whoMay);
     /// Ask the predicate again; cheap, may be called on every status.
     void reconsider();
     [[nodiscard]] QString reason() const { return m_reason; }
@@ -37,6 +39,7 @@ class ActionButton : public QPushButton {
 
     Look& m_look;
     WhyNot m_whyNot;
+    WhyNot m_whoMay;
     QString m_reason;
 };
 

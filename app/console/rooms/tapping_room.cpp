@@ -66,6 +66,13 @@ void TappingRoom::open(const Context& context) {
         params.abortOverAllowed = kSlavedAbortOverAllowed;
     }
     params.rights = context.rights;
+    params.note = [this](const std::string& who, const char* key, const std::string& what) {
+        AddAudit entry;
+        entry.author = who;
+        entry.action = what;
+        entry.object = key;
+        m_writer->submit(entry, {});
+    };
     params.known = storedTunings(context.reader);
     params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
     m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));

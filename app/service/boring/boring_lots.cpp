@@ -19,7 +19,7 @@ void answer(const BoringLots::Done& done, const Result<void>& result) {
 
 std::optional<Sentence> whyNoWords(const std::string& author, const std::string& reason) {
     if (author.empty()) {
-        return Sentence(KERF_TEXT("Sign on first: this change needs a name."));
+        return Sentence(KERF_TEXT("Sign on first: a change needs a name."));
     }
     if (reason.empty()) {
         return Sentence(KERF_TEXT("This change needs a reason."));
@@ -194,7 +194,7 @@ std::optional<Sentence> StoredBoringLots::whyNoOther() const {
 
 Result<EnsureLot> StoredBoringLots::ensureLot(const BoringLotOrder& order) {
     if (order.author.empty()) {
-        return fail(KERF_TEXT("Sign on first: this change needs a name."));
+        return fail(KERF_TEXT("Sign on first: a change needs a name."));
     }
     if (blank(order.name)) {
         return fail(KERF_TEXT("A lot needs a name or number."));
@@ -224,7 +224,7 @@ Result<EnsureLot> StoredBoringLots::ensureLot(const BoringLotOrder& order) {
 }
 
 void StoredBoringLots::open(const BoringLotOrder& order, Done done) {
-    if (const auto may = permitted(m_links.rights, order.author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, order.author, Deed::BoringLot); !may) {
         return answer(done, may);
     }
     if (const auto why = whyNoOther()) {
@@ -284,7 +284,7 @@ Result<std::vector<BoringMemoryLotView>> StoredBoringLots::memory() {
 }
 
 void StoredBoringLots::leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringLotEnd, reason); !may) {
         return answer(done, tl::unexpected(may.error()));
     }
     if (const auto why = whyNoWords(author, reason)) {
@@ -303,7 +303,7 @@ void StoredBoringLots::choose(LotId lot, const std::string& author, Done done) {
     if (lot == m_current) {
         return answer(done, {});
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringLot); !may) {
         return answer(done, may);
     }
     if (const auto why = whyNoOther()) {
@@ -328,7 +328,7 @@ void StoredBoringLots::close(const std::string& author, const std::string& reaso
     if (const auto why = whyNoWords(author, reason)) {
         return answer(done, tl::unexpected(*why));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringLotEnd, reason); !may) {
         return answer(done, may);
     }
     if (const auto why = whyNoOther()) {
@@ -346,7 +346,7 @@ void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeFo
     if (!known) {
         return refuse(known.error());
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringPartType); !may) {
         return refuse(may.error());
     }
     if (blank(name)) {
@@ -374,7 +374,7 @@ void StoredBoringLots::saveRecipe(PartTypeId partType, const BoringRecipeForm& f
     if (const auto why = whyUnusable(form)) {
         return answer(done, tl::unexpected(*why));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringRecipe, reason); !may) {
         return answer(done, may);
     }
     submit(SaveRecipe{partType, recipeJson(recipeOf(form)), author, reason, {}}, std::move(done));
@@ -385,7 +385,7 @@ void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision
     if (const auto why = whyNoWords(author, reason)) {
         return answer(done, tl::unexpected(*why));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringRecipe, reason); !may) {
         return answer(done, may);
     }
     submit(RestoreRecipe{partType, revision, author, reason}, std::move(done));

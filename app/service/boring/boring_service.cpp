@@ -12,10 +12,6 @@ namespace {
 constexpr const char* kControlAuthor = "control";
 constexpr const char* kUndone = "undone";
 
-Sentence signOnFirst() {
-    return Sentence(KERF_TEXT("Sign on first: a measurement needs a name."));
-}
-
 Sentence lookAtTheNewest() {
     return Sentence(KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
 }
@@ -157,8 +153,8 @@ EntryCheck StoredBoringService::check(const BoreEntry& entry) const {
 }
 
 Result<MeasurementRow> StoredBoringService::entryRow(const BoreEntry& entry) const {
-    if (entry.author.empty()) {
-        return tl::unexpected(signOnFirst());
+    if (const auto may = permitted(m_links.rights, entry.author, Deed::BoringDiameter); !may) {
+        return tl::unexpected(may.error());
     }
     const EntryCheck verdict = check(entry);
     if (verdict.verdict == EntryVerdict::Refuse || (verdict.verdict == EntryVerdict::Ask && !entry.confirmed)) {
@@ -190,11 +186,9 @@ Result<MeasurementRow> StoredBoringService::correctedRow(const BoreCorrection& c
     if (old == nullptr) {
         return tl::unexpected(lookAtTheNewest());
     }
-    if (correction.author.empty()) {
-        return tl::unexpected(signOnFirst());
-    }
-    if (correction.reason.empty()) {
-        return fail(KERF_TEXT("A correction needs a reason."));
+    if (const auto may = permitted(m_links.rights, correction.author, Deed::BoringCorrection, correction.reason);
+        !may) {
+        return tl::unexpected(may.error());
     }
     const EntryCheck verdict = m_records.check(old->part, old->station, correction.diameter_mm);
     const bool asked = verdict.verdict == EntryVerdict::Ask;
@@ -228,11 +222,8 @@ void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& a
                if (old == nullptr) {
                    return tl::unexpected(lookAtTheNewest());
                }
-               if (author.empty()) {
-                   return tl::unexpected(signOnFirst());
-               }
-               if (reason.empty()) {
-                   return fail(KERF_TEXT("A correction needs a reason."));
+               if (const auto may = permitted(m_links.rights, author, Deed::BoringCorrection, reason); !may) {
+                   return tl::unexpected(may.error());
                }
                MeasurementRow row = *old;
                row.kind = MeasurementKind::Void;
@@ -334,8 +325,8 @@ void StoredBoringService::adopt(const BoringSchedule& schedule, const Prediction
 }
 
 void StoredBoringService::acceptSchedule(const std::string& author, Done done) {
-    if (author.empty()) {
-        return answer(done, tl::unexpected(signOnFirst()));
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringSchedule); !may) {
+        return answer(done, may);
     }
     if (m_busy || m_accepting) {
         return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
@@ -414,8 +405,8 @@ void StoredBoringService::withdrawChange(const std::string& author, Done done) {
 }
 
 void StoredBoringService::tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done) {
-    if (author.empty()) {
-        return answer(done, fail(KERF_TEXT("Sign on first: this change needs a name.")));
+    if (const auto may = permitted(m_links.rights, author, Deed::BoringChange); !may) {
+        return answer(done, may);
     }
     if (!m_hasMemory) {
         return answer(done,
@@ -435,7 +426,7 @@ void StoredBoringService::tellChange(std::optional<boring::StretchKind> kind, co
         return answer(done, fail(KERF_TEXT("The first part of a lot counts as cut with a new tool already.")));
     }
     AddRoomRecord record{ProcessId::Boring,      kChangeRecord, std::to_string(m_lot.id),
-                         changeJson(part, kind), author,        ""};
+                         changeJson(part, kind), author,        kind ? "announced" : "withdrawn"};
     m_busy = true;
     m_links.writer.submit(std::move(record), [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
         if (!alive.lock()) {

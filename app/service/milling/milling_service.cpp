@@ -304,7 +304,8 @@ void StoredMillingService::saveSetup(const MillingSetup& setup, const std::strin
         return answer(done, tl::unexpected(*why));
     }
     const bool limits = setup.overload_N > m_setup.overload_N || setup.highestFeed_mmPerS > m_setup.highestFeed_mmPerS;
-    if (const auto may = permitted(m_links.rights, author, limits ? Trust::Engineer : Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, limits ? Deed::MillingLimits : Deed::MillingSetup, reason);
+        !may) {
         return answer(done, may);
     }
     store("setup", m_type, millingSetupJson(setup), author, reason, std::move(done), [this, setup, type = m_type] {
@@ -321,14 +322,15 @@ void StoredMillingService::saveBlank(const MillingBlank& blank, const std::strin
     if (const auto why = milling::whyUnusable(blank)) {
         return answer(done, tl::unexpected(*why));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::MillingBlank); !may) {
         return answer(done, may);
     }
     const NamedBlank named{blank, source};
-    store("blank", m_type, millingBlankJson(named), author, {}, std::move(done), [this, named, type = m_type] {
-        m_types[type].blank = named;
-        use(m_type);
-    });
+    store("blank", m_type, millingBlankJson(named), author, source.empty() ? "typed" : "from " + source,
+          std::move(done), [this, named, type = m_type] {
+              m_types[type].blank = named;
+              use(m_type);
+          });
 }
 
 void StoredMillingService::choosePartType(const std::string& name, const std::string& author, Done done) {
@@ -338,7 +340,7 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
     if (name.empty()) {
         return answer(done, fail(KERF_TEXT("A part type needs a name.")));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::MillingPartType); !may) {
         return answer(done, may);
     }
     PartType like;
@@ -346,7 +348,7 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
     const auto known = m_types.find(name);
     const MillingSetup& setup = known == m_types.end() ? like.setup : known->second.setup;
     // With the setup it begins with: until one is saved for it, a restart knows no other.
-    store("part_type", name, millingSetupJson(setup), author, {}, std::move(done), [this, name, like] {
+    store("part_type", name, millingSetupJson(setup), author, "chosen", std::move(done), [this, name, like] {
         m_types.try_emplace(name, like);
         m_type = name;
         use(name);
@@ -357,7 +359,7 @@ void StoredMillingService::newTool(const std::string& author, Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Operator); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::MillingTool); !may) {
         return answer(done, may);
     }
     MillingToolRecord fresh;
@@ -378,14 +380,11 @@ void StoredMillingService::leaveOut(std::uint32_t since, bool out, const std::st
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
-    if (reason.empty()) {
-        return answer(done, fail(KERF_TEXT("A reason is needed.")));
+    if (const auto may = permitted(m_links.rights, author, Deed::MillingMemory, reason); !may) {
+        return answer(done, may);
     }
     if (!m_past.contains(since)) {
         return answer(done, fail(KERF_TEXT("There is no such tool.")));
-    }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
-        return answer(done, may);
     }
     const std::string body = out ? R"({"left_out":true})" : R"({"left_out":false})";
     store(kMemoryRecord, std::to_string(since), body, author, reason, std::move(done),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/number_text.h"
 #include "engine/core/units.h"
 #include "engine/process/tapping/tap_trajectory.h"
 #include "engine/process/tapping/thread_table.h"
@@ -16,6 +17,12 @@ namespace {
 constexpr std::size_t kCurvePoints = 240;     ///< of a stored curve
 constexpr std::size_t kProductionTaps = 200;  ///< shown
 constexpr double kMargin_s = 0.5;             ///< a control may begin and end a tap late
+
+const std::string kItself = "Kerf";  ///< who loads a job at start
+
+std::string jobText(const TapChoice& choice) {
+    return choice.thread + ", " + fixedText(choice.speed_rpm, 0) + " rpm, " + fixedText(choice.depth_rev, 1) + " rev";
+}
 
 TapThreadView viewOf(const tapping::ThreadPreset& thread) {
     return {thread.name, thread.pitch_mm, thread.allowedPp_um(), thread.allowedPpWornTap_um(), thread.coarse};
@@ -166,7 +173,8 @@ void StoredTappingService::send(const decltype(Command::action)& action) {
     }
 }
 
-Result<void> StoredTappingService::load(const TapChoice& wanted) {
+Result<void> StoredTappingService::load(const TapChoice& wanted, const std::string& author) {
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingJob); !may) return may;
     const TapChoice choice = wanted;  // it may be one of the view, which is made anew
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (const auto why = whyNot(choice)) return tl::unexpected(*why);
@@ -197,6 +205,7 @@ Result<void> StoredTappingService::load(const TapChoice& wanted) {
     }
     showStored();
     send(LoadTappingJob{jobFor(choice)});
+    if (author != kItself) note(author, Deed::TappingJob, jobText(choice));
     if (m_engine.capabilities().servoGains.fitted) {
         LoadTapGains gains = gainsToLoad(m_exchange, m_inForce, m_engine.status().tapping.nextGains + 1);
         gains.accept = true;
@@ -208,11 +217,9 @@ Result<void> StoredTappingService::load(const TapChoice& wanted) {
 }
 
 Result<void> StoredTappingService::leaveOut(bool out, const std::string& author, const std::string& reason) {
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingMemory, reason); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
-    if (author.empty()) return fail(KERF_TEXT("Sign on first: a change needs a name."));
-    if (reason.empty()) return fail(KERF_TEXT("A reason is needed."));
-    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return may;
     GainsSource how{};
     const tapping::StoredTuning* tuning =
         out ? newestFor(m_view.choice, how) : tapping::leftOutFor(m_params.known, m_view.choice);
@@ -226,11 +233,11 @@ Result<void> StoredTappingService::leaveOut(bool out, const std::string& author,
     word.leftOutAuthor = author;
     m_params.known.push_back(word);
     if (m_params.store) m_params.store(word);
-    return load(m_view.choice);
+    return load(m_view.choice, author);
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
-    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return may;
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
     if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
     const Capability& gains = m_engine.capabilities().servoGains;
@@ -249,21 +256,29 @@ Result<void> StoredTappingService::begin(const std::string& author, bool automat
     m_author = author;
     m_view.automatic = automatic;
     m_session = std::make_unique<TuningSession>(m_engine, m_exchange, setup, jobFor(choice), automatic);
+    note(author, Deed::TappingTuning, "begun for " + jobText(choice));
     m_shownTrials = 0;
     m_shownState = m_session->state();
     rebuild();
     return {};
 }
 
-void StoredTappingService::setAutomatic(bool automatic) {
+void StoredTappingService::setAutomatic(bool automatic, const std::string& author) {
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return refused(may.error());
+    note(author, Deed::TappingTuning, automatic ? "proposals accepted by themselves" : "proposals asked for");
     m_view.automatic = automatic;
     if (m_session) m_session->setAutomatic(automatic);
     rebuild();
 }
 
-void StoredTappingService::oneMore() {
+void StoredTappingService::oneMore(const std::string& author) {
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return refused(may.error());
     if (m_session) m_session->confirm();
     rebuild();
+}
+
+void StoredTappingService::note(const std::string& author, Deed deed, const std::string& what) const {
+    if (m_params.note) m_params.note(author, permissionOf(deed).key, what);
 }
 
 void StoredTappingService::refused(const Sentence& why) {
@@ -272,14 +287,14 @@ void StoredTappingService::refused(const Sentence& why) {
 }
 
 void StoredTappingService::accept(const std::string& author) {
-    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return refused(may.error());
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return refused(may.error());
     m_author = author;
     if (m_session) m_session->accept();
     rebuild();
 }
 
 void StoredTappingService::rollBack(const std::string& author) {
-    if (const auto may = permitted(m_params.rights, author, Trust::Setter); !may) return refused(may.error());
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return refused(may.error());
     m_author = author;
     if (!m_session) return;
     const bool wasDone = m_session->state() == TuningSession::State::Done;
@@ -313,7 +328,8 @@ void StoredTappingService::poll() {
     }
     if (m_view.revision == 0) {  // what was tapped last, as soon as the drive has told its gains
         const bool known = status.tapping.drive.zKp_perS > 0.0 || !m_engine.capabilities().servoGains.fitted;
-        if (status.cycle > 0 && known) (void)load(m_params.known.empty() ? TapChoice{} : m_params.known.back().choice);
+        if (status.cycle > 0 && known)
+            (void)load(m_params.known.empty() ? TapChoice{} : m_params.known.back().choice, kItself);
         return;
     }
     if (m_session) {

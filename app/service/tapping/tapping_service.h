@@ -26,17 +26,19 @@ class StoredTappingService final : public TappingService {
         std::vector<tapping::StoredTuning> known{};                 ///< oldest first
         std::function<void(const tapping::StoredTuning&)> store{};  ///< an accepted tuning; may be empty
         Rights rights{};
+        /// A change that is no tuning: author, key of the deed, what; for the audit log. May be empty.
+        std::function<void(const std::string& author, const char* key, const std::string& what)> note{};
     };
     /// Engine and exchange outlive the service.
     StoredTappingService(EngineApi& engine, TapExchange& exchange, Params params);
 
     [[nodiscard]] const TappingServiceView& view() const override { return m_view; }
     [[nodiscard]] const std::vector<TapThreadView>& threads() const override { return m_threads; }
-    [[nodiscard]] Result<void> load(const TapChoice& choice) override;
+    [[nodiscard]] Result<void> load(const TapChoice& choice, const std::string& author) override;
     [[nodiscard]] Result<void> begin(const std::string& author, bool automatic) override;
     [[nodiscard]] Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) override;
-    void setAutomatic(bool automatic) override;
-    void oneMore() override;
+    void setAutomatic(bool automatic, const std::string& author) override;
+    void oneMore(const std::string& author) override;
     void accept(const std::string& author) override;
     void rollBack(const std::string& author) override;
     void abort() override;
@@ -58,6 +60,7 @@ class StoredTappingService final : public TappingService {
     void watchProduction();
     void rebuild();
     void refused(const Sentence& why);
+    void note(const std::string& author, Deed deed, const std::string& what) const;
     void decided(const std::string& author, bool rolledBack);
 
     EngineApi& m_engine;

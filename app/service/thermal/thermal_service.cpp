@@ -296,7 +296,7 @@ Result<void> StoredThermalService::train(const std::string& kind, const std::vec
 }
 
 Result<void> StoredThermalService::goLive(const std::string& author) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) return may;
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalModel); !may) return may;
     if (!m_candidate) return fail(KERF_TEXT("There is no trained model that waits to go live."));
     KeptModel model = *m_candidate;
     if (const auto live = makeLive(std::move(model), author, "trained"); !live) return live;
@@ -307,24 +307,25 @@ Result<void> StoredThermalService::goLive(const std::string& author) {
 }
 
 Result<void> StoredThermalService::rollBack(const std::string& author) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) return may;
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalModel); !may) return may;
     if (!m_previous) return fail(KERF_TEXT("There is no model before this one."));
     return makeLive(*m_previous, author, "rolled back");
 }
 
-Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Engineer); !may) return may;
+Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author,
+                                               const std::string& reason) {
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalLimits, reason); !may) return may;
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
     if (const auto sent = send(LoadThermalSetup{next}); !sent) return sent;
     m_view.setup = next;
-    keep(records::kSetup, records::setupToJson(next), author, "changed");
+    keep(records::kSetup, records::setupToJson(next), author, reason);
     changed();
     return {};
 }
 
 Result<void> StoredThermalService::beginSession(const std::string& author) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) return may;
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalSession); !may) return may;
     if (m_view.session.recording) return fail(KERF_TEXT("A session is being recorded."));
     if (const auto sent = send(TakeThermalReference{false}); !sent) return sent;
     if (const auto sent = send(RecordGaps{true}); !sent) return sent;
@@ -339,6 +340,7 @@ Result<void> StoredThermalService::beginSession(const std::string& author) {
 }
 
 Result<void> StoredThermalService::endSession(const std::string& author) {
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalSession); !may) return may;
     if (!m_view.session.recording) return fail(KERF_TEXT("No session is being recorded."));
     (void)send(RecordGaps{false});
     m_view.session.recording = false;

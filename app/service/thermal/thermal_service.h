@@ -46,7 +46,8 @@ class StoredThermalService final : public ThermalService {
     void cancelTraining() override { m_trainer.cancel(); }
     [[nodiscard]] Result<void> goLive(const std::string& author) override;
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
-    [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author) override;
+    [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
+                                           const std::string& reason) override;
     [[nodiscard]] Result<void> beginSession(const std::string& author) override;
     [[nodiscard]] Result<void> endSession(const std::string& author) override;
     void poll() override;

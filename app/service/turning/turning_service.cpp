@@ -126,13 +126,14 @@ Result<double> StoredTurningService::overlap(double toolRadius_um, double depth_
 }
 
 void StoredTurningService::store(const char* kind, std::string subject, std::string json, const std::string& author,
-                                 Done done, std::function<void()> stored) {
+                                 const std::string& reason, Done done, std::function<void()> stored) {
     AddRoomRecord record;
     record.process = ProcessId::Turning;
     record.kind = kind;
     record.subject = std::move(subject);
     record.bodyJson = std::move(json);
     record.author = author;
+    record.reason = reason;
     m_links.writer.submit(record, [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
                                    stored = std::move(stored)](const Result<Receipt>& receipt) {
         if (alive.expired()) {
@@ -147,14 +148,17 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
     });
 }
 
-void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, Done done) {
+void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,
+                                     Done done) {
     if (const auto why = turning::whyUnusable(setup)) {
         if (done) {
             done(tl::unexpected(*why));
         }
         return;
     }
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    const bool limits = setup.trimAuthority_um > m_view.setup.trimAuthority_um;
+    if (const auto may = permitted(m_links.rights, author, limits ? Deed::TurningLimits : Deed::TurningSetup, reason);
+        !may) {
         if (done) {
             done(may);
         }
@@ -162,26 +166,28 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
     }
     TurningSetup next = setup;
     next.revision = m_view.setup.revision + 1;
-    store(kSetup, {}, turningSetupJson(next), author, std::move(done), [this, next] {
-        m_view.setup = next;
-        (void)followBlindTones(m_links.engine.status());
-        send();
-        changed();
-    });
+    store(kSetup, {}, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, std::move(done),
+          [this, next] {
+              m_view.setup = next;
+              (void)followBlindTones(m_links.engine.status());
+              send();
+              changed();
+          });
 }
 
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
-    if (const auto may = permitted(m_links.rights, author, Trust::Setter); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::TurningLaw); !may) {
         if (done) {
             done(may);
         }
         return;
     }
-    store(kController, {}, turningControllerJson(controller), author, std::move(done), [this, controller] {
-        m_view.controller = controller;
-        send();
-        changed();
-    });
+    store(kController, {}, turningControllerJson(controller), author, "law chosen", std::move(done),
+          [this, controller] {
+              m_view.controller = controller;
+              send();
+              changed();
+          });
 }
 
 void StoredTurningService::send() {
@@ -422,7 +428,7 @@ void StoredTurningService::partStored(const StoredPart& stored) {
                                   static_cast<double>(trace.high_N[i])});
         }
     }
-    store(kPart, std::to_string(part.id), turningPartJson(part), kAuthor, {}, {});
+    store(kPart, std::to_string(part.id), turningPartJson(part), kAuthor, {}, {}, {});
     m_view.parts.push_back(std::move(part));
     if (m_view.parts.size() > kPartsShown) {
         m_view.parts.erase(m_view.parts.begin());

@@ -42,7 +42,7 @@ class StoredTurningService final : public TurningService {
     void changeSetup(TurningSetup& setup, std::size_t field, double value) const override;
     [[nodiscard]] std::optional<Sentence> whyUnusable(const TurningSetup& setup) const override;
     [[nodiscard]] Result<double> overlap(double toolRadius_um, double depth_um, double feed_umPerRev) const override;
-    void loadSetup(const TurningSetup& setup, const std::string& author, Done done) override;
+    void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void setController(TurningController controller, const std::string& author, Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
@@ -74,8 +74,8 @@ class StoredTurningService final : public TurningService {
     };
 
     void restore();
-    void store(const char* kind, std::string subject, std::string json, const std::string& author, Done done,
-               std::function<void()> stored);
+    void store(const char* kind, std::string subject, std::string json, const std::string& author,
+               const std::string& reason, Done done, std::function<void()> stored);
     void send();
     [[nodiscard]] bool takeSurface();
     [[nodiscard]] bool followMargins(const Status& status);

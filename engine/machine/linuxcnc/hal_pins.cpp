@@ -48,6 +48,7 @@ bool Pins::make(int component) {
     pin(driveBandwidth, HAL_IN, "kerf.z-bandwidth");
     pin(offsetRatio, HAL_IN, "kerf.offset-ratio");
     pin(maxFeedOverride, HAL_IN, "kerf.max-feed-override");
+    pin(programProcess, HAL_IN, "kerf.program-process");
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string axis = axes[i];
         pin(position[i], HAL_IN, "kerf.position-" + axis);

@@ -43,7 +43,7 @@ using IntPin = Pin<std::int32_t>;
 struct Pins {
     // from the control
     FloatPin currentVelocity, requestedVelocity, spindleSpeed, spindleRevs, feedOverride, driveBandwidth, offsetRatio,
-        maxFeedOverride;
+        maxFeedOverride, programProcess;
     std::array<FloatPin, 3> position, offsetActual, originShift;
     BitPin machineOn, emergencyStop, programRunning, programPaused, cutting, finished, softLimit, simulator,
         originKnown;

@@ -20,7 +20,9 @@
 #include <optional>
 #include <string>
 
+#include "engine/machine/linuxcnc/control_commands.h"
 #include "engine/machine/linuxcnc/hal_pins.h"
+#include "engine/machine/linuxcnc/ini_text.h"
 
 namespace {
 
@@ -116,24 +118,11 @@ class Sampler {
     bool m_attached{false};
 };
 
-/// LinuxCNC tells the programs it loads which ini file it runs with.
-kerf::linuxcnc::MachineUnits readUnits() {
-    const char* name = std::getenv("INI_FILE_NAME");
-    std::string text;
-    if (std::FILE* file = name != nullptr ? std::fopen(name, "r") : nullptr; file != nullptr) {
-        char block[4096];
-        for (std::size_t got = 0; (got = std::fread(block, 1, sizeof block, file)) > 0;) {
-            text.append(block, got);
-        }
-        std::fclose(file);
-    }
-    return kerf::linuxcnc::unitsOf(text);
-}
-
 class Bridge {
  public:
-    Bridge(Pins& pins, LinkMemory& link, KeptStops* kept, int component)
-        : m_pins(pins), m_link(link), m_kept(kept), m_component(component) {
+    Bridge(Pins& pins, LinkMemory& link, KeptStops* kept, int component,
+           const kerf::linuxcnc::ControlCommands& commands)
+        : m_pins(pins), m_link(link), m_kept(kept), m_component(component), m_commands(commands) {
         if (kept != nullptr && kept->magic == KeptStops::kMagic) {
             m_stops = kept->stops;
         }
@@ -192,6 +181,7 @@ class Bridge {
         m_fitted.servoRecord = m_sampler.has_value();
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
+        m_fitted.programDeclared = m_pins.programProcess.linked();
         m_fitted.units = m_units;
         m_fitted.maxFeedScale = m_mayRise ? std::max(1.0, static_cast<double>(*m_pins.maxFeedOverride)) : 1.0;
     }
@@ -236,11 +226,14 @@ class Bridge {
         seen.gains = {*m_pins.pGain, *m_pins.ff1, *m_pins.ff2};
         seen.driveBandwidth_perS = *m_pins.driveBandwidth;
         seen.fitted = m_fitted;
+        seen.commandsReady = m_commands.ready();
         seen.machineOn = *m_pins.machineOn;
         seen.emergencyStop = *m_pins.emergencyStop;
         seen.programRunning = *m_pins.programRunning;
         seen.programPaused = *m_pins.programPaused;
         seen.cutting = *m_pins.cutting;
+        const double declared = *m_pins.programProcess;
+        seen.declared = declared >= 1.0 && declared < 1e6 ? static_cast<std::uint32_t>(declared + 0.5) : 0;
         seen.finished = *m_pins.finished;
         seen.onSoftLimit = *m_pins.softLimit;
         seen.consoleLost = *m_pins.consoleLost;
@@ -315,10 +308,11 @@ class Bridge {
     double m_lossScale{1.0};
     double m_plannedScale{0.0};
     bool m_wasRunning{false};
+    const kerf::linuxcnc::ControlCommands& m_commands;
     std::optional<Sampler> m_sampler{};
     int m_samplerTries{0};
     Fitted m_fitted{};
-    kerf::linuxcnc::MachineUnits m_units{readUnits()};
+    kerf::linuxcnc::MachineUnits m_units{kerf::linuxcnc::unitsOf(kerf::linuxcnc::iniText())};
     bool m_mayRise{adaptiveFeedMayRise()};
     std::uint64_t m_beat{0};
     std::uint64_t m_servoPeriods{0};
@@ -348,7 +342,8 @@ int main() {
         hal_exit(component);
         return 1;
     }
-    Bridge bridge(pins, *link, openStops(), component);
+    const kerf::linuxcnc::ControlCommands commands(*link);
+    Bridge bridge(pins, *link, openStops(), component, commands);
     hal_ready(component);
     link->magic.store(LinkMemory::kMagic, std::memory_order_release);
 

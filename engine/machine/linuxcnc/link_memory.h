@@ -24,6 +24,7 @@ struct Fitted {
     bool servoGains{false};       ///< kerf.z-pgain is linked
     bool servoRecord{false};      ///< a sampler brings every servo period
     bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
+    bool programDeclared{false};  ///< kerf.program-process is linked: a program says whose it is
     bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
     MachineUnits units{MachineUnits::Unknown};  ///< [TRAJ]LINEAR_UNITS of the control's ini file
     double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
@@ -59,11 +60,13 @@ struct FromControl {
     bool emergencyStop{false};
     bool programRunning{false};
     bool programPaused{false};
-    bool cutting{false};   ///< M64 P0 … M65 P0 of the part program
-    bool finished{false};  ///< M64 P1: the program reached its end
+    bool cutting{false};        ///< M64 P0 … M65 P0 of the part program
+    bool finished{false};       ///< M64 P1: the program reached its end
+    std::uint32_t declared{0};  ///< M68 E3, as the program declares whose it is (programs.h); 0: it does not
     bool onSoftLimit{false};
     bool consoleLost{false};      ///< the bridge's own watchdog: our last beat is too old
     std::uint8_t requestWord{0};  ///< CNC → PC of the digital word
+    bool commandsReady{false};    ///< the bridge reaches LinuxCNC's own command channel
     StopSlots stops{};            ///< as the bridge keeps them, over the console's and its own restart
     double plannedScale{0.0};     ///< of the running program, as a console has declared it; 0: nobody has
 };
@@ -103,13 +106,26 @@ struct HalTemperatures {
     std::array<double, 64> temp_degC{};
 };
 
+/// A command for LinuxCNC, in the words of linuxcncrsh, and the answer to it.
+struct CommandLine {
+    std::uint32_t number{0};  ///< of this line; 0: none
+    std::array<char, 240> text{};
+    std::uint32_t numberAgain{0};  ///< equals number in a whole value
+};
+struct CommandAnswer {
+    std::uint32_t number{0};
+    bool taken{false};
+};
+
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524634;  // "KRF4": layout 4
+    static constexpr std::uint32_t kMagic = 0x4B524635;  // "KRF5": layout 5
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads
     LatestValue<ToControl> toControl{};                  ///< of the owner alone
-    Broadcast<ServoPeriod, 8192> servo{};                ///< 8 s at 1 kHz
+    LatestValue<CommandLine> commandLine{};              ///< of the owner alone
+    LatestValue<CommandAnswer> commandAnswer{};
+    Broadcast<ServoPeriod, 8192> servo{};  ///< 8 s at 1 kHz
     Broadcast<HalTemperatures, 8> temperatures{};
 };
 

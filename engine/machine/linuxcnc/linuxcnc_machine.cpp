@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <variant>
 
+#include "engine/machine/described_machine.h"
 #include "engine/machine/linuxcnc/fitted.h"
 #include "engine/machine/linuxcnc/programs.h"
 
@@ -27,11 +28,22 @@ bool sameGains(const ZGains& a, const ZGains& b) {
            std::abs(a.ff2_s - b.ff2_s) < kSameGain;
 }
 
+/// What the machine file says against what the control's own ini says; empty when they agree or one is silent.
+std::optional<Sentence> otherUnits(DescribedUnits described, MachineUnits control) {
+    const bool differ = (described == DescribedUnits::Millimetre && control == MachineUnits::Inch) ||
+                        (described == DescribedUnits::Inch && control == MachineUnits::Millimetre);
+    return differ ? std::optional(Sentence(KERF_TEXT("units: the machine file says %1, [TRAJ]LINEAR_UNITS of the "
+                                                     "control says %2. Nothing is commanded before they agree."),
+                                           SentenceArg(described == DescribedUnits::Inch ? "inch" : "mm"),
+                                           SentenceArg(control == MachineUnits::Inch ? "inch" : "mm")))
+                  : std::nullopt;
+}
+
 }  // namespace
 
 LinuxCncMachine::LinuxCncMachine(const Params& params) : m_params(params) {
     m_capabilities[0] = capabilitiesOf(std::nullopt);
-    m_capabilities[0].limits = params.limits;
+    describe(m_capabilities[0], params.described);
 }
 
 LinuxCncMachine::~LinuxCncMachine() {
@@ -41,7 +53,8 @@ LinuxCncMachine::~LinuxCncMachine() {
 Result<void> LinuxCncMachine::connect() {
     m_link = std::make_unique<SharedLink>();
     const char* file = std::getenv("KERF_LINUXCNC_PASSWORDS");
-    const auto password = readRshPassword(file != nullptr ? file : "");
+    const std::string& described = m_params.described.passwordFile;
+    const auto password = readRshPassword(!described.empty() ? described : file != nullptr ? file : "");
     if (!password) {
         return tl::unexpected(password.error());
     }
@@ -97,7 +110,10 @@ void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
         if (shared) {
             refuseAll(m_capabilities[current + 1], ownedByAnother());
         }
-        m_capabilities[current + 1].limits = m_params.limits;
+        describe(m_capabilities[current + 1], m_params.described);
+        if (const auto why = otherUnits(m_params.described.units, fitted.units)) {
+            refuseAll(m_capabilities[current + 1], *why);
+        }
         m_current.store(current + 1, std::memory_order_release);
         m_fitted = fitted;
     }
@@ -134,12 +150,35 @@ bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
            now_ns - m_lastPeriod_ns < kSilence_ns;
 }
 
+/// A value that has come since the last program, not one an aborted program has left behind.
+void LinuxCncMachine::followDeclaration() noexcept {
+    if (m_seen.declared != m_declared) {
+        m_declared = m_seen.declared;
+        m_declaredFresh = m_declared != 0;
+    }
+}
+
+/// What begins belongs to the process that the program declares. An operator's own program is nobody's: no loop sees a
+/// part in it, whatever was asked of the control last.
 void LinuxCncMachine::begin(ProgramState state) noexcept {
+    const auto is = [this](ProcessId id) { return m_declared % kDeclaredStarts == declaration(id, 0); };
+    bool asked = m_startRequest != 0;
+    if (m_fitted.programDeclared) {
+        asked = asked && m_declared == declaration(m_process, m_startRequest);
+        if (!asked && m_declaredFresh && (is(ProcessId::Boring) || is(ProcessId::Milling))) {
+            m_process = is(ProcessId::Boring) ? ProcessId::Boring : ProcessId::Milling;
+        } else if (!asked) {
+            return;
+        }
+    } else if (!asked) {
+        return;
+    }
     ++m_partSequence;
     m_program = state;
     m_startPosition_mm = m_seen.position_mm[kZ];
-    m_plannedScale = m_startRequest != 0 ? m_startScale : m_seen.plannedScale;  // 0: an operator's own program
-    if (m_startRequest != 0) {
+    m_startOverhang_mm = asked ? std::optional(m_startFrom_mm) : std::nullopt;
+    m_plannedScale = asked ? m_startScale : m_seen.plannedScale;  // 0: a person has started it
+    if (asked) {
         answer(m_startRequest, RequestState::Done);
         m_startRequest = 0;
     }
@@ -160,6 +199,7 @@ void LinuxCncMachine::followProgram() noexcept {
     if (!running()) {
         return;
     }
+    m_declaredFresh = false;
     if (m_seen.cutting && m_seen.programPaused) {
         m_program = ProgramState::Paused;
     } else if (cutting) {
@@ -173,6 +213,7 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
     inputs.servoRecord = true;
     if (m_tapEnds) {  // the cycle after the last samples
         m_tapEnds = false;
+        m_declaredFresh = false;
         m_program = m_tapFinished ? ProgramState::Finished : ProgramState::Aborted;
         return;
     }
@@ -268,6 +309,16 @@ void LinuxCncMachine::fillGains(MachineInputs& inputs, Quality quality) const no
     inputs.servoGainsQuality = quality;
 }
 
+/// By the described geometry; else counted from where a program of Kerf's has begun, and of any other not known.
+Reading LinuxCncMachine::overhang_mm(Quality quality) const noexcept {
+    const double z_mm = m_seen.position_mm[kZ];
+    if (m_params.described.overhangAtZ0_mm) {
+        return {*m_params.described.overhangAtZ0_mm - z_mm, m_now_ns, quality};
+    }
+    return m_startOverhang_mm ? Reading{*m_startOverhang_mm + (m_startPosition_mm - z_mm), m_now_ns, quality}
+                              : Reading{0.0, m_now_ns, Quality::Missing};
+}
+
 void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept {
     m_now_ns = now_ns;
     const bool up = watchLink(now_ns);
@@ -278,6 +329,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     watchOwner();
     if (up) {
         adoptFitted(m_seen.fitted);
+        followDeclaration();
         if (m_process == ProcessId::Tapping) {
             followTap(inputs);
         } else {
@@ -314,8 +366,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
             byOrigin ? m_seen.originShift_um[axis] : m_seen.externalOffset_mm[axis] * kMicrometrePerMillimetre;
         inputs.workOffset_um[axis] = {shift_um, now_ns, offsetKnown ? Quality::Good : Quality::Stale};
     }
-    const double overhang_mm = m_params.overhangAtZero_mm + (m_startPosition_mm - m_seen.position_mm[kZ]);
-    inputs.overhang_mm = {overhang_mm, now_ns, quality};
+    inputs.overhang_mm = overhang_mm(quality);
     inputs.temperatures = nullptr;
     fillGains(inputs, quality);
     if (up && m_fitted.simulator && m_process == ProcessId::Milling) {
@@ -364,7 +415,12 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         return;
     }
     if (const auto* start = std::get_if<StartProgram>(&request.action); start != nullptr && !running()) {
+        if (const auto why = whyOutside(*start, m_params.described)) {
+            answer(request.number, RequestState::Refused, *why);
+            return;
+        }
         m_process = start->process;
+        m_startFrom_mm = start->from_mm;
         m_tap.arm(std::max(start->pitch_mm, 1e-3), kTapRunUp_rev * start->pitch_mm);
         m_tapEnds = false;
         m_startRequest = request.number;

@@ -13,6 +13,7 @@
 #include "engine/machine/linuxcnc/shift_word_answer.h"
 #include "engine/machine/linuxcnc/simulated_force.h"
 #include "engine/machine/linuxcnc/tap_follower.h"
+#include "engine/port/machine_description.h"
 #include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
@@ -30,9 +31,8 @@ namespace kerf::linuxcnc {
 class LinuxCncMachine final : public MachinePort {
  public:
     struct Params {
-        OutputLimits limits{};  ///< of what Kerf may write
+        MachineDescription described{};
         RshLink::Params rsh{};
-        double overhangAtZero_mm{40.0};  ///< boring: spindle overhang L where Z is at the program's start
         double spindleKp_perS{40.0};  ///< the control has none that can be set: what the gains of a pair are told with
     };
     explicit LinuxCncMachine(const Params& params);
@@ -52,6 +52,8 @@ class LinuxCncMachine final : public MachinePort {
     void write(const MachineOutputs& outputs) noexcept override;
     /// linuxcncrsh answers. Any thread.
     [[nodiscard]] bool commandsReady() const noexcept { return m_rsh != nullptr && m_rsh->connected(); }
+    /// … or the bridge itself takes commands, without a network. Any thread.
+    [[nodiscard]] bool commandsOverBridge() const noexcept { return m_rsh != nullptr && m_rsh->overBridge(); }
     /// A bridge is there. Any thread.
     [[nodiscard]] bool reached() const noexcept { return m_fittedKnown.load(std::memory_order_acquire); }
 
@@ -63,6 +65,8 @@ class LinuxCncMachine final : public MachinePort {
     void watchOwner() noexcept;
     [[nodiscard]] Sentence ownedByAnother() const noexcept;
     void watchStart(std::int64_t now_ns) noexcept;
+    void followDeclaration() noexcept;
+    [[nodiscard]] Reading overhang_mm(Quality quality) const noexcept;
     void followProgram() noexcept;
     void begin(ProgramState state) noexcept;
     void followTap(MachineInputs& inputs) noexcept;
@@ -105,8 +109,12 @@ class LinuxCncMachine final : public MachinePort {
     ProgramState m_program{ProgramState::Idle};
     ProcessId m_process{ProcessId::Boring};
     std::uint32_t m_partSequence{0};
-    bool m_outputFell{false};  ///< the program's output was off since the last begin
+    bool m_outputFell{false};     ///< the program's output was off since the last begin
+    std::uint32_t m_declared{0};  ///< as the control shows it (programs.h)
+    bool m_declaredFresh{false};  ///< since the last program: it counts for the next one
     double m_startPosition_mm{0.0};
+    double m_startFrom_mm{0.0};                  ///< boring: overhang the program asked for begins with
+    std::optional<double> m_startOverhang_mm{};  ///< of the program that runs, or ran last
     // tapping
     TapFollower m_tap{};
     std::uint64_t m_nextPeriod{0};

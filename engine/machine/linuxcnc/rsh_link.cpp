@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <variant>
@@ -23,7 +24,10 @@ constexpr auto kPoll = std::chrono::milliseconds(2);
 
 }  // namespace
 
-RshLink::RshLink(Params params) : m_params(std::move(params)), m_thread([this] { run(); }) {}
+RshLink::RshLink(Params params)
+    : m_params(std::move(params)),
+      m_line(static_cast<std::uint32_t>(std::chrono::steady_clock::now().time_since_epoch().count())),
+      m_thread([this] { run(); }) {}
 
 RshLink::~RshLink() {
     m_stop = true;
@@ -31,7 +35,20 @@ RshLink::~RshLink() {
     disconnect();
 }
 
+/// Null: there is none, or it does not reach LinuxCNC's command channel.
+LinkMemory* RshLink::bridge() {
+    LinkMemory* memory = m_link.take();
+    FromControl seen;
+    const bool ready = memory != nullptr && memory->magic.load(std::memory_order_acquire) == LinkMemory::kMagic &&
+                       memory->fromControl.latest(seen) && seen.commandsReady;
+    return ready ? memory : nullptr;
+}
+
 bool RshLink::connectOnce() {
+    if (bridge() != nullptr) {
+        m_overBridge = true;
+        return true;
+    }
     m_socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -51,13 +68,44 @@ bool RshLink::connectOnce() {
 
 void RshLink::disconnect() noexcept {
     m_connected = false;
+    m_overBridge = false;
     if (m_socket >= 0) {
         ::close(m_socket);
         m_socket = -1;
     }
 }
 
+bool RshLink::sayOverBridge(const std::string& line, std::string& answer) {
+    LinkMemory* memory = bridge();
+    CommandLine asked;
+    if (memory == nullptr || line.size() >= asked.text.size()) {
+        disconnect();
+        return false;
+    }
+    m_line = m_line == 0xFFFF'FFFF ? 1 : m_line + 1;
+    asked.number = asked.numberAgain = m_line;
+    std::copy(line.begin(), line.end(), asked.text.begin());
+    memory->commandLine.publish(asked);
+    const auto asked_at = std::chrono::steady_clock::now();
+    while (true) {
+        if (memory->commandAnswer.refresh() && memory->commandAnswer.value().number == m_line) {
+            answer = memory->commandAnswer.value().taken ? "ACK" : "NAK";
+            return true;
+        }
+        const auto waited = std::chrono::steady_clock::now() - asked_at;
+        const bool overtaken = !m_aborting && m_abort.load(std::memory_order_acquire) != 0;
+        if (waited > std::chrono::milliseconds(kAnswer_ms) ||
+            (overtaken && waited > std::chrono::milliseconds(kSlice_ms))) {
+            return false;  // a late answer has another number
+        }
+        std::this_thread::sleep_for(kPoll);
+    }
+}
+
 bool RshLink::say(const std::string& line, std::string& answer) {
+    if (m_overBridge) {
+        return sayOverBridge(line, answer);
+    }
     std::array<char, 512> block{};
     while (::recv(m_socket, block.data(), block.size(), MSG_DONTWAIT) > 0) {
         // What comes unasked, or late for a command that was given up, is no answer to this one.
@@ -123,7 +171,7 @@ RequestReply RshLink::carryOut(const PortRequest& request) {
     }
     bool done = true;
     if (const auto* start = std::get_if<StartProgram>(&request.action)) {
-        const Result<std::string> line = programLine(*start);
+        const Result<std::string> line = programLine(*start, request.number);
         if (!line) {
             return refuse(line.error());
         }
@@ -167,8 +215,9 @@ void RshLink::run() {
             (void)m_replies.tryPush(carryOut(errand));
         } else if (m_connected) {
             char probe = 0;
-            if (::recv(m_socket, &probe, 1, MSG_PEEK | MSG_DONTWAIT) == 0) {
-                disconnect();  // the control has closed the line
+            const bool closed = !m_overBridge && ::recv(m_socket, &probe, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+            if (closed || m_overBridge != (bridge() != nullptr)) {
+                disconnect();  // the control has closed the line, or there is a better one
             }
             std::this_thread::sleep_for(kPoll);
         }

@@ -10,11 +10,14 @@
 
 #include "engine/core/spsc_ring.h"
 #include "engine/machine/linuxcnc/rsh_password.h"
+#include "engine/machine/linuxcnc/shared_link.h"
 #include "engine/port/machine_port.h"
 
 namespace kerf::linuxcnc {
 
-/// Commands to LinuxCNC over linuxcncrsh (its line protocol on TCP), on a thread of their own: never in the cycle.
+/// Commands to LinuxCNC on a thread of their own, never in the cycle: through the bridge's memory where the bridge
+/// reaches LinuxCNC's command channel, which needs no port and no password; else over linuxcncrsh (the same lines on
+/// TCP).
 ///
 /// The cycle hands a request over by ring and finds the reply in another; the thread speaks, waits for each
 /// acknowledgement, and connects again by itself when the control comes back.
@@ -52,6 +55,8 @@ class RshLink {
     /// Cycle: false when there is nothing new.
     [[nodiscard]] bool tryReply(RequestReply& reply) noexcept { return m_replies.tryPop(reply); }
     [[nodiscard]] bool connected() const noexcept { return m_connected.load(std::memory_order_acquire); }
+    /// Connected, and without a network. Any thread.
+    [[nodiscard]] bool overBridge() const noexcept { return m_overBridge.load(std::memory_order_acquire); }
 
  private:
     struct Errand {
@@ -65,6 +70,8 @@ class RshLink {
     [[nodiscard]] bool connectOnce();
     void disconnect() noexcept;
     [[nodiscard]] bool say(const std::string& line, std::string& answer);
+    [[nodiscard]] bool sayOverBridge(const std::string& line, std::string& answer);
+    [[nodiscard]] LinkMemory* bridge();
     [[nodiscard]] bool acknowledged(const std::string& line);
     [[nodiscard]] RequestReply carryOut(const Errand& errand);
     [[nodiscard]] RequestReply carryOut(const PortRequest& request);
@@ -79,6 +86,9 @@ class RshLink {
     std::atomic<bool> m_connected{false};
     std::atomic<bool> m_stop{false};
     int m_socket{-1};
+    SharedLink m_link{};  ///< of its own: the cycle's may be replaced while we speak
+    std::atomic<bool> m_overBridge{false};
+    std::uint32_t m_line{0};  ///< number of the last one
     std::thread m_thread;
 };
 

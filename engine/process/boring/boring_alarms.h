@@ -13,15 +13,6 @@ inline constexpr AlarmCode kSpindleSpeedLost = 101;
 inline constexpr AlarmCode kFeedNotFollowing = 102;
 inline constexpr AlarmCode kEstimateDiffers = 110;  ///< raised by the service, not by the loop
 
-inline constexpr AlarmSpec kRestartDiffers{
-    kEstimateDiffers,
-    3,
-    KERF_TEXT("The estimate differs from the stored one"),
-    KERF_TEXT("The lot was computed again from its stored measurements and gave another state than the one stored with "
-              "the last of them: another version of the program, or a changed file."),
-    KERF_TEXT("The newly computed estimate and feed schedule are used."),
-    KERF_TEXT("Compare the next part with its prediction. Keep the data file for the service.")};
-
 inline constexpr std::array kSpecs{
     AlarmSpec{kOverhangLost, 2, KERF_TEXT("Spindle overhang unknown"),
               KERF_TEXT("The position of the boring spindle is missing, old or not a number."),
@@ -36,6 +27,12 @@ inline constexpr std::array kSpecs{
                         "from the schedule."),
               KERF_TEXT("The bore is cut with another feed than planned. The estimate uses the feed really cut."),
               KERF_TEXT("Set the feed knob to 100 %, or accept the deviation.")},
+    AlarmSpec{kEstimateDiffers, 3, KERF_TEXT("The estimate differs from the stored one"),
+              KERF_TEXT("The lot was computed again from its stored measurements and gave another state than the one "
+                        "stored with the last of them: another version of the program, or a changed file."),
+              KERF_TEXT("The newly computed estimate and feed schedule are used."),
+              KERF_TEXT("Compare the next part with its prediction. Keep the data file for the service.")},
 };
+inline constexpr const AlarmSpec& kRestartDiffers = kSpecs.back();
 
 }  // namespace kerf::boring_alarm

@@ -9,6 +9,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/milling/milling_texts.h"
+#include "ui/shell/page.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -111,6 +112,13 @@ MillingControlPanel::MillingControlPanel(Look& look, QWidget* parent)
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
+}
+
+void MillingControlPanel::setSession(OperatorSession& session) {
+    for (ActionButton* button : m_lawButtons) {
+        allowOnly(button, session, Deed::MillingLaw);
+    }
+    allowOnly(m_teach, session, Deed::MillingLaw);
 }
 
 void MillingControlPanel::changeEvent(QEvent* event) {

@@ -17,6 +17,8 @@ class QGridLayout;
 
 namespace kerf::ui {
 
+class OperatorSession;
+
 /// What the loop does and what it may be told: state, law, reference, start and release, mode. Emits what was touched.
 class MillingControlPanel : public Card {
     Q_OBJECT
@@ -25,6 +27,8 @@ class MillingControlPanel : public Card {
 
     void setView(const MillingServiceView& view);
     void setStatus(const Status& status, const Capabilities& capabilities);
+    /// Who is signed on may not be trusted with law and reference; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void lawRequested(kerf::MillingLaw law);

@@ -74,11 +74,16 @@ void MillingPage::build() {
     m_columns->addLayout(m_left, 1);
     m_columns->addWidget(m_control);
 
+    allowOnly(m_setup, context().session, Deed::MillingSetup);
+    allowOnly(m_blank, context().session, Deed::MillingBlank);
+    m_control->setSession(context().session);
     EngineClient& client = context().client;
-    connect(m_control, &MillingControlPanel::lawRequested, this,
-            [&client](MillingLaw law) { client.sendAction(SetMillingLaw{law}); });
-    connect(m_control, &MillingControlPanel::teachRequested, this,
-            [&client] { client.sendAction(TeachMillingReference{}); });
+    connect(m_control, &MillingControlPanel::lawRequested, this, [this, &client](MillingLaw law) {
+        context().withPermission(Deed::MillingLaw, [&client, law] { client.sendAction(SetMillingLaw{law}); });
+    });
+    connect(m_control, &MillingControlPanel::teachRequested, this, [this, &client] {
+        context().withPermission(Deed::MillingLaw, [&client] { client.sendAction(TeachMillingReference{}); });
+    });
     connect(m_control, &MillingControlPanel::startRequested, this,
             [&client] { client.sendAction(StartPart{ProcessId::Milling}); });
     connect(m_control, &MillingControlPanel::releaseRequested, this, [this] {
@@ -88,8 +93,10 @@ void MillingPage::build() {
             context().client.sendAction(releaseOf(status, ProcessId::Milling, context().session.author()));
         });
     });
-    connect(m_control, &MillingControlPanel::modeRequested, this, [&client](LoopMode mode) {
-        client.sendAction(SetLoopMode{ProcessId::Milling, mode});
+    connect(m_control, &MillingControlPanel::modeRequested, this, [this, &client](LoopMode mode) {
+        context().withPermission(Deed::SwitchLoop, [&client, mode] {
+            client.sendAction(SetLoopMode{ProcessId::Milling, mode});
+        });
     });
     connect(&client, &EngineClient::statusChanged, this, &MillingPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, this, &MillingPage::onSamples);

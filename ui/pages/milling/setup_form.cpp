@@ -43,6 +43,7 @@ MillingSetupForm::MillingSetupForm(Look& look, MillingService& service, Author a
       m_pages(new QStackedWidget(this)),
       m_keypad(new Keypad(look, this)),
       m_hint(makeLabel(TextRole::Small, this, true)),
+      m_reason(new QLineEdit(this)),
       m_message(makeLabel(TextRole::Body, this, true)),
       m_cancel(new QPushButton),
       m_open(new ActionButton(look)),
@@ -51,6 +52,7 @@ MillingSetupForm::MillingSetupForm(Look& look, MillingService& service, Author a
     m_name->setObjectName(QStringLiteral("millingPartType"));
     m_types->setObjectName(QStringLiteral("millingPartTypes"));
     m_hint->setObjectName(QStringLiteral("millingSetupHint"));
+    m_reason->setObjectName(QStringLiteral("millingSetupReason"));
     m_message->setObjectName(QStringLiteral("millingSetupMessage"));
     m_cancel->setObjectName(QStringLiteral("millingSetupCancel"));
     m_open->setObjectName(QStringLiteral("millingSetupOpen"));
@@ -91,6 +93,7 @@ void MillingSetupForm::build() {
     m_nameRow->addWidget(m_nameLabel);
     m_nameRow->addWidget(m_name, 1);
     m_nameRow->addWidget(m_types, 1);
+    m_nameRow->addWidget(m_reason, 1);
     column->addLayout(m_nameRow);
     for (int i = 0; i < kGroups; ++i) {
         auto* button = new QPushButton(this);
@@ -159,6 +162,8 @@ void MillingSetupForm::refresh() {
         m_groups->button(i)->setText(titles[static_cast<std::size_t>(i)]);
     }
     m_cancel->setText(tr("Cancel"));
+    m_reason->setPlaceholderText(tr("Reason, when a limit is raised"));
+    m_reason->setMinimumHeight(look().metrics().touch());
     m_open->setText(tr("Open"));
     m_save->setText(tr("Save and use"));
     m_types->setPlaceholderText(tr("Stored part types ▾"));
@@ -181,6 +186,10 @@ void MillingSetupForm::refresh() {
 
 std::string MillingSetupForm::name() const {
     return m_name->text().trimmed().toStdString();
+}
+
+std::string MillingSetupForm::reason() const {
+    return m_reason->text().trimmed().toStdString();
 }
 
 std::optional<MillingSetup> MillingSetupForm::typed() {
@@ -211,7 +220,7 @@ void MillingSetupForm::save() {
         return;
     }
     if (name() == m_service.view().partType) {
-        m_service.saveSetup(*setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
+        m_service.saveSetup(*setup, m_author(), reason(), whenDone(&MillingSetupForm::finish));
         return;
     }
     m_setup = *setup;
@@ -220,7 +229,7 @@ void MillingSetupForm::save() {
 
 void MillingSetupForm::chosen(const Result<void>& result) {
     if (result) {
-        m_service.saveSetup(m_setup, m_author(), {}, whenDone(&MillingSetupForm::finish));
+        m_service.saveSetup(m_setup, m_author(), reason(), whenDone(&MillingSetupForm::finish));
     } else {
         finish(result);
     }

@@ -43,6 +43,7 @@ class MillingSetupForm : public FaceWidget {
     /// The answer of the service, if the form is still there then.
     [[nodiscard]] MillingService::Done whenDone(void (MillingSetupForm::*then)(const Result<void>&));
     [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string reason() const;
     [[nodiscard]] std::optional<MillingSetup> typed();
 
     MillingService& m_service;
@@ -58,6 +59,7 @@ class MillingSetupForm : public FaceWidget {
     QStackedWidget* m_pages;
     Keypad* m_keypad;
     QLabel* m_hint;
+    QLineEdit* m_reason;
     QLabel* m_message;
     QPushButton* m_cancel;
     ActionButton* m_open;

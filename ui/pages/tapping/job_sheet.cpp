@@ -220,7 +220,7 @@ void JobForm::apply() {
     m_choice.gear = static_cast<std::uint8_t>(std::lround(*m_fields[kGear]->value()));
     m_choice.partType = std::to_string(std::lround(*m_fields[kPart]->value()));
     m_choice.tap = std::to_string(std::lround(*m_fields[kTap]->value()));
-    if (const auto loaded = m_service.load(m_choice); !loaded) {
+    if (const auto loaded = m_service.load(m_choice, m_author()); !loaded) {
         m_message->setText(sentenceText(loaded.error(), look().units()));
         return;
     }

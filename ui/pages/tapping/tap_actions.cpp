@@ -6,6 +6,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/tapping/tapping_texts.h"
+#include "ui/shell/page.h"
 
 namespace kerf::ui {
 namespace {
@@ -83,6 +84,13 @@ void TapActions::retranslate() {
 void TapActions::setView(const TappingServiceView& view) {
     m_view = view;
     reconsider();
+}
+
+void TapActions::setSession(OperatorSession& session) {
+    allowOnly(m_job, session, Deed::TappingJob);
+    for (ActionButton* button : {m_tune, m_oneMore, m_accept, m_rollBack}) {
+        allowOnly(button, session, Deed::TappingTuning);
+    }
 }
 
 void TapActions::setStatus(const Status& status) {

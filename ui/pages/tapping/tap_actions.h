@@ -13,6 +13,8 @@ class QGridLayout;
 
 namespace kerf::ui {
 
+class OperatorSession;
+
 /// What an operator can do now, each button with the reason when it is off.
 class TapActions : public Card {
     Q_OBJECT
@@ -21,6 +23,8 @@ class TapActions : public Card {
 
     void setView(const TappingServiceView& view);
     void setStatus(const Status& status);
+    /// Who is signed on may be trusted with some of it only; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void jobRequested();

@@ -63,6 +63,7 @@ void TappingPage::build() {
 
     m_gains = new GainsPanel(look(), this);
     m_actions = new TapActions(look(), context().client.engine(), this);
+    m_actions->setSession(context().session);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -79,31 +80,46 @@ void TappingPage::build() {
 void TappingPage::connectActions() {
     connect(m_contour, &ContourChart::touched, this, [this] { m_key->setText(m_contour->key()); });
     connect(m_gains, &GainsPanel::modeRequested, this, [this](LoopMode mode) {
-        context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});
+        context().withPermission(Deed::SwitchLoop, [this, mode] {
+            context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});
+        });
     });
     connect(m_actions, &TapActions::jobRequested, this, [this] {
-        JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
+        context().withPermission(Deed::TappingJob, [this] {
+            JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
+        });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
-        context().withOperator(
-            [this] { tell(m_service->begin(context().session.author(), m_service->view().automatic)); });
+        context().withPermission(Deed::TappingTuning, [this] {
+            tell(m_service->begin(context().session.author(), m_service->view().automatic));
+        });
     });
     connect(m_actions, &TapActions::tapRequested, this,
             [this] { context().client.sendAction(StartPart{ProcessId::Tapping}); });
-    connect(m_actions, &TapActions::oneMoreRequested, this, [this] { m_service->oneMore(); });
-    connect(m_actions, &TapActions::acceptRequested, this,
-            [this] { context().withOperator([this] { m_service->accept(context().session.author()); }); });
-    connect(m_actions, &TapActions::rollBackRequested, this,
-            [this] { context().withOperator([this] { m_service->rollBack(context().session.author()); }); });
-    connect(m_actions, &TapActions::automaticRequested, this,
-            [this](bool automatic) { m_service->setAutomatic(automatic); });
+    connect(m_actions, &TapActions::oneMoreRequested, this, [this] {
+        context().withPermission(Deed::TappingTuning, [this] { m_service->oneMore(context().session.author()); });
+    });
+    connect(m_actions, &TapActions::acceptRequested, this, [this] {
+        context().withPermission(Deed::TappingTuning, [this] { m_service->accept(context().session.author()); });
+    });
+    connect(m_actions, &TapActions::rollBackRequested, this, [this] {
+        context().withPermission(Deed::TappingTuning, [this] { m_service->rollBack(context().session.author()); });
+    });
+    connect(m_actions, &TapActions::automaticRequested, this, [this](bool automatic) {
+        context().withPermission(Deed::TappingTuning,
+                                 [this, automatic] { m_service->setAutomatic(automatic, context().session.author()); });
+    });
     connect(m_actions, &TapActions::abortRequested, this, [this] { m_service->abort(); });
     connect(m_actions, &TapActions::recoveryRequested, this, [this] {
         RecoverySheet::open(context().sheets, look(), *m_service, context().client, [this] { sayGone(); });
     });
     connect(m_speeds, &SpeedChart::picked, this, [this](const TapChoice& choice) {
         context().sheets.ask(tr("Load this point?"), choiceText(choice, m_service->view().thread), tr("Cancel"),
-                             tr("Load"), [this, choice] { tell(m_service->load(choice)); });
+                             tr("Load"), [this, choice] {
+                                 context().withPermission(Deed::TappingJob, [this, choice] {
+                                     tell(m_service->load(choice, context().session.author()));
+                                 });
+                             });
     });
     connect(&context().client, &EngineClient::statusChanged, this, &TappingPage::onStatus);
 }

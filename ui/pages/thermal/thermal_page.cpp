@@ -89,7 +89,9 @@ void ThermalPage::build() {
     addButton("thermalMap", [this] { m_sheets->openMap(); });
     addButton("thermalLimits", [this] { m_sheets->openLimits(); });
     connect(m_offsets, &OffsetPanel::modeRequested, this, [this](LoopMode mode) {
-        context().client.sendAction(SetLoopMode{ProcessId::Thermal, mode});
+        context().withPermission(Deed::SwitchLoop, [this, mode] {
+            context().client.sendAction(SetLoopMode{ProcessId::Thermal, mode});
+        });
     });
     connect(m_drawing, &MachineDrawing::sensorTouched, this, [this](std::size_t sensor) {
         m_touched = sensor;

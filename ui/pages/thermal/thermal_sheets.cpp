@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTableWidget>
 #include <algorithm>
 #include <array>
@@ -61,8 +62,8 @@ void ThermalSheets::tell(const Result<void>& result) {
     }
 }
 
-void ThermalSheets::withAuthor(std::function<Result<void>(const std::string&)> action) {
-    m_context.withOperator([this, action = std::move(action)] { tell(action(m_context.session.author())); });
+void ThermalSheets::withAuthor(Deed deed, std::function<Result<void>(const std::string&)> action) {
+    m_context.withPermission(deed, [this, action = std::move(action)] { tell(action(m_context.session.author())); });
 }
 
 void ThermalSheets::openModel() {
@@ -73,8 +74,13 @@ void ThermalSheets::openModel() {
     ActionButton* back = named(m_context.look, "thermalRollBack", tr("Back to the model before"));
     back->setPredicate(
         [this] { return m_service.view().canRollBack ? QString() : tr("there is no model before this"); });
+    allowOnly(back, m_context.session, Deed::ThermalModel);
     sheet->addButton(
-        back, [this] { withAuthor([this](const std::string& author) { return m_service.rollBack(author); }); }, false);
+        back,
+        [this] {
+            withAuthor(Deed::ThermalModel, [this](const std::string& author) { return m_service.rollBack(author); });
+        },
+        false);
     ActionButton* train = named(m_context.look, "thermalTrainOpen", tr("Train a new one"));
     sheet->addButton(
         train, [this] { openTrain(); }, false);
@@ -172,8 +178,13 @@ void ThermalSheets::openTrain() {
             tell(m_service.train("auto", {m_chosenDays.begin(), m_chosenDays.end()}));
         },
         false);
+    allowOnly(live, m_context.session, Deed::ThermalModel);
     sheet->addButton(
-        live, [this] { withAuthor([this](const std::string& author) { return m_service.goLive(author); }); }, false);
+        live,
+        [this] {
+            withAuthor(Deed::ThermalModel, [this](const std::string& author) { return m_service.goLive(author); });
+        },
+        false);
     const auto update = [this, days, compared, state, cancel, train, live] {
         const ThermalTrainingView& training = m_service.view().training;
         const UnitSystem& units = m_context.look.units();
@@ -253,23 +264,34 @@ void ThermalSheets::openMeasure() {
                                  tr("The machine must be as cold as it is at the start of a day, and the origin set "
                                     "anew. The shift goes "
                                     "back to zero."),
-                                 tr("Leave it"), tr("Count from now on"),
-                                 [this] { m_context.client.sendAction(TakeThermalReference{true}); });
+                                 tr("Leave it"), tr("Count from now on"), [this] {
+                                     m_context.withPermission(Deed::ThermalReference, [this] {
+                                         m_context.client.sendAction(TakeThermalReference{true});
+                                     });
+                                 });
         },
         false);
     sheet->addButton(
         session,
         [this] {
-            withAuthor([this](const std::string& author) {
+            withAuthor(Deed::ThermalSession, [this](const std::string& author) {
                 return m_service.view().session.recording ? m_service.endSession(author)
                                                           : m_service.beginSession(author);
             });
         },
         false);
     sheet->addButton(
-        adopt, [&client] { client.sendAction(AdoptMeasurement{}); }, false);
+        adopt,
+        [this, &client] {
+            m_context.withPermission(Deed::ThermalReference, [&client] { client.sendAction(AdoptMeasurement{}); });
+        },
+        false);
     sheet->addButton(
-        measure, [&client] { client.sendAction(MeasureOrigin{}); }, false);
+        measure,
+        [this, &client] {
+            m_context.withPermission(Deed::ThermalReference, [&client] { client.sendAction(MeasureOrigin{}); });
+        },
+        false);
     follow([this, steps, table, reference, session, adopt, measure] {
         const ThermalStatus& s = m_status.thermal;
         const UnitSystem& units = m_context.look.units();
@@ -446,23 +468,33 @@ void ThermalSheets::openLimits() {
         grid->addWidget(fields[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
     }
     sheet->body()->addLayout(grid);
+    auto* reason = new QLineEdit(sheet);
+    reason->setObjectName(QStringLiteral("thermalLimitsReason"));
+    reason->setPlaceholderText(tr("Reason for the change"));
+    reason->setMinimumHeight(m_context.look.metrics().touch());
+    sheet->body()->addWidget(reason);
     ActionButton* use = named(m_context.look, "thermalLimitsUse", tr("Use"));
-    const auto whyNot = [fields]() -> QString {
+    allowOnly(use, m_context.session, Deed::ThermalLimits);
+    const auto whyNot = [fields, reason]() -> QString {
         for (const ValueField* field : fields) {
             if (!field->value()) return field->whyInvalid();
         }
-        return {};
+        return reason->text().trimmed().isEmpty() ? tr("give a reason") : QString();
     };
+    QObject::connect(reason, &QLineEdit::textChanged, use, [use] { use->reconsider(); });
     use->setPredicate(whyNot);
     for (ValueField* field : fields)
         QObject::connect(field, &ValueField::edited, use, [use] { use->reconsider(); });
-    sheet->addButton(use, [this, fields, now] {
+    sheet->addButton(use, [this, fields, now, reason] {
         ThermalSetup next = now;
         const std::array targets{&next.allowed_um,       &next.period_min,      &next.maxShift_um,
                                  &next.maxStep_umPerMin, &next.warmUpSpeed_rpm, &next.warmUp_min};
         for (std::size_t i = 0; i < targets.size(); ++i)
             *targets[i] = fields[i]->value().value_or(*targets[i]);
-        withAuthor([this, next](const std::string& author) { return m_service.changeSetup(next, author); });
+        withAuthor(Deed::ThermalLimits,
+                   [this, next, why = reason->text().trimmed().toStdString()](const std::string& author) {
+                       return m_service.changeSetup(next, author, why);
+                   });
     });
 }
 

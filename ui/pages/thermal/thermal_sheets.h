@@ -44,7 +44,7 @@ class ThermalSheets {
     Sheet* open(const QString& title, const QString& text);
     void follow(std::function<void()> update);
     void tell(const Result<void>& result);
-    void withAuthor(std::function<Result<void>(const std::string&)> action);
+    void withAuthor(Deed deed, std::function<Result<void>(const std::string&)> action);
     void showDays(QTableWidget* table);
 
     PageContext m_context;

@@ -57,17 +57,19 @@ void TurningPage::build() {
     m_rows->addLayout(m_bottom);
 
     connect(m_control, &TurningControlPanel::modeRequested, this, [this](LoopMode mode) {
-        context().client.sendAction(SetLoopMode{ProcessId::Turning, mode});
+        context().withPermission(Deed::SwitchLoop, [this, mode] {
+            context().client.sendAction(SetLoopMode{ProcessId::Turning, mode});
+        });
     });
     connect(m_control, &TurningControlPanel::startRequested, this,
             [this] { context().client.sendAction(StartPart{ProcessId::Turning}); });
     connect(m_control, &TurningControlPanel::controllerRequested, this, [this](TurningController controller) {
-        context().withOperator([this, controller] { setController(controller); });
+        context().withPermission(Deed::TurningLaw, [this, controller] { setController(controller); });
     });
     connect(m_control, &TurningControlPanel::setupRequested, this,
-            [this] { context().withOperator([this] { openSetup(m_service->view().setup); }); });
+            [this] { context().withPermission(Deed::TurningSetup, [this] { openSetup(m_service->view().setup); }); });
     connect(m_surface, &SurfacePanel::speedWanted, this, [this](double speed_rpm) {
-        context().withOperator([this, speed_rpm] {
+        context().withPermission(Deed::TurningSetup, [this, speed_rpm] {
             TurningSetup setup = m_service->view().setup;
             setup.spindleSpeed_rpm = speed_rpm;
             openSetup(setup);

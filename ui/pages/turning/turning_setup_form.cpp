@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QStackedWidget>
 
 #include "ui/link/texts.h"
@@ -39,6 +40,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
       m_tones(new QPushButton(this)),
       m_pages(new QStackedWidget(this)),
       m_overlap(makeLabel(TextRole::Body, this, true)),
+      m_reason(new QLineEdit(this)),
       m_message(makeLabel(TextRole::Body, this, true)),
       m_keypad(new Keypad(look, this)),
       m_columns(new QHBoxLayout),
@@ -49,6 +51,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
     m_cut->setObjectName(QStringLiteral("turningSetupCut"));
     m_tones->setObjectName(QStringLiteral("turningSetupTones"));
     m_overlap->setObjectName(QStringLiteral("turningOverlap"));
+    m_reason->setObjectName(QStringLiteral("turningSetupReason"));
     m_message->setObjectName(QStringLiteral("turningSetupMessage"));
     m_keypad->setObjectName(QStringLiteral("turningSetupKeypad"));
     m_cancel->setObjectName(QStringLiteral("turningSetupCancel"));
@@ -58,7 +61,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
         m_sides->addButton(button, side++);
-        m_sideRow->addWidget(button, 1);
+        m_sideRow->addWidget(button);
     }
     m_cut->setChecked(true);
 
@@ -92,6 +95,7 @@ TurningSetupForm::TurningSetupForm(Look& look, TurningService& service, Author a
     auto* left = new QVBoxLayout;
     left->addLayout(m_sideRow);
     left->addWidget(m_pages, 1);
+    m_sideRow->addWidget(m_reason, 1);
     left->addWidget(m_message);
     m_columns->addLayout(left, 1);
     m_columns->addWidget(m_keypad, 0, Qt::AlignTop);
@@ -132,6 +136,8 @@ void TurningSetupForm::refresh() {
     m_cut->setText(tr("Cut"));
     m_tones->setText(tr("Tones of the machine"));
     m_cancel->setText(tr("Leave as it is"));
+    m_reason->setPlaceholderText(tr("Reason, when a limit is raised"));
+    m_reason->setMinimumHeight(look().metrics().touch());
     m_apply->setText(tr("Use for the next part"));
     for (std::size_t j = 0; j < m_toneFields.size(); ++j) {
         m_toneFields[j]->setLabel(tr("Tone %1").arg(j + 1));
@@ -203,11 +209,12 @@ void TurningSetupForm::reconsider() {
 void TurningSetupForm::apply() {
     m_pending = true;
     const QPointer<TurningSetupForm> self(this);
-    m_service.loadSetup(typed(), m_author(), [self](const Result<void>& result) {
-        if (TurningSetupForm* form = self.data(); form != nullptr) {
-            form->answered(result);
-        }
-    });
+    m_service.loadSetup(typed(), m_author(), m_reason->text().trimmed().toStdString(),
+                        [self](const Result<void>& result) {
+                            if (TurningSetupForm* form = self.data(); form != nullptr) {
+                                form->answered(result);
+                            }
+                        });
     if (m_pending) {
         reconsider();
     }

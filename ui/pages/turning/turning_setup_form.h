@@ -62,6 +62,7 @@ class TurningSetupForm : public FaceWidget {
     std::vector<ValueField*> m_fields;
     std::vector<ValueField*> m_toneFields;
     QLabel* m_overlap;
+    QLineEdit* m_reason;
     QLabel* m_message;
     Keypad* m_keypad;
     QHBoxLayout* m_columns;
