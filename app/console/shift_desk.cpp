@@ -108,8 +108,8 @@ void ShiftDesk::read(int back, Read done) {
         });
 }
 
-void ShiftDesk::add(AddRoomRecord record, Trust least, Done done) {
-    if (const auto may = permitted(m_links.rights, record.author, least); !may) {
+void ShiftDesk::add(AddRoomRecord record, Deed deed, Done done) {
+    if (const auto may = permitted(m_links.rights, record.author, deed); !may) {
         done(may);
         return;
     }
@@ -124,21 +124,21 @@ void ShiftDesk::add(AddRoomRecord record, Trust least, Done done) {
 }
 
 void ShiftDesk::nameStop(std::int64_t fromUtc_ms, const std::string& reason, const std::string& author, Done done) {
-    add({kHome, kShiftStopReason, std::to_string(fromUtc_ms), stopReasonJson(reason), author, {}}, Trust::Operator,
+    add({kHome, kShiftStopReason, std::to_string(fromUtc_ms), stopReasonJson(reason), author, {}}, Deed::ShiftWords,
         std::move(done));
 }
 
 void ShiftDesk::note(const std::string& text, const std::string& author, Done done) {
-    add({kHome, kShiftNote, {}, noteJson(text, false), author, {}}, Trust::Operator, std::move(done));
+    add({kHome, kShiftNote, {}, noteJson(text, false), author, {}}, Deed::ShiftWords, std::move(done));
 }
 
 void ShiftDesk::handOver(const std::string& text, const std::string& author, Done done) {
-    add({kHome, kShiftNote, {}, noteJson(text, true), author, {}}, Trust::Operator, std::move(done));
+    add({kHome, kShiftNote, {}, noteJson(text, true), author, {}}, Deed::ShiftWords, std::move(done));
 }
 
 void ShiftDesk::newTool(ProcessId process, const std::string& author, Done done) {
     add({process, kToolChange, processKey(process), toolChangeJson(std::max<PartId>(m_newest, 0)), author, {}},
-        Trust::Operator, [this, process, author, done = std::move(done)](const Result<void>& stored) {
+        Deed::ToolChange, [this, process, author, done = std::move(done)](const Result<void>& stored) {
             if (stored && m_links.toolIsNew) {
                 m_links.toolIsNew(process, author);
             }
@@ -147,7 +147,7 @@ void ShiftDesk::newTool(ProcessId process, const std::string& author, Done done)
 }
 
 void ShiftDesk::setToolLife(ProcessId process, std::uint32_t parts, const std::string& author, Done done) {
-    add({process, kToolLife, processKey(process), toolLifeJson(parts), author, {}}, Trust::Setter, std::move(done));
+    add({process, kToolLife, processKey(process), toolLifeJson(parts), author, {}}, Deed::ToolLife, std::move(done));
 }
 
 void ShiftDesk::writePdf(const ShiftView& shift, const std::string& file, Done done) {

@@ -47,7 +47,7 @@ class ShiftDesk final : public ShiftService {
     void setToolLife(ProcessId process, std::uint32_t parts, const std::string& author, Done done) override;
 
  private:
-    void add(AddRoomRecord record, Trust least, Done done);
+    void add(AddRoomRecord record, Deed deed, Done done);
     void countTools();
     void warn();
 

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
     <context>
-    <name>BoringTexts</name>
+        <name>BoringTexts</name>
         <message>
             <source>top</source>
             <comment>depth of a bore</comment>
@@ -45,7 +45,7 @@
         </message>
     </context>
     <context>
-    <name>FirstEngineer</name>
+        <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
             <translation>The first process engineer</translation>
@@ -76,7 +76,7 @@
         </message>
     </context>
     <context>
-    <name>Help</name>
+        <name>Help</name>
         <message>
             <source>HOLD ALL</source>
             <translation>HOLD ALL</translation>
@@ -359,7 +359,7 @@
         </message>
     </context>
     <context>
-    <name>LotReport</name>
+        <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
             <translation>Nothing to show yet.</translation>
@@ -514,7 +514,7 @@
         </message>
     </context>
     <context>
-    <name>Milling</name>
+        <name>Milling</name>
         <message>
             <source>Constant feed</source>
             <translation>Constant feed</translation>
@@ -573,7 +573,7 @@
         </message>
     </context>
     <context>
-    <name>MillingCutLog</name>
+        <name>MillingCutLog</name>
         <message>
             <source>%1, aborted</source>
             <translation>%1, aborted</translation>
@@ -638,7 +638,7 @@
         </message>
     </context>
     <context>
-    <name>OperatorChooser</name>
+        <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
             <translation>Who is at the machine?</translation>
@@ -685,7 +685,7 @@
         </message>
     </context>
     <context>
-    <name>Pages</name>
+        <name>Pages</name>
         <message>
             <source>Feed</source>
             <translation>Feed</translation>
@@ -736,7 +736,7 @@
         </message>
     </context>
     <context>
-    <name>PartReport</name>
+        <name>PartReport</name>
         <message>
             <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
             <comment>units</comment>
@@ -829,7 +829,7 @@
         </message>
     </context>
     <context>
-    <name>People</name>
+        <name>People</name>
         <message>
             <source>No PIN</source>
             <translation>No PIN</translation>
@@ -900,14 +900,14 @@
         </message>
     </context>
     <context>
-    <name>PinSheet</name>
+        <name>PinSheet</name>
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
         </message>
     </context>
     <context>
-    <name>QualityTexts</name>
+        <name>QualityTexts</name>
         <message>
             <source>Bore ⌀, %1</source>
             <translation>Bore ⌀, %1</translation>
@@ -943,7 +943,7 @@
         </message>
     </context>
     <context>
-    <name>Settings</name>
+        <name>Settings</name>
         <message>
             <source>Settings</source>
             <translation>Settings</translation>
@@ -986,7 +986,7 @@
         </message>
     </context>
     <context>
-    <name>Shift</name>
+        <name>Shift</name>
         <message>
             <source>no reason given yet</source>
             <translation>no reason given yet</translation>
@@ -1075,7 +1075,7 @@
         </message>
     </context>
     <context>
-    <name>ShiftReport</name>
+        <name>ShiftReport</name>
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
@@ -1148,7 +1148,7 @@
         </message>
     </context>
     <context>
-    <name>ShopText</name>
+        <name>ShopText</name>
         <message>
             <source>%1 s ago</source>
             <translation>%1 s ago</translation>
@@ -1208,7 +1208,7 @@
         </message>
     </context>
     <context>
-    <name>TappingTexts</name>
+        <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
             <comment>thread, speed, depth, gear</comment>
@@ -1296,7 +1296,7 @@
         </message>
     </context>
     <context>
-    <name>ThermalSheets</name>
+        <name>ThermalSheets</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
@@ -1670,7 +1670,7 @@
         </message>
     </context>
     <context>
-    <name>ThermalTexts</name>
+        <name>ThermalTexts</name>
         <message>
             <source>healthy</source>
             <translation>healthy</translation>
@@ -1753,7 +1753,7 @@
         </message>
     </context>
     <context>
-    <name>ToolMemory</name>
+        <name>ToolMemory</name>
         <message>
             <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
             <comment>part type, parts, figures of a tool</comment>
@@ -1799,7 +1799,7 @@
         </message>
     </context>
     <context>
-    <name>Tools</name>
+        <name>Tools</name>
         <message>
             <source>%1 of %2 parts</source>
             <translation>%1 of %2 parts</translation>
@@ -1862,7 +1862,7 @@
         </message>
     </context>
     <context>
-    <name>TurningTexts</name>
+        <name>TurningTexts</name>
         <message>
             <source>Open</source>
             <comment>turning controller</comment>
@@ -1910,7 +1910,7 @@
         </message>
     </context>
     <context>
-    <name>VerdictTexts</name>
+        <name>VerdictTexts</name>
         <message>
             <source>good</source>
             <translation>good</translation>
@@ -1929,7 +1929,7 @@
         </message>
     </context>
     <context>
-    <name>Words</name>
+        <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
             <translation>Alarm %1, which this console does not know</translation>
@@ -1992,7 +1992,7 @@
         </message>
     </context>
     <context>
-    <name>engine</name>
+        <name>engine</name>
         <message>
             <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
             <translation>%1 % of the samples are missing: this tap does not count, repeat it.</translation>
@@ -3522,20 +3522,12 @@
             <translation>A recipe needs %1 numbers.</translation>
         </message>
         <message>
-            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
-            <translation>Only a setter or a process engineer who is signed on may switch a loop.</translation>
-        </message>
-        <message>
             <source>Overhang where the bore is measured</source>
             <translation>Overhang where the bore is measured</translation>
         </message>
         <message>
             <source>Parts in the lot</source>
             <translation>Parts in the lot</translation>
-        </message>
-        <message>
-            <source>Sign on first: this change needs a name.</source>
-            <translation>Sign on first: this change needs a name.</translation>
         </message>
         <message>
             <source>There is a lot of this name for the part type already; give another name.</source>
@@ -5106,10 +5098,6 @@
             <translation>6 rising or falling</translation>
         </message>
         <message>
-            <source>A reason is needed.</source>
-            <translation>A reason is needed.</translation>
-        </message>
-        <message>
             <source>There is no such tool.</source>
             <translation>There is no such tool.</translation>
         </message>
@@ -5425,9 +5413,21 @@
             <source>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</source>
             <translation>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</translation>
         </message>
+        <message>
+            <source>Reason of a stop, note or handover of a shift</source>
+            <translation>Reason of a stop, note or handover of a shift</translation>
+        </message>
+        <message>
+            <source>Say that a new tool is in</source>
+            <translation>Say that a new tool is in</translation>
+        </message>
+        <message>
+            <source>Set the life of a tool</source>
+            <translation>Set the life of a tool</translation>
+        </message>
     </context>
     <context>
-    <name>kerf::ui::ActionChart</name>
+        <name>kerf::ui::ActionChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -5446,7 +5446,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmBar</name>
+        <name>kerf::ui::AlarmBar</name>
         <message>
             <source>No alarms.</source>
             <translation>No alarms.</translation>
@@ -5464,7 +5464,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmModel</name>
+        <name>kerf::ui::AlarmModel</name>
         <message>
             <source>stands, seen by %1</source>
             <translation>stands, seen by %1</translation>
@@ -5507,7 +5507,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmsPage</name>
+        <name>kerf::ui::AlarmsPage</name>
         <message>
             <source>That is all.</source>
             <translation>That is all.</translation>
@@ -5598,7 +5598,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::BoreChart</name>
+        <name>kerf::ui::BoreChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -5633,7 +5633,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::BoringPage</name>
+        <name>kerf::ui::BoringPage</name>
         <message>
             <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
             <translation>No boring lot is open on this machine. The page fills as soon as one is.</translation>
@@ -5724,7 +5724,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::Chart</name>
+        <name>kerf::ui::Chart</name>
         <message>
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
@@ -5732,7 +5732,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ComparisonPanel</name>
+        <name>kerf::ui::ComparisonPanel</name>
         <message>
             <source>no part is archived yet</source>
             <translation>no part is archived yet</translation>
@@ -5780,7 +5780,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ContourChart</name>
+        <name>kerf::ui::ContourChart</name>
         <message>
             <source>rev</source>
             <comment>spindle revolutions, on an axis</comment>
@@ -5824,7 +5824,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::DiagnosticsPage</name>
+        <name>kerf::ui::DiagnosticsPage</name>
         <message>
             <source>%1 (%2 %)</source>
             <translation>%1 (%2 %)</translation>
@@ -5959,7 +5959,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EntryPanel</name>
+        <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
             <translation>no part waits</translation>
@@ -6128,7 +6128,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ErrorMap</name>
+        <name>kerf::ui::ErrorMap</name>
         <message>
             <source>error in %1, %2</source>
             <translation>error in %1, %2</translation>
@@ -6139,7 +6139,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EstimatePanel</name>
+        <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>Estimated law, 95 % intervals</source>
             <translation>Estimated law, 95 % intervals</translation>
@@ -6150,7 +6150,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EstimateStrips</name>
+        <name>kerf::ui::EstimateStrips</name>
         <message>
             <source>The estimated constants of the law appear here after the first measured part.</source>
             <translation>The estimated constants of the law appear here after the first measured part.</translation>
@@ -6161,7 +6161,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::FeedPanel</name>
+        <name>kerf::ui::FeedPanel</name>
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
@@ -6205,7 +6205,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ForcePanel</name>
+        <name>kerf::ui::ForcePanel</name>
         <message>
             <source>Force, %1: extremes and mean, last %2 s</source>
             <comment>unit, seconds</comment>
@@ -6258,7 +6258,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::GainsPanel</name>
+        <name>kerf::ui::GainsPanel</name>
         <message>
             <source>Gains</source>
             <translation>Gains</translation>
@@ -6318,7 +6318,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::GaugeSheets</name>
+        <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
             <translation>no study yet</translation>
@@ -6470,7 +6470,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HeaderBar</name>
+        <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
             <translation>lot %1</translation>
@@ -6537,7 +6537,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HeldBand</name>
+        <name>kerf::ui::HeldBand</name>
         <message>
             <source>HELD: all loops</source>
             <translation>HELD: all loops</translation>
@@ -6588,7 +6588,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HelpMode</name>
+        <name>kerf::ui::HelpMode</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
@@ -6603,7 +6603,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HistogramChart</name>
+        <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
             <translation>Appears as soon as the engine cycles.</translation>
@@ -6626,7 +6626,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HoldAllButton</name>
+        <name>kerf::ui::HoldAllButton</name>
         <message>
             <source>HELD – all loops off</source>
             <translation>HELD – all loops off</translation>
@@ -6641,7 +6641,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::JobForm</name>
+        <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
             <translation>What is tapped</translation>
@@ -6709,7 +6709,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::Keypad</name>
+        <name>kerf::ui::Keypad</name>
         <message>
             <source>Enter</source>
             <translation>Enter</translation>
@@ -6720,7 +6720,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::LoopCard</name>
+        <name>kerf::ui::LoopCard</name>
         <message>
             <source>not fitted</source>
             <translation>not fitted</translation>
@@ -6731,7 +6731,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::LotForm</name>
+        <name>kerf::ui::LotForm</name>
         <message>
             <source>Lots</source>
             <translation>Lots</translation>
@@ -6921,20 +6921,16 @@
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
             <translation>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</translation>
         </message>
-        <message>
-            <source>Lot %1 is open.</source>
-            <translation>Lot %1 is open.</translation>
-        </message>
     </context>
     <context>
-    <name>kerf::ui::MachineDrawing</name>
+        <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>The thermocouples appear here as soon as the machine reports them.</translation>
         </message>
     </context>
     <context>
-    <name>kerf::ui::MachineStrip</name>
+        <name>kerf::ui::MachineStrip</name>
         <message>
             <source>Force</source>
             <translation>Force</translation>
@@ -6987,7 +6983,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MainWindow</name>
+        <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
             <translation>Not done: %1</translation>
@@ -7046,7 +7042,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MarginPanel</name>
+        <name>kerf::ui::MarginPanel</name>
         <message>
             <source>Loop margins and trim</source>
             <translation>Loop margins and trim</translation>
@@ -7086,7 +7082,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MeasurementForm</name>
+        <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
             <comment>part and depth, diameter</comment>
@@ -7203,7 +7199,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MeasurementList</name>
+        <name>kerf::ui::MeasurementList</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -7222,7 +7218,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingBlankForm</name>
+        <name>kerf::ui::MillingBlankForm</name>
         <message>
             <source>There is no step.</source>
             <translation>There is no step.</translation>
@@ -7280,7 +7276,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingControlPanel</name>
+        <name>kerf::ui::MillingControlPanel</name>
         <message>
             <source>Nothing is stopped.</source>
             <translation>Nothing is stopped.</translation>
@@ -7387,7 +7383,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingLivePanel</name>
+        <name>kerf::ui::MillingLivePanel</name>
         <message>
             <source>Force per revolution, %1, and feed, %2</source>
             <comment>units</comment>
@@ -7447,7 +7443,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingPage</name>
+        <name>kerf::ui::MillingPage</name>
         <message>
             <source>Nothing cut yet.</source>
             <translation>Nothing cut yet.</translation>
@@ -7502,7 +7498,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingSetupForm</name>
+        <name>kerf::ui::MillingSetupForm</name>
         <message>
             <source>This part type is open.</source>
             <translation>This part type is open.</translation>
@@ -7558,7 +7554,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingToolPanel</name>
+        <name>kerf::ui::MillingToolPanel</name>
         <message>
             <source>Tool: mean ln(C·b) per part</source>
             <translation>Tool: mean ln(C·b) per part</translation>
@@ -7602,7 +7598,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingWallPanel</name>
+        <name>kerf::ui::MillingWallPanel</name>
         <message>
             <source>Wall deviation, %1</source>
             <comment>unit</comment>
@@ -7634,7 +7630,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::NextPartPanel</name>
+        <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
             <translation>feed, top to bottom of the bore</translation>
@@ -7706,7 +7702,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::NumberDisplay</name>
+        <name>kerf::ui::NumberDisplay</name>
         <message>
             <source>%1 s old</source>
             <translation>%1 s old</translation>
@@ -7717,7 +7713,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OffsetPanel</name>
+        <name>kerf::ui::OffsetPanel</name>
         <message>
             <source>Drift of the origin, predicted</source>
             <translation>Drift of the origin, predicted</translation>
@@ -7744,7 +7740,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OperatorSession</name>
+        <name>kerf::ui::OperatorSession</name>
         <message>
             <source>operator</source>
             <translation>operator</translation>
@@ -7775,7 +7771,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OverviewPage</name>
+        <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
             <translation>Start the program at the control.</translation>
@@ -7886,7 +7882,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::PartDetailPanel</name>
+        <name>kerf::ui::PartDetailPanel</name>
         <message>
             <source>overhang</source>
             <translation>overhang</translation>
@@ -8014,7 +8010,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::PartsModel</name>
+        <name>kerf::ui::PartsModel</name>
         <message>
             <source>finished</source>
             <translation>finished</translation>
@@ -8069,7 +8065,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::PartsPage</name>
+        <name>kerf::ui::PartsPage</name>
         <message>
             <source>no lot is open</source>
             <translation>no lot is open</translation>
@@ -8205,7 +8201,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ProcessPanel</name>
+        <name>kerf::ui::ProcessPanel</name>
         <message>
             <source>Cutting process</source>
             <translation>Cutting process</translation>
@@ -8243,7 +8239,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::QualityPage</name>
+        <name>kerf::ui::QualityPage</name>
         <message>
             <source>no part waits for a decision</source>
             <translation>no part waits for a decision</translation>
@@ -8391,7 +8387,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::QualitySheets</name>
+        <name>kerf::ui::QualitySheets</name>
         <message>
             <source>Written: %1</source>
             <translation>Written: %1</translation>
@@ -8482,7 +8478,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RawChart</name>
+        <name>kerf::ui::RawChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -8505,7 +8501,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RecipeForm</name>
+        <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
             <translation>at most %1 depths</translation>
@@ -8647,7 +8643,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RecoverySheet</name>
+        <name>kerf::ui::RecoverySheet</name>
         <message>
             <source>the tap is turning out</source>
             <translation>the tap is turning out</translation>
@@ -8706,7 +8702,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ResidualChart</name>
+        <name>kerf::ui::ResidualChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -8737,7 +8733,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SensorsPage</name>
+        <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
             <translation>touch a channel first</translation>
@@ -8852,14 +8848,14 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SheetHost</name>
+        <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
         </message>
     </context>
     <context>
-    <name>kerf::ui::ShiftPage</name>
+        <name>kerf::ui::ShiftPage</name>
         <message>
             <source>this shift has been handed over</source>
             <translation>this shift has been handed over</translation>
@@ -9015,7 +9011,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpectrumChart</name>
+        <name>kerf::ui::SpectrumChart</name>
         <message>
             <source>amplitude</source>
             <translation>amplitude</translation>
@@ -9048,7 +9044,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpeedChart</name>
+        <name>kerf::ui::SpeedChart</name>
         <message>
             <source>error p-p</source>
             <translation>error p-p</translation>
@@ -9071,7 +9067,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpreadChart</name>
+        <name>kerf::ui::SpreadChart</name>
         <message>
             <source>parts</source>
             <translation>parts</translation>
@@ -9094,7 +9090,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SurfacePanel</name>
+        <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
             <translation>Surface as the force shows it</translation>
@@ -9129,7 +9125,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TapActions</name>
+        <name>kerf::ui::TapActions</name>
         <message>
             <source>a tuning is under way</source>
             <translation>a tuning is under way</translation>
@@ -9236,7 +9232,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TappingPage</name>
+        <name>kerf::ui::TappingPage</name>
         <message>
             <source>Load this point?</source>
             <translation>Load this point?</translation>
@@ -9295,7 +9291,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ThermalPage</name>
+        <name>kerf::ui::ThermalPage</name>
         <message>
             <source>start it at the control</source>
             <translation>start it at the control</translation>
@@ -9414,7 +9410,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TouchKeyboard</name>
+        <name>kerf::ui::TouchKeyboard</name>
         <message>
             <source>ABC</source>
             <translation>ABC</translation>
@@ -9433,7 +9429,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TrialBars</name>
+        <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
             <translation>before</translation>
@@ -9452,7 +9448,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningArchive</name>
+        <name>kerf::ui::TurningArchive</name>
         <message>
             <source>Archive of turned parts</source>
             <translation>Archive of turned parts</translation>
@@ -9537,7 +9533,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningControlPanel</name>
+        <name>kerf::ui::TurningControlPanel</name>
         <message>
             <source>controller</source>
             <translation>controller</translation>
@@ -9589,7 +9585,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningPage</name>
+        <name>kerf::ui::TurningPage</name>
         <message>
             <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
             <translation>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</translation>
@@ -9600,7 +9596,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningSetupForm</name>
+        <name>kerf::ui::TurningSetupForm</name>
         <message>
             <source>Setup of the next part</source>
             <translation>Setup of the next part</translation>
@@ -9659,7 +9655,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ValueField</name>
+        <name>kerf::ui::ValueField</name>
         <message>
             <source>Enter a number.</source>
             <translation>Enter a number.</translation>

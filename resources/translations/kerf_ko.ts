@@ -3517,20 +3517,12 @@
             <translation>레시피에는 숫자 %1개가 필요합니다.</translation>
         </message>
         <message>
-            <source>Only a setter or a process engineer who is signed on may switch a loop.</source>
-            <translation>로그인한 셋업 담당자나 공정 엔지니어만 루프를 전환할 수 있습니다.</translation>
-        </message>
-        <message>
             <source>Overhang where the bore is measured</source>
             <translation>내경을 측정하는 돌출 길이</translation>
         </message>
         <message>
             <source>Parts in the lot</source>
             <translation>로트의 공작물 수</translation>
-        </message>
-        <message>
-            <source>Sign on first: this change needs a name.</source>
-            <translation>먼저 로그인하십시오. 이 변경에는 이름이 필요합니다.</translation>
         </message>
         <message>
             <source>There is a lot of this name for the part type already; give another name.</source>
@@ -5101,10 +5093,6 @@
             <translation>6개 연속 증가 또는 감소</translation>
         </message>
         <message>
-            <source>A reason is needed.</source>
-            <translation>사유가 필요합니다.</translation>
-        </message>
-        <message>
             <source>There is no such tool.</source>
             <translation>그런 공구가 없습니다.</translation>
         </message>
@@ -5419,6 +5407,18 @@
         <message>
             <source>units: the machine file says %1, [TRAJ]LINEAR_UNITS of the control says %2. Nothing is commanded before they agree.</source>
             <translation>units: 기계 파일은 %1, 제어기의 [TRAJ]LINEAR_UNITS는 %2입니다. 일치할 때까지 아무 명령도 보내지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Reason of a stop, note or handover of a shift</source>
+            <translation>정지 사유, 메모 또는 교대 인수인계</translation>
+        </message>
+        <message>
+            <source>Say that a new tool is in</source>
+            <translation>새 공구 장착 알림</translation>
+        </message>
+        <message>
+            <source>Set the life of a tool</source>
+            <translation>공구 수명 설정</translation>
         </message>
     </context>
     <context>
@@ -6913,10 +6913,6 @@
         <message>
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
             <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 직경 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
-        </message>
-        <message>
-            <source>Lot %1 is open.</source>
-            <translation>로트 %1을(를) 열었습니다.</translation>
         </message>
     </context>
     <context>

@@ -50,6 +50,9 @@ enum class Deed : std::uint8_t {
     TappingTuning,
     TappingMemory,
     SensorPlace,
+    ShiftWords,
+    ToolChange,
+    ToolLife,
     Count,
 };
 inline constexpr std::size_t kDeedCount = static_cast<std::size_t>(Deed::Count);
@@ -93,6 +96,10 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
     {Deed::TappingTuning, Trust::Setter, false, "tapping.tuning", KERF_TEXT("Tune, accept a tuning or roll it back")},
     {Deed::TappingMemory, Trust::Setter, true, "tapping.memory", KERF_TEXT("Leave a stored tuning out")},
     {Deed::SensorPlace, Trust::Engineer, false, "sensor.place", KERF_TEXT("Place a sensor on the picture")},
+    {Deed::ShiftWords, Trust::Operator, false, "shift.words",
+     KERF_TEXT("Reason of a stop, note or handover of a shift")},
+    {Deed::ToolChange, Trust::Operator, false, "tool.change", KERF_TEXT("Say that a new tool is in")},
+    {Deed::ToolLife, Trust::Setter, false, "tool.life", KERF_TEXT("Set the life of a tool")},
 }};
 static_assert([] {
     for (std::size_t i = 0; i < kDeedCount; ++i) {
