@@ -73,7 +73,7 @@ class TestConsoleMilling : public QObject {
         }
         return -1.0;
     }
-    void signOn() { m_bench->console().window()->session().signOn(QStringLiteral("Kim")); }
+    void signOn() { QVERIFY(m_bench->console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Setter)); }
     [[nodiscard]] bool type(const char* name, const char* number) {
         const auto* field = m_bench->find<ui::ValueField>(name);
         if (field == nullptr) {
@@ -122,6 +122,7 @@ class TestConsoleMilling : public QObject {
         QVERIFY(m_bench->press("millingCutLogClose"));
     }
     void theLawIsSwitchedWhileCutting() {
+        signOn();  // laws are a setter's
         start(kCutSpeed);
         QTRY_VERIFY_WITH_TIMEOUT(milling().position_mm > 24.0 || !milling().cutting, 20'000);
         const double before_mmPerS = milling().wantedFeed_mmPerS;
@@ -137,6 +138,7 @@ class TestConsoleMilling : public QObject {
         QCOMPARE(milling().stops, 0U);
     }
     void aReferenceIsTaughtFromTheCutAndKept() {
+        signOn();
         QVERIFY(m_bench->press("millingLawConstant"));
         cutPart();
         const double mean_N = milling().meanForce_N;

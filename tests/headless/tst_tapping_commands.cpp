@@ -80,7 +80,7 @@ class TestTappingCommands : public QObject {
             document(tapping(QStringLiteral("tune --summary --set amax_s=300 --set acc=%1").arg(ramp_revPerS2)));
         QVERIFY(eased["engaged_pp_um"].get<double>() < 5.0);
         QVERIFY(eased["proposed_acc_rev_s2"].is_null());
-        const json unknown = document(tapping(QStringLiteral("tune --summary --set pitch=1.27")));
+        const json unknown = document(tapping(QStringLiteral("tune --summary --set pitch=1.33")));
         QVERIFY(unknown["within_tolerance"].is_null());  // no tolerance is known for this pitch
         QCOMPARE(tapping(QStringLiteral("tune --summary --thread M6")).exitCode, 2);
     }

@@ -19,12 +19,18 @@ int SheetButtons::heightForWidth(int width) const {
     return arrange(width, nullptr);
 }
 
+namespace {
+int leastWidth(const QPushButton* button) {
+    return button->minimumSizeHint().expandedTo(button->minimumSize()).width();
+}
+}  // namespace
+
 int SheetButtons::arrange(int width, std::vector<std::pair<QPushButton*, QRect>>* places) const {
     const int gap = look().metrics().touchGap();
     std::vector<std::vector<std::pair<QPushButton*, int>>> rows;
     int least = 0;
     for (QPushButton* button : m_buttons) {
-        least += button->isHidden() ? 0 : button->minimumSizeHint().width() + gap;
+        least += button->isHidden() ? 0 : leastWidth(button) + gap;
     }
     const bool oneRow = least - gap <= width;
     int used = 0;
@@ -32,7 +38,8 @@ int SheetButtons::arrange(int width, std::vector<std::pair<QPushButton*, QRect>>
         if (button->isHidden()) {
             continue;
         }
-        const int wanted = qMin(width, oneRow ? button->minimumSizeHint().width() : button->sizeHint().width());
+        const int wanted =
+            qMin(width, oneRow ? leastWidth(button) : qMax(leastWidth(button), button->sizeHint().width()));
         if (rows.empty() || (!oneRow && used + gap + wanted > width)) {
             rows.emplace_back();
             used = -gap;

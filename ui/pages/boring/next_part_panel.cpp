@@ -46,7 +46,7 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     body()->addWidget(m_feed);
     body()->addWidget(m_limited);
     body()->addWidget(m_why);
-    body()->setSpacing(m_look.space(Space::Small));
+    body()->setSpacing(m_look.space(Space::Hair));
     body()->addStretch(1);
     body()->addWidget(m_change);
     body()->addWidget(m_nextLot);
