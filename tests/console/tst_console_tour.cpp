@@ -142,30 +142,10 @@ class TestConsoleTour : public QObject {
         QTRY_VERIFY(m_bench.console().window()->sheets().current() != nullptr);
         m_bench.console().window()->sheets().current()->close();
     }
-    void step08PartsWithVerdictsAndACorrection() {
+    // The correction this step of the tour ends with is walked through by tst_console_lot.
+    void step08PartsWithVerdicts() {
         open("parts");
         QTRY_VERIFY_WITH_TIMEOUT(m_bench.find("partsTable") != nullptr, 10'000);
-        open("boring");
-        const double before = m_bench.service().estimates.back().value[0];
-        QVERIFY(m_bench.press("boringCorrect"));
-        QTRY_VERIFY(m_bench.find<QTableWidget>("boringMeasurementList") != nullptr);
-        auto* list = m_bench.find<QTableWidget>("boringMeasurementList");
-        // The newest that still holds: one that was taken out is shown, but cannot be corrected.
-        for (int row = 0; row < list->rowCount() && m_bench.find<QLineEdit>("measurementField") == nullptr; ++row) {
-            QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(row, 1)).center());
-            QTest::qWait(20);
-        }
-        QVERIFY(m_bench.find<QLineEdit>("measurementField") != nullptr);
-        auto* field = m_bench.find<QLineEdit>("measurementField");
-        const double old_mm = field->text().toDouble();
-        field->clear();
-        QTest::keyClicks(field, QString::number((old_mm > 1.0 ? old_mm : 50.0) + 0.003, 'f', 3));
-        QVERIFY(m_bench.press("measurementReason0"));
-        QVERIFY(m_bench.press("measurementApply"));
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().estimates.back().value[0] != before, 20'000);
-        if (m_bench.find("measurementListClose") != nullptr) {
-            QVERIFY(m_bench.press("measurementListClose"));
-        }
         open("quality");
         QTRY_VERIFY_WITH_TIMEOUT(!m_bench.text("qualitySentence").isEmpty(), 20'000);
     }
