@@ -31,7 +31,6 @@ namespace {
 
 constexpr const char* kPartTypeName = "Cylinder 50";
 constexpr const char* kLotName = "1";
-constexpr const char* kAuthor = "Kerf";
 constexpr int kPoll_ms = 200;
 constexpr int kPortLook_ms = 600'000;
 
@@ -409,90 +408,6 @@ void ConsoleApplication::audit(const std::string& who, const std::string& action
     m_writer->submit(entry, {});
 }
 
-ui::Services ConsoleApplication::services() {
-    if (!m_gate) {
-        m_gate = std::make_unique<EngineGate>(EngineGate::Links{
-            *m_engine, [this] { return m_window ? m_window->session().author() : std::string(); }, rights(),
-            [this](const std::string& who, const char* key, const std::string& what) { audit(who, what, key, {}); },
-            [this](const Sentence& why) {
-                if (m_window) emit m_window->client().refused(why);
-            }});
-    }
-    ui::Services services{*m_gate};
-    if (m_lots) {
-        services.boringService = &m_lots->service();
-        services.boringLots = m_lots.get();
-    }
-    if (m_sensors && !m_sensors->file().gauges.empty()) {
-        services.nextGaugeFrame = [this]() -> std::optional<QString> {
-            const auto frame = m_sensors->nextGaugeFrame();
-            if (frame && m_sensorService) {
-                m_sensorService->sawGaugeFrame(m_sensors->lastGauge(), *frame);
-            }
-            return frame ? std::optional(QString::fromStdString(*frame)) : std::nullopt;
-        };
-    }
-    services.sensorService = m_sensorService.get();
-    services.parts = m_reader.get();
-    services.openParts = [path = m_databasePath]() -> std::unique_ptr<PartReader> {
-        auto reader = db::DatabaseReader::open(path);
-        return reader ? std::move(*reader) : nullptr;
-    };
-    services.lots = m_reader.get();
-    services.alarms = m_reader.get();
-    services.audit = m_reader.get();
-    services.settings = m_reader.get();
-    m_savedSignOn = storedSignOn(*m_reader, *m_reader);
-    m_savedSignOn.demonstration = m_simulator != nullptr;
-    wrapOldSeals();
-    services.signOn = m_savedSignOn;
-    services.savePreferences = [this](const ui::Preferences& now) {
-        savePreferences(m_savedPreferences, now,
-                        [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
-        m_savedPreferences = now;
-    };
-    services.saveSetting = [this](const QString& key, const QString& value) {
-        saveSetting(key.toStdString(), value.toStdString());
-    };
-    services.saveSignOn = [this](const ui::SignOnSettings& now) {
-        saveSignOn(
-            m_savedSignOn, now, [this](const std::string& key, const std::string& value) { saveSetting(key, value); },
-            [this](SaveAccount account) {
-                account.author = author() == kAuthor ? account.name : author();
-                m_writer->submit(std::move(account), {});
-            });
-        m_savedSignOn = now;
-    };
-    services.saveWrongPins = [this](const QString& name, unsigned tries, qint64 last_ms) {
-        m_writer->submit(NoteWrongPin{name.toStdString(), tries, last_ms}, {});
-    };
-    services.partsWaiting = [this] { return m_writer->partsWaiting(); };
-    services.startFindings = startFindings();
-    services.recordSession = [this](const QString& author, const QString& action, const QString& detail) {
-        AddAudit audit;
-        audit.author = author.toStdString();
-        audit.action = action.toStdString();
-        audit.object = "session";
-        audit.newValue = detail.toStdString();
-        m_writer->submit(audit, {});
-    };
-    services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
-    serveFiles(services);
-    if (!m_quality) {  // pages hold on to it
-        m_quality = std::make_unique<QualityDesk>(
-            QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
-                               [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
-                               [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
-    }
-    services.qualityService = &m_quality->service();
-    services.shop = [this]() -> std::optional<ui::ShopView> { return m_shop ? m_shop->view() : std::nullopt; };
-    for (const auto& room : m_rooms) {
-        room->serve(services);
-    }
-    serveShift(services);
-    return services;
-}
-
 /// Seals of the first versions are a bare hash of a few digits: none is left in the file as it is.
 void ConsoleApplication::wrapOldSeals() {
     for (ui::OperatorAccount& account : m_savedSignOn.accounts) {
@@ -528,73 +443,6 @@ std::vector<Sentence> ConsoleApplication::startFindings() const {
         spdlog::warn("{}", sentence.english());
     }
     return sentences;
-}
-
-void ConsoleApplication::serveShift(ui::Services& services) {
-    if (!m_shiftDesk) {
-        ShiftDesk::Links links{*m_writer, *m_reader, *m_reader, m_databasePath, m_background, *m_look};
-        links.rights = rights();
-        links.specOf = [this](AlarmCode code) { return m_engine->alarmSpec(code); };
-        links.raise = [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); };
-        links.toolIsNew = [this, milling = services.millingService](ProcessId process, const std::string& author) {
-            if (process == ProcessId::Boring && m_lots) {
-                m_lots->service().announceChange(BoringChange::Insert, author, [](const Result<void>&) {});
-            } else if (process == ProcessId::Milling && milling != nullptr) {
-                milling->newTool(author, [](const Result<void>&) {});
-            }
-        };
-        m_shiftDesk = std::make_unique<ShiftDesk>(std::move(links));
-    }
-    services.shiftService = m_shiftDesk.get();
-}
-
-void ConsoleApplication::serveFiles(ui::Services& services) {
-    using Done = ui::Services::Done;
-    services.setSerial = [this](PartId part, const QString& serial, const QString& author, const Done& done) {
-        m_writer->submit(SetPartSerial{part, serial.toStdString(), author.toStdString(), {}},
-                         [done](const Result<Receipt>& stored) {
-                             done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
-                         });
-    };
-    services.writeReport = [this](PartId part, const QString& file, const Done& done) {
-        m_background.run(
-            [path = m_databasePath, units = m_look->units(), part, file]() -> Result<void> {
-                const auto reader = db::DatabaseReader::open(path);
-                const auto detail =
-                    reader ? (*reader)->part(part) : Result<std::optional<PartDetail>>(tl::unexpected(reader.error()));
-                if (!detail) {
-                    return tl::unexpected(detail.error());
-                }
-                if (!*detail) {
-                    return fail(KERF_TEXT("There is no such part."));
-                }
-                PartJudge judge(**reader, **reader);
-                return writePartReport(**detail, judge.characteristics((*detail)->part), units, file);
-            },
-            done);
-    };
-    services.backupFolders = [] {
-        QStringList folders;
-        for (const QStorageInfo& drive : QStorageInfo::mountedVolumes()) {
-            const QString root = drive.rootPath();
-            const bool removable = root.startsWith(QLatin1String("/media/")) ||
-                                   root.startsWith(QLatin1String("/run/media/")) ||
-                                   root.startsWith(QLatin1String("/mnt/"));
-            if (removable && drive.isReady() && !drive.isReadOnly()) {
-                folders << root;
-            }
-        }
-        folders << QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        return folders;
-    };
-    services.backUp = [this](const QString& file, const Done& done) {
-        m_background.run(
-            [path = m_databasePath, file] {
-                QDir().mkpath(QFileInfo(file).absolutePath());
-                return db::backupDatabase(path, file.toStdString());
-            },
-            done);
-    };
 }
 
 void ConsoleApplication::keepAlarm(const AlarmEvent& event) {

@@ -37,6 +37,9 @@ namespace kerf::console {
 class ConsoleApplication : public QObject {
     Q_OBJECT
  public:
+    /// Who acts where nobody has signed on.
+    static constexpr const char* kAuthor = "Kerf";
+
     explicit ConsoleApplication(Options options);
     /// Stops the engine, then waits until everything that has been made is on the disk.
     ~ConsoleApplication() override;
