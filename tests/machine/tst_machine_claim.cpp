@@ -1,98 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 #include <QFile>
+#include <QNetworkInterface>
 #include <QProcess>
+#include <QTcpServer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <chrono>
 #include <clocale>
-#include <mutex>
-#include <thread>
 
 #include "engine/machine/linuxcnc/fitted.h"
 #include "engine/machine/linuxcnc/ini_file.h"
 #include "engine/machine/linuxcnc/machine_claim.h"
+#include "engine/machine/linuxcnc/port_exposure.h"
 #include "engine/machine/linuxcnc/programs.h"
-#include "engine/machine/linuxcnc/rsh_link.h"
 #include "engine/machine/linuxcnc/rsh_password.h"
 
 using namespace kerf;
 using namespace kerf::linuxcnc;
 
 namespace {
-
-/// A linuxcncrsh that acknowledges what it likes: one line, one answer, in a thread of its own.
-class FakeRsh {
- public:
-    FakeRsh() {
-        m_listen = ::socket(AF_INET, SOCK_STREAM, 0);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        (void)::bind(m_listen, reinterpret_cast<sockaddr*>(&address), size);
-        (void)::listen(m_listen, 4);
-        (void)::getsockname(m_listen, reinterpret_cast<sockaddr*>(&address), &size);
-        m_port = ntohs(address.sin_port);
-        m_thread = std::thread([this] { run(); });
-    }
-    FakeRsh(const FakeRsh&) = delete;
-    FakeRsh& operator=(const FakeRsh&) = delete;
-    ~FakeRsh() {
-        m_stop = true;
-        ::shutdown(m_listen, SHUT_RDWR);
-        m_thread.join();
-        ::close(m_listen);
-    }
-    [[nodiscard]] std::uint16_t port() const { return m_port; }
-    void beSilentAt(const std::string& start) {
-        const std::lock_guard lock(m_lock);
-        m_silent = start;
-    }
-    [[nodiscard]] bool heard(const std::string& start) {
-        const std::lock_guard lock(m_lock);
-        return std::ranges::any_of(m_lines, [&](const std::string& line) { return line.starts_with(start); });
-    }
-
- private:
-    void run() {
-        while (!m_stop) {
-            const int peer = ::accept(m_listen, nullptr, nullptr);
-            if (peer < 0) {
-                continue;
-            }
-            std::string text;
-            char block[256];
-            for (ssize_t got = 0; !m_stop && (got = ::recv(peer, block, sizeof block, 0)) > 0;) {
-                text.append(block, static_cast<std::size_t>(got));
-                for (std::size_t end = text.find("\r\n"); end != std::string::npos; end = text.find("\r\n")) {
-                    answer(peer, text.substr(0, end));
-                    text.erase(0, end + 2);
-                }
-            }
-            ::close(peer);
-        }
-    }
-    void answer(int peer, const std::string& line) {
-        const std::lock_guard lock(m_lock);
-        m_lines.push_back(line);
-        if (m_silent.empty() || !line.starts_with(m_silent)) {
-            const std::string reply = line + " ACK\r\n";
-            (void)::send(peer, reply.data(), reply.size(), MSG_NOSIGNAL);
-        }
-    }
-
-    int m_listen{-1};
-    std::uint16_t m_port{0};
-    std::atomic<bool> m_stop{false};
-    std::mutex m_lock;
-    std::string m_silent;
-    std::vector<std::string> m_lines;
-    std::thread m_thread;
-};
 
 PortRequest startRequest(std::uint32_t number) {
     StartProgram start;
@@ -184,24 +109,25 @@ class TestMachineClaim : public QObject {
         QVERIFY(!readRshPassword(name.toStdString()));
         QVERIFY(!readRshPassword("/no/such/file"));
     }
-    void abortOvertakesACommandThatGetsNoAnswer() {
-        FakeRsh control;
-        control.beSilentAt("set mode mdi");
-        RshLink link({"127.0.0.1", control.port(), {}});
-        QTRY_VERIFY(link.connected());
-        QVERIFY(link.tryAsk(startRequest(7)));
-        QTRY_VERIFY(control.heard("set mode mdi"));
-        QVERIFY(link.tryAsk(startRequest(8)));  // waits behind the first
-        const auto asked = std::chrono::steady_clock::now();
-        QVERIFY(link.tryAsk({9, AbortProgram{}}));
-        QTRY_VERIFY(control.heard("set abort"));
-        QVERIFY(std::chrono::steady_clock::now() - asked < std::chrono::seconds(1));  // not the two of a lost answer
-        std::map<std::uint32_t, RequestState> states;
-        RequestReply reply;
-        QTRY_VERIFY((link.tryReply(reply) ? void(states[reply.number] = reply.state) : void(), states.size() == 3));
-        QCOMPARE(states[7], RequestState::Refused);
-        QCOMPARE(states[8], RequestState::Refused);
-        QCOMPARE(states[9], RequestState::Done);
+    void aPortThatOthersReachIsSeen() {
+        QTcpServer server;
+        QVERIFY(server.listen(QHostAddress::LocalHost));
+        QCOMPARE(openAddress(server.serverPort()), std::string());  // this computer alone
+        server.close();
+        QVERIFY(server.listen(QHostAddress::AnyIPv4));
+        QStringList others;
+        for (const QNetworkInterface& each : QNetworkInterface::allInterfaces()) {
+            const auto flags = each.flags();
+            for (const QNetworkAddressEntry& entry : each.addressEntries()) {
+                if (flags.testFlag(QNetworkInterface::IsUp) && !flags.testFlag(QNetworkInterface::IsLoopBack) &&
+                    entry.ip().protocol() == QAbstractSocket::IPv4Protocol) {
+                    others << entry.ip().toString();
+                }
+            }
+        }
+        const std::string found = openAddress(server.serverPort());
+        QCOMPARE(others.contains(QString::fromStdString(found)),
+                 !others.isEmpty());  // a computer without a network has none
     }
 };
 QTEST_GUILESS_MAIN(TestMachineClaim)

@@ -43,7 +43,7 @@ constexpr std::int64_t kCycle_ns = 1'000'000;
 class TestScriptedControl : public QObject {
     Q_OBJECT
  private:
-    RshLink::Params params() const { return {"127.0.0.1", m_rsh->port(), {}}; }
+    RshLink::Params params() const { return {"127.0.0.1", m_rsh->port(), {}, test::ownMemory()}; }
 
     RequestReply replyOf(RshLink& link) {
         RequestReply reply;

@@ -135,12 +135,17 @@ class ScriptedRsh {
     std::thread m_thread{};
 };
 
-/// The bridge's side of the shared memory, moved by hand. One on a computer at a time (RESOURCE_LOCK linuxcnc).
+/// A memory of this test's own: whatever LinuxCNC runs on this computer beside it has nothing to do with it.
+[[nodiscard]] inline std::string ownMemory() {
+    return "/kerf-test-" + std::to_string(::getpid());
+}
+
+/// The bridge's side of the shared memory, moved by hand: of the memory ownMemory().
 class ScriptedBridge {
  public:
     ScriptedBridge() {
-        (void)shm_unlink(linuxcnc::kLinkName);
-        const int file = shm_open(linuxcnc::kLinkName, O_RDWR | O_CREAT | O_EXCL, 0600);
+        (void)shm_unlink(ownMemory().c_str());
+        const int file = shm_open(ownMemory().c_str(), O_RDWR | O_CREAT | O_EXCL, 0600);
         if (file >= 0 && ftruncate(file, sizeof(linuxcnc::LinkMemory)) == 0) {
             void* block = mmap(nullptr, sizeof(linuxcnc::LinkMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
             memory = block == MAP_FAILED ? nullptr : new (block) linuxcnc::LinkMemory();
@@ -159,7 +164,7 @@ class ScriptedBridge {
     ScriptedBridge& operator=(const ScriptedBridge&) = delete;
     ~ScriptedBridge() {
         munmap(memory, sizeof(linuxcnc::LinkMemory));
-        (void)shm_unlink(linuxcnc::kLinkName);
+        (void)shm_unlink(ownMemory().c_str());
     }
     /// It has been found by whoever looks.
     void ready() { memory->magic.store(linuxcnc::LinkMemory::kMagic, std::memory_order_release); }

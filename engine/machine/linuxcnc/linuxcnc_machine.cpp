@@ -51,7 +51,7 @@ LinuxCncMachine::~LinuxCncMachine() {
 }
 
 Result<void> LinuxCncMachine::connect() {
-    m_link = std::make_unique<SharedLink>();
+    m_link = std::make_unique<SharedLink>(m_params.rsh.memory);
     const char* file = std::getenv("KERF_LINUXCNC_PASSWORDS");
     const std::string& described = m_params.described.passwordFile;
     const auto password = readRshPassword(!described.empty() ? described : file != nullptr ? file : "");

@@ -26,6 +26,7 @@ constexpr auto kPoll = std::chrono::milliseconds(2);
 
 RshLink::RshLink(Params params)
     : m_params(std::move(params)),
+      m_link(m_params.memory),
       m_line(static_cast<std::uint32_t>(std::chrono::steady_clock::now().time_since_epoch().count())),
       m_thread([this] { run(); }) {}
 

@@ -27,6 +27,7 @@ class RshLink {
         std::string host{"127.0.0.1"};
         std::uint16_t port{5007};
         RshPassword password{};
+        std::string memory{kLinkName};  ///< name of the memory shared with the bridge
     };
     explicit RshLink(Params params);
     RshLink(const RshLink&) = delete;
@@ -86,7 +87,7 @@ class RshLink {
     std::atomic<bool> m_connected{false};
     std::atomic<bool> m_stop{false};
     int m_socket{-1};
-    SharedLink m_link{};  ///< of its own: the cycle's may be replaced while we speak
+    SharedLink m_link;  ///< of its own: the cycle's may be replaced while we speak
     std::atomic<bool> m_overBridge{false};
     std::uint32_t m_line{0};  ///< number of the last one
     std::thread m_thread;
