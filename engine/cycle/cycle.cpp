@@ -150,9 +150,17 @@ void Cycle::sayRefused() noexcept {
         return;
     }
     m_saidReply = reply;
-    if (m_cycles > 0) {  // an answer to a console before this one is none to us
+    if (m_cycles == 0) {  // an answer to a console before this one is none to us
+        return;
+    }
+    // The machine repeats its last answer after the limiter has refused something: only what was asked later and is
+    // taken ends the alarm.
+    if (reply.state == RequestState::Refused) {
+        m_refusedNumber = reply.number;
         m_events.clear(machine_alarm::kNotCarriedOut);
-        m_events.set(machine_alarm::kNotCarriedOut, reply.state == RequestState::Refused, reply.reason);
+        m_events.raise(machine_alarm::kNotCarriedOut, reply.reason);
+    } else if (static_cast<std::int32_t>(reply.number - m_refusedNumber) > 0) {
+        m_events.clear(machine_alarm::kNotCarriedOut);
     }
 }
 

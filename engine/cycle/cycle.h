@@ -86,8 +86,9 @@ class Cycle {
     bool m_linkWasUp{false};
     std::array<RequestReply, LimitReport::kMaxRefused> m_refused{};  ///< of the limiter, told one per cycle
     std::size_t m_refusedCount{0};
-    RequestReply m_portReply{};  ///< the last one
-    RequestReply m_saidReply{};  ///< the last one that an alarm has told, or need not tell
+    RequestReply m_portReply{};        ///< the last one
+    RequestReply m_saidReply{};        ///< the last one that an alarm has told, or need not tell
+    std::uint32_t m_refusedNumber{0};  ///< of the newest request that was not carried out
     double m_simulationSpeed{1.0};
 };
 

@@ -42,6 +42,33 @@ class TestSupervision : public QObject {
             QVERIFY(std::abs(static_cast<double>(part.feed.feed_mmPerRev[i]) - wanted) < 0.01 * wanted);
         }
     }
+    void whatTheMachineDoesNotCarryOutIsAnAlarmUntilSomethingIs() {
+        test::BoringBench bench;
+        QVERIFY(bench.execute(LoadBoringSchedule{test::shortSchedule()}).done);
+        QVERIFY(bench.execute(SetLoopMode{ProcessId::Boring, LoopMode::Control}).done);
+        (void)bench.send(StartPart{ProcessId::Boring});
+        bench.engine->runCycles(1);
+        InjectedFaults faults;
+        faults.emergencyStop = true;
+        bench.machine->inject(faults);
+        bench.engine->runCycles(5);
+        AlarmEvent event;
+        bool said = false;
+        while (bench.engine->nextAlarm(event)) {
+            said = said || (event.code == machine_alarm::kNotCarriedOut && event.raised && !event.detail.empty());
+        }
+        QVERIFY(said);
+        bench.machine->inject({});
+        bench.engine->runCycles(5);
+        QVERIFY(bench.execute(ReleaseHold{}).done);
+        (void)bench.send(StartPart{ProcessId::Boring});
+        QVERIFY(bench.runUntil([](const Status& s) { return s.boring.cutting; }));
+        bool cleared = false;
+        while (bench.engine->nextAlarm(event)) {
+            cleared = cleared || (event.code == machine_alarm::kNotCarriedOut && !event.raised);
+        }
+        QVERIFY(cleared);
+    }
     void adviseCutsAtProgrammedFeed() {
         test::BoringBench bench;
         QVERIFY(startCutting(bench, LoopMode::Advise));
