@@ -34,7 +34,7 @@ class KillCampaign {
         int minAcks{1};  ///< at least so many lines before the kill
         int maxAcks{25};
         int maxSpin_us{3000};
-        int startTimeout_ms{30000};  ///< for the first lines to come
+        int startTimeout_ms{120000};  ///< for the first lines to come
     };
     /// What a killed run had acknowledged, in order. Return an empty text when all is well, else what is wrong.
     using Check = std::function<QString(int round, const std::vector<std::string>& acks)>;
