@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <atomic>
 
+#include "db/prepared.h"
 #include "db/statement.h"
 
 namespace kerf::db {
@@ -74,6 +75,7 @@ Connection::Connection(const std::string& path, Access access)
             // INSERT OR REPLACE must not get past the delete triggers of the append-only tables.
             execute(m_database, QStringLiteral("PRAGMA recursive_triggers = ON"));
             execute(m_database, QStringLiteral("PRAGMA journal_size_limit = 67108864"));
+            keepPrepared(m_name);
         } else {
             execute(m_database, QStringLiteral("PRAGMA query_only = ON"));
         }
@@ -84,6 +86,7 @@ Connection::Connection(const std::string& path, Access access)
 }
 
 Connection::~Connection() {
+    dropPrepared(m_name);
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);

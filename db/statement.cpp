@@ -3,6 +3,9 @@
 
 #include <QDateTime>
 #include <QSqlError>
+#include <utility>
+
+#include "db/prepared.h"
 
 Q_LOGGING_CATEGORY(kerfDb, "kerf.db", QtWarningMsg)
 
@@ -53,9 +56,27 @@ Sentence sentenceForCode(int code) {
     }
 }
 
-Statement::Statement(const QSqlDatabase& database, const char* sql) : Statement(database, QString::fromUtf8(sql)) {}
+Statement::Statement(const QSqlDatabase& database, const char* sql)
+    : m_connection(database.connectionName()), m_sql(QString::fromUtf8(sql)), m_query(database) {
+    if (auto ready = takePrepared(m_connection, m_sql)) {
+        m_query = std::move(*ready);
+    } else {
+        prepare(m_sql);
+    }
+}
 
 Statement::Statement(const QSqlDatabase& database, const QString& sql) : m_query(database) {
+    prepare(sql);
+}
+
+Statement::~Statement() {
+    if (!m_connection.isEmpty()) {
+        m_query.finish();
+        giveBackPrepared(m_connection, m_sql, std::move(m_query));
+    }
+}
+
+void Statement::prepare(const QString& sql) {
     m_query.setForwardOnly(true);
     if (!m_query.prepare(sql)) {
         raise(m_query.lastError(), sql);
@@ -89,6 +110,7 @@ bool Statement::next() {
 }
 
 void Statement::fail() {
+    m_connection.clear();
     raise(m_query.lastError(), m_query.lastQuery());
 }
 
@@ -106,7 +128,7 @@ std::int64_t integerOf(const QSqlDatabase& database, const QString& sql) {
 
 Transaction::Transaction(const QSqlDatabase& database) : m_database(database) {
     // IMMEDIATE: a lock that cannot be had is found out here, not in the middle.
-    execute(m_database, QStringLiteral("BEGIN IMMEDIATE"));
+    Statement(m_database, "BEGIN IMMEDIATE").run();
 }
 
 Transaction::~Transaction() {
@@ -116,7 +138,7 @@ Transaction::~Transaction() {
 }
 
 void Transaction::commit() {
-    execute(m_database, QStringLiteral("COMMIT"));
+    Statement(m_database, "COMMIT").run();
     m_open = false;
 }
 

@@ -35,8 +35,13 @@ class SqlFailure : public std::runtime_error {
 /// One prepared statement, bound by position. Throws SqlFailure.
 class Statement {
  public:
+    /// Words of the program itself: on a writing connection the prepared statement is kept for the next use.
     Statement(const QSqlDatabase& database, const char* sql);
+    /// Words that were put together: prepared each time.
     Statement(const QSqlDatabase& database, const QString& sql);
+    Statement(const Statement&) = delete;
+    Statement& operator=(const Statement&) = delete;
+    ~Statement();
 
     Statement& bind(std::int64_t value) { return bindVariant(QVariant(static_cast<qlonglong>(value))); }
     Statement& bind(std::int32_t value) { return bind(static_cast<std::int64_t>(value)); }
@@ -73,6 +78,9 @@ class Statement {
  private:
     Statement& bindVariant(const QVariant& value);
     [[noreturn]] void fail();
+    void prepare(const QString& sql);
+    QString m_connection{};  ///< empty: not kept
+    QString m_sql{};
     QSqlQuery m_query;
     int m_next{0};
     std::int64_t m_lastId{0};
