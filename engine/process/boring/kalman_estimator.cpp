@@ -85,7 +85,11 @@ Eigen::Matrix3d bounded(const Eigen::Matrix3d& p, const KalmanParams::Spread& ce
     return t * (scale.asDiagonal() * centred * scale.asDiagonal()) * t.transpose();
 }
 
+/// What is wanted of an update: the test for a change needs no covariance.
+enum class Wanted : std::uint8_t { Cost, Everything };
+
 /// The most probable θ given a prior and the bores, its covariance (Joseph form) and how well both agree.
+template <Wanted W = Wanted::Everything>
 Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) noexcept {
     const double r = sigma_mm * sigma_mm;
     const Eigen::LDLT<Eigen::Matrix3d> priorInverse(prior.p);
@@ -128,6 +132,9 @@ Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) 
         if (step > 0 && moved < kSmallStep) {
             break;
         }
+    }
+    if constexpr (W == Wanted::Cost) {
+        return {prior, cost, 0.0};
     }
     linearise(dHat_mm);
     const Gain gain = innovation.solve(h * prior.p).transpose();
@@ -235,7 +242,7 @@ KalmanState update(const KalmanState& before, const KalmanParams& params, const 
         const std::array<Gaussian, kKalmanModels>& prior = predicted.models;
         const double moving = predicted.movingProbability;
         Gaussian weighted = mixture(prior[kQuiet], prior[kMoving], moving);
-        t2 = posterior(weighted, bores, params.sigma_mm).cost;
+        t2 = posterior<Wanted::Cost>(weighted, bores, params.sigma_mm).cost;
         changed = knowledge == ChangeKnowledge::Changed ||
                   (knowledge == ChangeKnowledge::Unknown && t2 > changeThreshold(visit.count));
         if (changed) {
