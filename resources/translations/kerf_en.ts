@@ -1073,6 +1073,174 @@
             <source>What the loops have saved is computed from milled parts and measured bores.</source>
             <translation>What the loops have saved is computed from milled parts and measured bores.</translation>
         </message>
+        <message>
+            <source>change announced</source>
+            <translation>change announced</translation>
+        </message>
+        <message>
+            <source>tool and material of a lot named</source>
+            <translation>tool and material of a lot named</translation>
+        </message>
+        <message>
+            <source>lot left out of memory or taken in</source>
+            <translation>lot left out of memory or taken in</translation>
+        </message>
+        <message>
+            <source>controller chosen</source>
+            <translation>controller chosen</translation>
+        </message>
+        <message>
+            <source>part out of tolerance dealt with</source>
+            <translation>part out of tolerance dealt with</translation>
+        </message>
+        <message>
+            <source>limits of the figures</source>
+            <translation>limits of the figures</translation>
+        </message>
+        <message>
+            <source>gap sensors read</source>
+            <translation>gap sensors read</translation>
+        </message>
+        <message>
+            <source>gap sensors set to zero</source>
+            <translation>gap sensors set to zero</translation>
+        </message>
+        <message>
+            <source>gauge registered</source>
+            <translation>gauge registered</translation>
+        </message>
+        <message>
+            <source>gauge study made</source>
+            <translation>gauge study made</translation>
+        </message>
+        <message>
+            <source>model put live</source>
+            <translation>model put live</translation>
+        </message>
+        <message>
+            <source>sensors placed</source>
+            <translation>sensors placed</translation>
+        </message>
+        <message>
+            <source>session recorded</source>
+            <translation>session recorded</translation>
+        </message>
+        <message>
+            <source>setup changed</source>
+            <translation>setup changed</translation>
+        </message>
+        <message>
+            <source>new tool</source>
+            <translation>new tool</translation>
+        </message>
+        <message>
+            <source>tool life set</source>
+            <translation>tool life set</translation>
+        </message>
+        <message>
+            <source>tool left out of memory or taken in</source>
+            <translation>tool left out of memory or taken in</translation>
+        </message>
+        <message>
+            <source>tuning accepted</source>
+            <translation>tuning accepted</translation>
+        </message>
+        <message>
+            <source>Account changed</source>
+            <translation>Account changed</translation>
+        </message>
+        <message>
+            <source>Account made</source>
+            <translation>Account made</translation>
+        </message>
+        <message>
+            <source>Alarm acknowledged</source>
+            <translation>Alarm acknowledged</translation>
+        </message>
+        <message>
+            <source>Diameter corrected</source>
+            <translation>Diameter corrected</translation>
+        </message>
+        <message>
+            <source>Lot closed</source>
+            <translation>Lot closed</translation>
+        </message>
+        <message>
+            <source>Lot opened</source>
+            <translation>Lot opened</translation>
+        </message>
+        <message>
+            <source>Diameter entered</source>
+            <translation>Diameter entered</translation>
+        </message>
+        <message>
+            <source>Measured origin taken over</source>
+            <translation>Measured origin taken over</translation>
+        </message>
+        <message>
+            <source>Origin measured</source>
+            <translation>Origin measured</translation>
+        </message>
+        <message>
+            <source>Recipe rolled back</source>
+            <translation>Recipe rolled back</translation>
+        </message>
+        <message>
+            <source>Recipe saved</source>
+            <translation>Recipe saved</translation>
+        </message>
+        <message>
+            <source>Thermal reference taken</source>
+            <translation>Thermal reference taken</translation>
+        </message>
+        <message>
+            <source>Thermal reference taken, shift back to zero</source>
+            <translation>Thermal reference taken, shift back to zero</translation>
+        </message>
+        <message>
+            <source>Refused for want of rights</source>
+            <translation>Refused for want of rights</translation>
+        </message>
+        <message>
+            <source>Feed schedule accepted</source>
+            <translation>Feed schedule accepted</translation>
+        </message>
+        <message>
+            <source>Serial number set</source>
+            <translation>Serial number set</translation>
+        </message>
+        <message>
+            <source>Setting changed:</source>
+            <translation>Setting changed:</translation>
+        </message>
+        <message>
+            <source>Wrong PIN</source>
+            <translation>Wrong PIN</translation>
+        </message>
+        <message>
+            <source>PIN removed:</source>
+            <translation>PIN removed:</translation>
+        </message>
+        <message>
+            <source>PIN set:</source>
+            <translation>PIN set:</translation>
+        </message>
+        <message>
+            <source>First process engineer made</source>
+            <translation>First process engineer made</translation>
+        </message>
+        <message>
+            <source>Role set:</source>
+            <translation>Role set:</translation>
+        </message>
+        <message>
+            <source>Diameter taken out</source>
+            <translation>Diameter taken out</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
     </context>
     <context>
         <name>ShiftReport</name>
@@ -8052,16 +8220,16 @@
             <translation>Result</translation>
         </message>
         <message>
-            <source>Diameters [%1]</source>
-            <translation>Diameters [%1]</translation>
-        </message>
-        <message>
             <source>Changes</source>
             <translation>Changes</translation>
         </message>
         <message>
             <source>Verdict</source>
             <translation>Verdict</translation>
+        </message>
+        <message>
+            <source>Measured, bores in %1</source>
+            <translation>Measured, bores in %1</translation>
         </message>
     </context>
     <context>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko_KR" sourcelanguage="en_US">
     <context>
-    <name>BoringTexts</name>
+        <name>BoringTexts</name>
         <message>
             <source>top</source>
             <comment>depth of a bore</comment>
@@ -45,7 +45,7 @@
         </message>
     </context>
     <context>
-    <name>FirstEngineer</name>
+        <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
             <translation>첫 공정 엔지니어</translation>
@@ -76,7 +76,7 @@
         </message>
     </context>
     <context>
-    <name>Help</name>
+        <name>Help</name>
         <message>
             <source>HOLD ALL</source>
             <translation>전체 홀드</translation>
@@ -359,7 +359,7 @@
         </message>
     </context>
     <context>
-    <name>LotReport</name>
+        <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
             <translation>아직 표시할 것이 없습니다.</translation>
@@ -514,7 +514,7 @@
         </message>
     </context>
     <context>
-    <name>Milling</name>
+        <name>Milling</name>
         <message>
             <source>Constant feed</source>
             <translation>일정 이송</translation>
@@ -573,7 +573,7 @@
         </message>
     </context>
     <context>
-    <name>MillingCutLog</name>
+        <name>MillingCutLog</name>
         <message>
             <source>%1, aborted</source>
             <translation>%1, 중단</translation>
@@ -638,7 +638,7 @@
         </message>
     </context>
     <context>
-    <name>OperatorChooser</name>
+        <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
             <translation>작업자가 누구입니까?</translation>
@@ -685,7 +685,7 @@
         </message>
     </context>
     <context>
-    <name>Pages</name>
+        <name>Pages</name>
         <message>
             <source>Feed</source>
             <translation>이송</translation>
@@ -736,7 +736,7 @@
         </message>
     </context>
     <context>
-    <name>PartReport</name>
+        <name>PartReport</name>
         <message>
             <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
             <comment>units</comment>
@@ -829,7 +829,7 @@
         </message>
     </context>
     <context>
-    <name>People</name>
+        <name>People</name>
         <message>
             <source>No PIN</source>
             <translation>PIN 없음</translation>
@@ -900,14 +900,14 @@
         </message>
     </context>
     <context>
-    <name>PinSheet</name>
+        <name>PinSheet</name>
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
         </message>
     </context>
     <context>
-    <name>QualityTexts</name>
+        <name>QualityTexts</name>
         <message>
             <source>Bore ⌀, %1</source>
             <translation>내경 ⌀, %1</translation>
@@ -943,7 +943,7 @@
         </message>
     </context>
     <context>
-    <name>Settings</name>
+        <name>Settings</name>
         <message>
             <source>Settings</source>
             <translation>설정</translation>
@@ -986,7 +986,7 @@
         </message>
     </context>
     <context>
-    <name>Shift</name>
+        <name>Shift</name>
         <message>
             <source>no reason given yet</source>
             <translation>아직 사유 없음</translation>
@@ -1071,9 +1071,177 @@
             <source>What the loops have saved is computed from milled parts and measured bores.</source>
             <translation>제어로 절약한 시간과 공작물은 밀링 공작물과 측정한 내경에서 계산합니다.</translation>
         </message>
+        <message>
+            <source>change announced</source>
+            <translation>변경을 알림</translation>
+        </message>
+        <message>
+            <source>tool and material of a lot named</source>
+            <translation>로트의 공구와 소재를 적음</translation>
+        </message>
+        <message>
+            <source>lot left out of memory or taken in</source>
+            <translation>로트를 기억에서 빼거나 다시 넣음</translation>
+        </message>
+        <message>
+            <source>controller chosen</source>
+            <translation>제어기 선택</translation>
+        </message>
+        <message>
+            <source>part out of tolerance dealt with</source>
+            <translation>공차를 벗어난 공작물 처리</translation>
+        </message>
+        <message>
+            <source>limits of the figures</source>
+            <translation>수치의 한계</translation>
+        </message>
+        <message>
+            <source>gap sensors read</source>
+            <translation>갭 센서 읽음</translation>
+        </message>
+        <message>
+            <source>gap sensors set to zero</source>
+            <translation>갭 센서 영점</translation>
+        </message>
+        <message>
+            <source>gauge registered</source>
+            <translation>게이지 등록</translation>
+        </message>
+        <message>
+            <source>gauge study made</source>
+            <translation>게이지 평가</translation>
+        </message>
+        <message>
+            <source>model put live</source>
+            <translation>모델 적용</translation>
+        </message>
+        <message>
+            <source>sensors placed</source>
+            <translation>센서 위치 지정</translation>
+        </message>
+        <message>
+            <source>session recorded</source>
+            <translation>기록 저장</translation>
+        </message>
+        <message>
+            <source>setup changed</source>
+            <translation>설정 변경</translation>
+        </message>
+        <message>
+            <source>new tool</source>
+            <translation>새 공구</translation>
+        </message>
+        <message>
+            <source>tool life set</source>
+            <translation>공구 수명 설정</translation>
+        </message>
+        <message>
+            <source>tool left out of memory or taken in</source>
+            <translation>공구를 기억에서 빼거나 다시 넣음</translation>
+        </message>
+        <message>
+            <source>tuning accepted</source>
+            <translation>튜닝 수락</translation>
+        </message>
+        <message>
+            <source>Account changed</source>
+            <translation>계정 변경</translation>
+        </message>
+        <message>
+            <source>Account made</source>
+            <translation>계정 추가</translation>
+        </message>
+        <message>
+            <source>Alarm acknowledged</source>
+            <translation>알람 확인</translation>
+        </message>
+        <message>
+            <source>Diameter corrected</source>
+            <translation>지름 수정</translation>
+        </message>
+        <message>
+            <source>Lot closed</source>
+            <translation>로트 닫음</translation>
+        </message>
+        <message>
+            <source>Lot opened</source>
+            <translation>로트 엶</translation>
+        </message>
+        <message>
+            <source>Diameter entered</source>
+            <translation>지름 입력</translation>
+        </message>
+        <message>
+            <source>Measured origin taken over</source>
+            <translation>측정한 원점을 받아들임</translation>
+        </message>
+        <message>
+            <source>Origin measured</source>
+            <translation>원점 측정</translation>
+        </message>
+        <message>
+            <source>Recipe rolled back</source>
+            <translation>레시피 되돌림</translation>
+        </message>
+        <message>
+            <source>Recipe saved</source>
+            <translation>레시피 저장</translation>
+        </message>
+        <message>
+            <source>Thermal reference taken</source>
+            <translation>열변위 기준 지정</translation>
+        </message>
+        <message>
+            <source>Thermal reference taken, shift back to zero</source>
+            <translation>열변위 기준 지정, 이동량 0으로</translation>
+        </message>
+        <message>
+            <source>Refused for want of rights</source>
+            <translation>권한이 없어 거절</translation>
+        </message>
+        <message>
+            <source>Feed schedule accepted</source>
+            <translation>이송 계획 수락</translation>
+        </message>
+        <message>
+            <source>Serial number set</source>
+            <translation>일련번호 지정</translation>
+        </message>
+        <message>
+            <source>Setting changed:</source>
+            <translation>설정 변경:</translation>
+        </message>
+        <message>
+            <source>Wrong PIN</source>
+            <translation>틀린 PIN</translation>
+        </message>
+        <message>
+            <source>PIN removed:</source>
+            <translation>PIN 삭제:</translation>
+        </message>
+        <message>
+            <source>PIN set:</source>
+            <translation>PIN 지정:</translation>
+        </message>
+        <message>
+            <source>First process engineer made</source>
+            <translation>첫 공정 기술자 등록</translation>
+        </message>
+        <message>
+            <source>Role set:</source>
+            <translation>역할 지정:</translation>
+        </message>
+        <message>
+            <source>Diameter taken out</source>
+            <translation>지름 뺌</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
     </context>
     <context>
-    <name>ShiftReport</name>
+        <name>ShiftReport</name>
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
@@ -1144,7 +1312,7 @@
         </message>
     </context>
     <context>
-    <name>ShopText</name>
+        <name>ShopText</name>
         <message>
             <source>%1 s ago</source>
             <translation>%1초 전</translation>
@@ -1204,7 +1372,7 @@
         </message>
     </context>
     <context>
-    <name>TappingTexts</name>
+        <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
             <comment>thread, speed, depth, gear</comment>
@@ -1292,7 +1460,7 @@
         </message>
     </context>
     <context>
-    <name>ThermalSheets</name>
+        <name>ThermalSheets</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -1665,7 +1833,7 @@
         </message>
     </context>
     <context>
-    <name>ThermalTexts</name>
+        <name>ThermalTexts</name>
         <message>
             <source>healthy</source>
             <translation>정상</translation>
@@ -1748,7 +1916,7 @@
         </message>
     </context>
     <context>
-    <name>ToolMemory</name>
+        <name>ToolMemory</name>
         <message>
             <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
             <comment>part type, parts, figures of a tool</comment>
@@ -1794,7 +1962,7 @@
         </message>
     </context>
     <context>
-    <name>Tools</name>
+        <name>Tools</name>
         <message>
             <source>%1 of %2 parts</source>
             <translation>%2개 중 %1개</translation>
@@ -1857,7 +2025,7 @@
         </message>
     </context>
     <context>
-    <name>TurningTexts</name>
+        <name>TurningTexts</name>
         <message>
             <source>Open</source>
             <comment>turning controller</comment>
@@ -1905,7 +2073,7 @@
         </message>
     </context>
     <context>
-    <name>VerdictTexts</name>
+        <name>VerdictTexts</name>
         <message>
             <source>good</source>
             <translation>양품</translation>
@@ -1924,7 +2092,7 @@
         </message>
     </context>
     <context>
-    <name>Words</name>
+        <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
             <translation>이 콘솔이 모르는 알람 %1</translation>
@@ -1987,7 +2155,7 @@
         </message>
     </context>
     <context>
-    <name>engine</name>
+        <name>engine</name>
         <message>
             <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
             <translation>샘플의 %1 %가 빠졌습니다. 이 탭은 무효이니 다시 하십시오.</translation>
@@ -5422,7 +5590,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ActionChart</name>
+        <name>kerf::ui::ActionChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -5441,7 +5609,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmBar</name>
+        <name>kerf::ui::AlarmBar</name>
         <message>
             <source>No alarms.</source>
             <translation>알람이 없습니다.</translation>
@@ -5458,7 +5626,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmModel</name>
+        <name>kerf::ui::AlarmModel</name>
         <message>
             <source>stands, seen by %1</source>
             <translation>발생 중, %1 확인</translation>
@@ -5501,7 +5669,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::AlarmsPage</name>
+        <name>kerf::ui::AlarmsPage</name>
         <message>
             <source>That is all.</source>
             <translation>이것이 전부입니다.</translation>
@@ -5592,7 +5760,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::BoreChart</name>
+        <name>kerf::ui::BoreChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -5627,7 +5795,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::BoringPage</name>
+        <name>kerf::ui::BoringPage</name>
         <message>
             <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
             <translation>이 기계에 열린 보링 로트가 없습니다. 로트를 열면 이 화면이 채워집니다.</translation>
@@ -5718,7 +5886,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::Chart</name>
+        <name>kerf::ui::Chart</name>
         <message>
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
@@ -5726,7 +5894,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ComparisonPanel</name>
+        <name>kerf::ui::ComparisonPanel</name>
         <message>
             <source>no part is archived yet</source>
             <translation>아직 보관된 공작물이 없습니다</translation>
@@ -5774,7 +5942,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ContourChart</name>
+        <name>kerf::ui::ContourChart</name>
         <message>
             <source>rev</source>
             <comment>spindle revolutions, on an axis</comment>
@@ -5818,7 +5986,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::DiagnosticsPage</name>
+        <name>kerf::ui::DiagnosticsPage</name>
         <message>
             <source>%1 (%2 %)</source>
             <translation>%1 (%2 %)</translation>
@@ -5953,7 +6121,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EntryPanel</name>
+        <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
             <translation>측정 대기 공작물 없음</translation>
@@ -6122,7 +6290,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ErrorMap</name>
+        <name>kerf::ui::ErrorMap</name>
         <message>
             <source>error in %1, %2</source>
             <translation>%1 오차, %2</translation>
@@ -6133,7 +6301,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EstimatePanel</name>
+        <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>Estimated law, 95 % intervals</source>
             <translation>추정한 법칙, 95 % 구간</translation>
@@ -6144,7 +6312,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::EstimateStrips</name>
+        <name>kerf::ui::EstimateStrips</name>
         <message>
             <source>The estimated constants of the law appear here after the first measured part.</source>
             <translation>첫 공작물을 측정하면 추정한 상수가 여기에 나타납니다.</translation>
@@ -6155,7 +6323,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::FeedPanel</name>
+        <name>kerf::ui::FeedPanel</name>
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
@@ -6199,7 +6367,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ForcePanel</name>
+        <name>kerf::ui::ForcePanel</name>
         <message>
             <source>Force, %1: extremes and mean, last %2 s</source>
             <comment>unit, seconds</comment>
@@ -6252,7 +6420,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::GainsPanel</name>
+        <name>kerf::ui::GainsPanel</name>
         <message>
             <source>Gains</source>
             <translation>게인</translation>
@@ -6312,7 +6480,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::GaugeSheets</name>
+        <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
             <translation>아직 연구 없음</translation>
@@ -6464,7 +6632,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HeaderBar</name>
+        <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
             <translation>로트 %1</translation>
@@ -6531,7 +6699,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HeldBand</name>
+        <name>kerf::ui::HeldBand</name>
         <message>
             <source>HELD: all loops</source>
             <translation>홀드: 모든 루프</translation>
@@ -6582,7 +6750,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HelpMode</name>
+        <name>kerf::ui::HelpMode</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -6597,7 +6765,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HistogramChart</name>
+        <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
             <translation>엔진이 돌기 시작하면 나타납니다.</translation>
@@ -6620,7 +6788,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::HoldAllButton</name>
+        <name>kerf::ui::HoldAllButton</name>
         <message>
             <source>HELD – all loops off</source>
             <translation>홀드됨 – 모든 루프 꺼짐</translation>
@@ -6635,7 +6803,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::JobForm</name>
+        <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
             <translation>탭 작업</translation>
@@ -6703,7 +6871,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::Keypad</name>
+        <name>kerf::ui::Keypad</name>
         <message>
             <source>Enter</source>
             <translation>입력</translation>
@@ -6714,7 +6882,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::LoopCard</name>
+        <name>kerf::ui::LoopCard</name>
         <message>
             <source>not fitted</source>
             <translation>미장착</translation>
@@ -6725,7 +6893,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::LotForm</name>
+        <name>kerf::ui::LotForm</name>
         <message>
             <source>Lots</source>
             <translation>로트</translation>
@@ -6916,14 +7084,14 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MachineDrawing</name>
+        <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
         </message>
     </context>
     <context>
-    <name>kerf::ui::MachineStrip</name>
+        <name>kerf::ui::MachineStrip</name>
         <message>
             <source>Force</source>
             <translation>절삭력</translation>
@@ -6974,7 +7142,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MainWindow</name>
+        <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
             <translation>실행되지 않음: %1</translation>
@@ -7033,7 +7201,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MarginPanel</name>
+        <name>kerf::ui::MarginPanel</name>
         <message>
             <source>Loop margins and trim</source>
             <translation>루프 여유와 보정</translation>
@@ -7073,7 +7241,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MeasurementForm</name>
+        <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
             <comment>part and depth, diameter</comment>
@@ -7190,7 +7358,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MeasurementList</name>
+        <name>kerf::ui::MeasurementList</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -7209,7 +7377,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingBlankForm</name>
+        <name>kerf::ui::MillingBlankForm</name>
         <message>
             <source>There is no step.</source>
             <translation>단이 없습니다.</translation>
@@ -7266,7 +7434,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingControlPanel</name>
+        <name>kerf::ui::MillingControlPanel</name>
         <message>
             <source>Nothing is stopped.</source>
             <translation>멈춘 것이 없습니다.</translation>
@@ -7373,7 +7541,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingLivePanel</name>
+        <name>kerf::ui::MillingLivePanel</name>
         <message>
             <source>Force per revolution, %1, and feed, %2</source>
             <comment>units</comment>
@@ -7433,7 +7601,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingPage</name>
+        <name>kerf::ui::MillingPage</name>
         <message>
             <source>Nothing cut yet.</source>
             <translation>아직 가공한 것이 없습니다.</translation>
@@ -7488,7 +7656,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingSetupForm</name>
+        <name>kerf::ui::MillingSetupForm</name>
         <message>
             <source>This part type is open.</source>
             <translation>이 품종이 열려 있습니다.</translation>
@@ -7544,7 +7712,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingToolPanel</name>
+        <name>kerf::ui::MillingToolPanel</name>
         <message>
             <source>Tool: mean ln(C·b) per part</source>
             <translation>공구: 공작물별 평균 ln(C·b)</translation>
@@ -7588,7 +7756,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::MillingWallPanel</name>
+        <name>kerf::ui::MillingWallPanel</name>
         <message>
             <source>Wall deviation, %1</source>
             <comment>unit</comment>
@@ -7620,7 +7788,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::NextPartPanel</name>
+        <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
             <translation>이송, 내경 위에서 아래로</translation>
@@ -7692,7 +7860,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::NumberDisplay</name>
+        <name>kerf::ui::NumberDisplay</name>
         <message>
             <source>%1 s old</source>
             <translation>%1 s 전</translation>
@@ -7703,7 +7871,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OffsetPanel</name>
+        <name>kerf::ui::OffsetPanel</name>
         <message>
             <source>Drift of the origin, predicted</source>
             <translation>원점 열변위 예측</translation>
@@ -7730,7 +7898,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OperatorSession</name>
+        <name>kerf::ui::OperatorSession</name>
         <message>
             <source>operator</source>
             <translation>작업자</translation>
@@ -7761,7 +7929,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::OverviewPage</name>
+        <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
             <translation>제어기에서 프로그램을 시작하십시오.</translation>
@@ -7872,7 +8040,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::PartDetailPanel</name>
+        <name>kerf::ui::PartDetailPanel</name>
         <message>
             <source>overhang</source>
             <translation>돌출 길이</translation>
@@ -8000,7 +8168,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::PartsModel</name>
+        <name>kerf::ui::PartsModel</name>
         <message>
             <source>finished</source>
             <translation>완료</translation>
@@ -8042,10 +8210,6 @@
             <translation>결과</translation>
         </message>
         <message>
-            <source>Diameters [%1]</source>
-            <translation>지름 [%1]</translation>
-        </message>
-        <message>
             <source>Changes</source>
             <translation>변경</translation>
         </message>
@@ -8053,9 +8217,13 @@
             <source>Verdict</source>
             <translation>판정</translation>
         </message>
+        <message>
+            <source>Measured, bores in %1</source>
+            <translation>측정값(내경 단위 %1)</translation>
+        </message>
     </context>
     <context>
-    <name>kerf::ui::PartsPage</name>
+        <name>kerf::ui::PartsPage</name>
         <message>
             <source>no lot is open</source>
             <translation>열린 로트 없음</translation>
@@ -8191,7 +8359,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ProcessPanel</name>
+        <name>kerf::ui::ProcessPanel</name>
         <message>
             <source>Cutting process</source>
             <translation>절삭 공정</translation>
@@ -8228,7 +8396,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::QualityPage</name>
+        <name>kerf::ui::QualityPage</name>
         <message>
             <source>no part waits for a decision</source>
             <translation>조치를 기다리는 공작물이 없습니다</translation>
@@ -8376,7 +8544,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::QualitySheets</name>
+        <name>kerf::ui::QualitySheets</name>
         <message>
             <source>Written: %1</source>
             <translation>작성됨: %1</translation>
@@ -8467,7 +8635,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RawChart</name>
+        <name>kerf::ui::RawChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -8490,7 +8658,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RecipeForm</name>
+        <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
             <translation>깊이는 최대 %1곳</translation>
@@ -8632,7 +8800,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::RecoverySheet</name>
+        <name>kerf::ui::RecoverySheet</name>
         <message>
             <source>the tap is turning out</source>
             <translation>탭을 빼내는 중</translation>
@@ -8691,7 +8859,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ResidualChart</name>
+        <name>kerf::ui::ResidualChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -8722,7 +8890,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SensorsPage</name>
+        <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
             <translation>먼저 채널을 누르십시오</translation>
@@ -8837,14 +9005,14 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SheetHost</name>
+        <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
         </message>
     </context>
     <context>
-    <name>kerf::ui::ShiftPage</name>
+        <name>kerf::ui::ShiftPage</name>
         <message>
             <source>this shift has been handed over</source>
             <translation>이미 인계한 근무조입니다</translation>
@@ -9000,7 +9168,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpectrumChart</name>
+        <name>kerf::ui::SpectrumChart</name>
         <message>
             <source>amplitude</source>
             <translation>진폭</translation>
@@ -9033,7 +9201,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpeedChart</name>
+        <name>kerf::ui::SpeedChart</name>
         <message>
             <source>error p-p</source>
             <translation>오차 p-p</translation>
@@ -9056,7 +9224,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SpreadChart</name>
+        <name>kerf::ui::SpreadChart</name>
         <message>
             <source>parts</source>
             <translation>공작물</translation>
@@ -9079,7 +9247,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::SurfacePanel</name>
+        <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
             <translation>힘으로 본 표면</translation>
@@ -9114,7 +9282,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TapActions</name>
+        <name>kerf::ui::TapActions</name>
         <message>
             <source>a tuning is under way</source>
             <translation>튜닝 진행 중</translation>
@@ -9221,7 +9389,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TappingPage</name>
+        <name>kerf::ui::TappingPage</name>
         <message>
             <source>Load this point?</source>
             <translation>이 점을 로드할까요?</translation>
@@ -9280,7 +9448,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ThermalPage</name>
+        <name>kerf::ui::ThermalPage</name>
         <message>
             <source>start it at the control</source>
             <translation>제어기에서 시작하십시오</translation>
@@ -9398,7 +9566,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TouchKeyboard</name>
+        <name>kerf::ui::TouchKeyboard</name>
         <message>
             <source>ABC</source>
             <translation>가나다</translation>
@@ -9417,7 +9585,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TrialBars</name>
+        <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
             <translation>전</translation>
@@ -9436,7 +9604,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningArchive</name>
+        <name>kerf::ui::TurningArchive</name>
         <message>
             <source>Archive of turned parts</source>
             <translation>선삭 공작물 보관함</translation>
@@ -9521,7 +9689,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningControlPanel</name>
+        <name>kerf::ui::TurningControlPanel</name>
         <message>
             <source>controller</source>
             <translation>제어기</translation>
@@ -9573,7 +9741,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningPage</name>
+        <name>kerf::ui::TurningPage</name>
         <message>
             <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
             <translation>이 기계에는 선삭 루프가 없습니다. 힘 피드백에는 0.2 ms 주기의 선반, 힘 센서, 빠른 공구 보정이 필요합니다.</translation>
@@ -9584,7 +9752,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::TurningSetupForm</name>
+        <name>kerf::ui::TurningSetupForm</name>
         <message>
             <source>Setup of the next part</source>
             <translation>다음 공작물의 설정</translation>
@@ -9643,7 +9811,7 @@
         </message>
     </context>
     <context>
-    <name>kerf::ui::ValueField</name>
+        <name>kerf::ui::ValueField</name>
         <message>
             <source>Enter a number.</source>
             <translation>숫자를 입력하십시오.</translation>

@@ -59,12 +59,16 @@ class TestShift : public QObject {
         QCOMPARE(first->alarms.size(), std::size_t{1});
         QVERIFY(first->alarms[0].stands);
         QVERIFY(!first->changes.empty());  // the lot was opened by somebody
-        QVERIFY(!first->stops.empty());
+        QVERIFY(first->stops.empty());     // the hours before the first part are no stop
+        const auto later = read(*file, 0, now_ms + 10 * kMinute_ms);
+        QVERIFY(later.has_value());
+        QCOMPARE(later->stops.size(), std::size_t{1});
+        QVERIFY(later->stops[0].goesOn && later->stops[0].toUtc_ms - later->stops[0].fromUtc_ms < 11 * kMinute_ms);
 
         QTest::qWait(2);  // the clock goes on by a millisecond at least
         (void)shop.must(AddRoomRecord{ProcessId::Boring,
                                       kShiftStopReason,
-                                      std::to_string(first->stops[0].fromUtc_ms),
+                                      std::to_string(later->stops[0].fromUtc_ms),
                                       stopReasonJson("setup"),
                                       "Kim",
                                       {}});

@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <cmath>
 
+#include "ui/link/texts.h"
+
 namespace kerf::ui {
 namespace {
 
@@ -14,6 +16,85 @@ struct Shift {
 };
 
 constexpr qsizetype kLongestValue = 40;
+
+/// What a room has kept (kind of its record).
+QString keptText(const QString& kind) {
+    static constexpr struct {
+        const char* kind;
+        const char* words;
+    } kKinds[] = {
+        {"boring.change", QT_TRANSLATE_NOOP("Shift", "change announced")},
+        {"boring.lot", QT_TRANSLATE_NOOP("Shift", "tool and material of a lot named")},
+        {"boring.memory", QT_TRANSLATE_NOOP("Shift", "lot left out of memory or taken in")},
+        {"controller", QT_TRANSLATE_NOOP("Shift", "controller chosen")},
+        {"disposition", QT_TRANSLATE_NOOP("Shift", "part out of tolerance dealt with")},
+        {"figure_limits", QT_TRANSLATE_NOOP("Shift", "limits of the figures")},
+        {"gap", QT_TRANSLATE_NOOP("Shift", "gap sensors read")},
+        {"gap-zero", QT_TRANSLATE_NOOP("Shift", "gap sensors set to zero")},
+        {"gauge", QT_TRANSLATE_NOOP("Shift", "gauge registered")},
+        {"gauge_study", QT_TRANSLATE_NOOP("Shift", "gauge study made")},
+        {"model", QT_TRANSLATE_NOOP("Shift", "model put live")},
+        {"sensor-places", QT_TRANSLATE_NOOP("Shift", "sensors placed")},
+        {"session", QT_TRANSLATE_NOOP("Shift", "session recorded")},
+        {"setup", QT_TRANSLATE_NOOP("Shift", "setup changed")},
+        {"tool_change", QT_TRANSLATE_NOOP("Shift", "new tool")},
+        {"tool_life", QT_TRANSLATE_NOOP("Shift", "tool life set")},
+        {"tool_memory", QT_TRANSLATE_NOOP("Shift", "tool left out of memory or taken in")},
+        {"tuning", QT_TRANSLATE_NOOP("Shift", "tuning accepted")},
+    };
+    for (const auto& one : kKinds) {
+        if (kind == QLatin1String(one.kind)) {
+            return Shift::tr(one.words);
+        }
+    }
+    return kind;
+}
+
+/// What the log calls it, in words of the shop; what a later version has added stays as it is.
+QString deedText(const std::string& action) {
+    static constexpr struct {
+        const char* action;
+        const char* words;
+    } kDeeds[] = {
+        {"account changed", QT_TRANSLATE_NOOP("Shift", "Account changed")},
+        {"account made", QT_TRANSLATE_NOOP("Shift", "Account made")},
+        {"alarm acknowledged", QT_TRANSLATE_NOOP("Shift", "Alarm acknowledged")},
+        {"corrected", QT_TRANSLATE_NOOP("Shift", "Diameter corrected")},
+        {"lot closed", QT_TRANSLATE_NOOP("Shift", "Lot closed")},
+        {"lot opened", QT_TRANSLATE_NOOP("Shift", "Lot opened")},
+        {"measured", QT_TRANSLATE_NOOP("Shift", "Diameter entered")},
+        {"measurement taken over", QT_TRANSLATE_NOOP("Shift", "Measured origin taken over")},
+        {"origin measured", QT_TRANSLATE_NOOP("Shift", "Origin measured")},
+        {"recipe rolled back", QT_TRANSLATE_NOOP("Shift", "Recipe rolled back")},
+        {"recipe saved", QT_TRANSLATE_NOOP("Shift", "Recipe saved")},
+        {"reference taken", QT_TRANSLATE_NOOP("Shift", "Thermal reference taken")},
+        {"reference taken, shift back to zero",
+         QT_TRANSLATE_NOOP("Shift", "Thermal reference taken, shift back to zero")},
+        {"refused", QT_TRANSLATE_NOOP("Shift", "Refused for want of rights")},
+        {"schedule accepted", QT_TRANSLATE_NOOP("Shift", "Feed schedule accepted")},
+        {"serial number set", QT_TRANSLATE_NOOP("Shift", "Serial number set")},
+        {"setting changed", QT_TRANSLATE_NOOP("Shift", "Setting changed:")},
+        {"PIN refused", QT_TRANSLATE_NOOP("Shift", "Wrong PIN")},
+        {"PIN removed", QT_TRANSLATE_NOOP("Shift", "PIN removed:")},
+        {"PIN set", QT_TRANSLATE_NOOP("Shift", "PIN set:")},
+        {"first process engineer made", QT_TRANSLATE_NOOP("Shift", "First process engineer made")},
+        {"role set", QT_TRANSLATE_NOOP("Shift", "Role set:")},
+        {"voided", QT_TRANSLATE_NOOP("Shift", "Diameter taken out")},
+    };
+    for (const auto& deed : kDeeds) {
+        if (action == deed.action) {
+            return Shift::tr(deed.words);
+        }
+    }
+    const QString text = QString::fromStdString(action);
+    for (const ProcessId process : kAllProcesses) {  // "tapping tuning kept"
+        const QString key = QLatin1String(processKey(process)) + u' ';
+        if (text.startsWith(key) && text.endsWith(QStringLiteral(" kept"))) {
+            return Shift::tr("%1: %2").arg(processName(process), keptText(text.mid(key.size()).chopped(5)));
+        }
+    }
+    return text;
+}
 
 QString shortened(const std::string& text) {
     const QString whole = QString::fromStdString(text);
@@ -68,7 +149,7 @@ QString shiftSavingText(const ShiftSaving& saving) {
     if (saving.cuts > 0) {
         words << Shift::tr("%1 min saved in %n milled parts against the planned feed.", nullptr,
                            static_cast<int>(saving.cuts))
-                     .arg(saving.saved_s / 60.0, 0, 'f', 1);
+                     .arg(std::round(saving.saved_s / 6.0) / 10.0 + 0.0, 0, 'f', 1);
     }
     if (saving.bores > 0) {
         words << Shift::tr(
@@ -81,11 +162,11 @@ QString shiftSavingText(const ShiftSaving& saving) {
 }
 
 QString changeText(const ShiftChange& change) {
-    QStringList words{QString::fromStdString(change.action)};
-    if (!change.object.empty()) {
-        words << QString::fromStdString(change.object);
+    QStringList words{deedText(change.action)};
+    if (change.object == "setting" || change.object.starts_with("setting ") || change.object.starts_with("loop.")) {
+        words << QString::fromStdString(change.object).section(u' ', -1);
     }
-    if (!change.newValue.empty()) {
+    if (!change.newValue.empty() && !change.action.ends_with(" kept")) {  // what a room keeps is for programs
         words << (change.oldValue.empty()
                       ? shortened(change.newValue)
                       : shortened(change.oldValue) + QStringLiteral(" → ") + shortened(change.newValue));

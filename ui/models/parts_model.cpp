@@ -230,7 +230,7 @@ QVariant PartsModel::headerData(int section, Qt::Orientation orientation, int ro
         case Result:
             return tr("Result");
         case Diameters:
-            return tr("Diameters [%1]").arg(m_units.of("mm").symbol);
+            return tr("Measured, bores in %1").arg(m_units.of("mm").symbol);
         case Changes:
             return tr("Changes");
         case Verdict:

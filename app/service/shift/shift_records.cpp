@@ -165,8 +165,10 @@ Result<void> readChanges(ShiftView& view, AuditReader& reader) {
             if (row.utc_ms < view.fromUtc_ms) {
                 return {};
             }
-            const bool work = row.action == "measurement.enter" || row.author.empty();
-            if (!work && row.utc_ms < view.toUtc_ms) {
+            // Measured diameters are the work itself; notes and reasons stand on the page already.
+            const bool work = row.action == "measured" || row.action == "signed on" || row.action == "signed off" ||
+                              row.action.find(" shift_") != std::string::npos;
+            if (!work && !row.author.empty() && row.utc_ms < view.toUtc_ms) {
                 view.changes.push_back(
                     {row.utc_ms, row.author, row.action, row.object, row.oldValue, row.newValue, row.reason});
             }
@@ -248,7 +250,13 @@ Result<ShiftView> readShift(const ShiftSources& from, int back, std::int64_t now
     if (const auto read = readParts(view, from, cuts); !read) {
         return tl::unexpected(read.error());
     }
-    view.stops = stopsBetween(cuts, view.fromUtc_ms, view.toUtc_ms, view.current);
+    // Where nobody has handed over the hours before the first part are no stop: nobody has said that work had begun.
+    if (!view.takenFrom.empty()) {
+        view.stops = stopsBetween(cuts, view.fromUtc_ms, view.toUtc_ms, view.current);
+    } else if (!cuts.empty()) {
+        const auto first = std::ranges::min_element(cuts, {}, &ShiftCut::begin_ms);
+        view.stops = stopsBetween(cuts, first->begin_ms, view.toUtc_ms, view.current);
+    }
     for (ShiftStop& stop : view.stops) {
         const auto named = std::ranges::find_if(
             *reasons, [&](const RoomRecordRow& row) { return numberOf(row.subject) == stop.fromUtc_ms; });

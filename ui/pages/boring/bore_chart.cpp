@@ -155,6 +155,25 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
     const auto free = [&words](const QRectF& box) {
         return std::ranges::none_of(words, [&box](const QRectF& other) { return other.intersects(box); });
     };
+    for (const double part : std::views::reverse(m_changes)) {
+        const double x = at(part, m_view.targetDiameter_mm).x();
+        painter->setPen(look().pen(Token::Dim, Stroke::Thin, Qt::DotLine));
+        painter->drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        const double top = plot.top() + metrics.height() * 0.15;
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(look().color(Token::Text));
+        painter->drawPolygon(QPolygonF{QPointF(x, top), QPointF(x + r, top + 1.8 * r), QPointF(x - r, top + 1.8 * r)});
+        const QString word = tr("process changed");
+        const double width = metrics.horizontalAdvance(word);
+        const double left = x + 2.0 * r + width > plot.right() ? x - 2.0 * r - width : x + 2.0 * r;
+        const QRectF box(left, plot.top(), width, metrics.height());
+        if (free(box)) {
+            painter->fillRect(box, look().color(Token::Panel));
+            painter->setPen(look().color(Token::Text));
+            painter->drawText(box, Qt::AlignLeft, word);
+            words.push_back(box);
+        }
+    }
     for (const Beyond& beyond : std::views::reverse(m_beyond)) {
         const bool below = beyond.diameter_mm < m_view.targetDiameter_mm;
         const double x = at(beyond.part, m_view.targetDiameter_mm).x();
@@ -193,22 +212,6 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
                 break;
             }
         }
-    }
-    for (const double part : m_changes) {
-        const double x = at(part, m_view.targetDiameter_mm).x();
-        painter->setPen(look().pen(Token::Dim, Stroke::Thin, Qt::DotLine));
-        painter->drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-        const double top = plot.top() + metrics.height() * 0.15;
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(look().color(Token::Text));
-        painter->drawPolygon(QPolygonF{QPointF(x, top), QPointF(x + r, top + 1.8 * r), QPointF(x - r, top + 1.8 * r)});
-        const QString word = tr("process changed");
-        const double width = metrics.horizontalAdvance(word);
-        const double left = x + 2.0 * r + width > plot.right() ? x - 2.0 * r - width : x + 2.0 * r;
-        const QRectF box(left, plot.top(), width, metrics.height());
-        painter->fillRect(box, look().color(Token::Panel));
-        painter->setPen(look().color(Token::Text));
-        painter->drawText(box, Qt::AlignLeft, word);
     }
     painter->restore();
 }
