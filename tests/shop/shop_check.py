@@ -3,6 +3,7 @@
 """Consoles and one PostgreSQL: what is in the shop is what the consoles have, whatever is killed on the way.
 
 Run by pg_virtualenv. Rows are compared here, by sqlite3 and psycopg2, not by Kerf. --long CONSOLES ROWS: the campaign.
+--day-off CONSOLES: all of them come back at once after a day without the server.
 """
 import json
 import os
@@ -17,6 +18,7 @@ import sys
 import tempfile
 import threading
 import time
+import uuid
 
 import psycopg2
 
@@ -403,12 +405,61 @@ def bad_input(work):
     kerf("spoon", expect=2)
 
 
-def campaign(work, consoles, rows):
-    kerf("init", "--database", conninfo())
-    parts = max(1, rows // consoles // 9)
+def another(folder, source, name):
+    """A console that has the rows of `source` and an identity and outbox marks of its own."""
+    folder.mkdir()
+    shutil.copy(source / "kerf.db", folder / "kerf.db")
+    file = sqlite3.connect(folder / "kerf.db")
+    file.execute("PRAGMA synchronous = OFF")
+    file.execute("INSERT INTO shop_epochs (store, epoch, reason, began_utc_ms) VALUES (?, ?, 'a console of the campaign', 0)",
+                 (str(uuid.UUID(int=2 * name + 1)), str(uuid.UUID(int=2 * name + 2))))
+    for outbox in ("outbox", "outbox_traces"):
+        file.execute(f"UPDATE {outbox} SET mark = random()")
+    file.commit()
+    file.close()
+
+
+def consoles_of(work, consoles, parts):
+    """Data folders of so many consoles with so many parts each: four are worked through, the others are copies of them."""
+    made = [work / f"made{i}" for i in range(min(4, consoles))]
+    for i, folder in enumerate(made):
+        make(folder, parts, i)
+        file = sqlite3.connect(folder / "kerf.db")
+        file.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        file.close()
     folders = [work / f"console{i:03}" for i in range(consoles)]
     for i, folder in enumerate(folders):
-        make(folder, parts, i)
+        another(folder, made[i % len(made)], i)
+    return folders
+
+
+def day_off(work, consoles):
+    """Every console comes back at once after a day without the server: a part a minute, four senders at a time."""
+    kerf("init", "--database", conninfo())
+    folders = consoles_of(work, consoles, 1440)
+    begin = time.monotonic()
+    lag = []
+    waiting, running = list(folders), {}
+    while waiting or running:
+        while waiting and len(running) < 4:
+            folder = waiting.pop(0)
+            running[subprocess.Popen([BIN / "kerf", "shop", "push", "--data", folder, "--database", conninfo(), "--once"],
+                                     stdout=subprocess.DEVNULL)] = folder
+        time.sleep(0.01)
+        for sender in [s for s in running if s.poll() is not None]:
+            running.pop(sender)
+            if sender.returncode != 0:
+                check(False, "a console is not made up for")
+            lag.append(time.monotonic() - begin)
+    entries = int(ask("SELECT sum(last_seq) FROM shop.streams")[0][0])
+    check(len(lag) == consoles, f"{consoles} consoles are made up for")
+    print(f"figures: a day's outage of {consoles} consoles, {entries} entries: half of them after {sorted(lag)[consoles // 2]:.1f} s, "
+          f"all after {max(lag):.1f} s: {entries / max(lag):.0f} entries/s", flush=True)
+
+
+def campaign(work, consoles, rows):
+    kerf("init", "--database", conninfo())
+    folders = consoles_of(work, consoles, max(1, rows // consoles // 9))
     dice = random.Random(1)
     begin = time.monotonic()
     waiting = list(folders)
@@ -450,6 +501,8 @@ def main():
         work = pathlib.Path(name)
         if len(sys.argv) > 1 and sys.argv[1] == "--long":
             campaign(work, int(sys.argv[2]), int(sys.argv[3]))
+        elif len(sys.argv) > 1 and sys.argv[1] == "--day-off":
+            day_off(work, int(sys.argv[2]))
         else:
             bad = work
             folders = three_consoles(work)
