@@ -10,6 +10,7 @@
 #include "db/connection.h"
 #include "db/head_file.h"
 #include "db/outbox.h"
+#include "db/restore.h"
 #include "db/statement.h"
 #include "db/stores/store.h"
 
@@ -87,6 +88,10 @@ Result<std::unique_ptr<DataFile>> DataFile::open(const std::string& path) {
         return tl::unexpected(lock.error());
     }
     std::unique_ptr<DataFile> file(new DataFile(path, std::move(*lock)));
+    const auto restored = putInPlace(path);
+    if (!restored) {
+        return tl::unexpected(restored.error());
+    }
     HeadFile headFile(path);
     const auto expected = headFile.read();  // before SQLite looks at the log file
     const auto migrated = prepareDatabase(path);
@@ -108,6 +113,12 @@ Result<std::unique_ptr<DataFile>> DataFile::open(const std::string& path) {
             must(store.apply(entry));
         }
         must(store.adoptEarlierForms());
+        if (*restored) {
+            const Restored& one = **restored;
+            must(store.apply(AddAudit{one.request.author, "backup restored", "data file", 0, one.setAside,
+                                      one.request.backup, one.request.reason}));
+            finding.setAside = one.setAside;
+        }
         storeOutbox(path, store, finding);
         headFile.write(headOf(connection.database()));
     });

@@ -20,6 +20,7 @@ class DataFile {
         MigrationReport migration{};
         Sentence missing{};         ///< newest entries are gone since the last run (head_file.h); empty: none
         std::size_t partsFound{0};  ///< stored now, left waiting by the last run
+        std::string setAside{};     ///< a backup was put in place: where the file is that was there; empty: none was
         std::size_t notRead{0};     ///< items of the outbox that this version does not know: kept in a file beside it
     };
     /// @param path kerf.db, in an existing folder

@@ -427,6 +427,11 @@ std::vector<Sentence> ConsoleApplication::startFindings() const {
     if (!finding.missing.empty()) {
         sentences.push_back(finding.missing);
     }
+    if (!finding.setAside.empty()) {
+        sentences.emplace_back(
+            KERF_TEXT("A backup has taken the place of the data; what was there is kept as %1."),
+            SentenceArg(QFileInfo(QString::fromStdString(finding.setAside)).fileName().toStdString()));
+    }
     if (finding.partsFound > 0) {
         sentences.emplace_back(KERF_TEXT("%1 finished parts had waited beside the data file; they are stored now."),
                                SentenceArg(static_cast<double>(finding.partsFound), 0));

@@ -20,6 +20,7 @@
 #include "app/console/simulator.h"
 #include "app/console/stop_keeper.h"
 #include "app/service/boring/boring_lots.h"
+#include "app/service/data/data_keeper.h"
 #include "app/service/engine_gate.h"
 #include "app/service/rights.h"
 #include "db/data_file.h"
@@ -111,6 +112,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<ConsoleSensors> m_sensors;             ///< null without a sensor file
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
+    std::unique_ptr<DataKeeper> m_keeper;
     std::unique_ptr<EngineGate> m_gate;  ///< the engine as the pages see it
     std::unique_ptr<db::WriterThread> m_writer;
     std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored

@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -65,6 +66,14 @@ ui::Services ConsoleApplication::services() {
     m_savedSignOn.demonstration = m_simulator != nullptr;
     wrapOldSeals();
     services.signOn = m_savedSignOn;
+    if (!m_keeper) {
+        m_keeper = std::make_unique<DataKeeper>(
+            DataKeeper::Links{*m_writer, m_databasePath,
+                              [this](std::function<Result<void>()> work, DataKeeper::Done done) {
+                                  m_background.run(std::move(work), std::move(done));
+                              },
+                              rights()});
+    }
     services.savePreferences = [this](const ui::Preferences& now) {
         savePreferences(m_savedPreferences, now,
                         [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
@@ -79,6 +88,13 @@ ui::Services ConsoleApplication::services() {
             [this](SaveAccount account) {
                 account.author = author() == kAuthor ? account.name : author();
                 m_writer->submit(std::move(account), {});
+            },
+            [this](const std::string& name) {
+                m_keeper->removePerson(name, author(), [this, name](const Result<void>& done) {
+                    if (!done) {
+                        spdlog::error("{} stays on the list: {}", name, done.error().english());
+                    }
+                });
             });
         m_savedSignOn = now;
     };
@@ -168,6 +184,24 @@ void ConsoleApplication::serveFiles(ui::Services& services) {
         }
         folders << QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         return folders;
+    };
+    services.filesThere = [this, folders = services.backupFolders](const QString& ending) {
+        QFileInfoList found;
+        QStringList places = folders();
+        places << QFileInfo(QString::fromStdString(m_databasePath)).absoluteDir().filePath(QStringLiteral("backups"));
+        for (const QString& folder : places) {
+            found += QDir(folder).entryInfoList({QStringLiteral("*.") + ending}, QDir::Files);
+        }
+        std::ranges::sort(found,
+                          [](const QFileInfo& a, const QFileInfo& b) { return a.lastModified() > b.lastModified(); });
+        QStringList names;
+        for (const QFileInfo& info : found) {
+            names << info.absoluteFilePath();
+        }
+        return names;
+    };
+    services.restore = [this](const QString& file, const QString& who, const QString& reason, const Done& done) {
+        m_keeper->restore(file.toStdString(), who.toStdString(), reason.toStdString(), done);
     };
     services.backUp = [this](const QString& file, const Done& done) {
         m_background.run(

@@ -89,11 +89,16 @@ void savePreferences(const ui::Preferences& before, const ui::Preferences& now, 
 }
 
 void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save,
-                const SaveAccountRow& saveAccount) {
+                const SaveAccountRow& saveAccount, const RemoveAccountRow& removeAccount) {
     for (const ui::OperatorAccount& account : now.accounts) {
         const auto old = std::ranges::find(before.accounts, account.name, &ui::OperatorAccount::name);
         if (old == before.accounts.end() || old->role != account.role || old->pin != account.pin) {
             saveAccount({account.name.toStdString(), ui::roleKey(account.role), account.pin.toStdString(), {}, {}});
+        }
+    }
+    for (const ui::OperatorAccount& account : before.accounts) {
+        if (std::ranges::find(now.accounts, account.name, &ui::OperatorAccount::name) == now.accounts.end()) {
+            removeAccount(account.name.toStdString());
         }
     }
     if (before.autoSignOff_min != now.autoSignOff_min) {

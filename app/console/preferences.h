@@ -21,7 +21,8 @@ using SaveSetting = std::function<void(const std::string& key, const std::string
 /// Calls `save` for whatever differs between the two.
 void savePreferences(const ui::Preferences& before, const ui::Preferences& now, const SaveSetting& save);
 using SaveAccountRow = std::function<void(SaveAccount account)>;
+using RemoveAccountRow = std::function<void(const std::string& name)>;
 void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save,
-                const SaveAccountRow& saveAccount);
+                const SaveAccountRow& saveAccount, const RemoveAccountRow& removeAccount);
 
 }  // namespace kerf::console

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
+#include <QLockFile>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,8 +13,11 @@
 #include "app/headless/data_file.h"
 #include "app/service/quality/part_judge.h"
 #include "db/api/csv_export.h"
+#include "db/data_file.h"
+#include "db/location.h"
 #include "db/migrator.h"
 #include "db/readers/database_reader.h"
+#include "db/restore.h"
 #include "engine/process/boring/lot_tracker.h"
 
 namespace kerf::headless {
@@ -25,6 +29,8 @@ struct DataOptions {
     std::string process{};
     std::string text{};
     std::string copy{};
+    std::string author{};
+    std::string reason{};
     std::string separator{","};
     std::string decimal{"."};
     bool excel{false};
@@ -154,12 +160,32 @@ void backup(const DataOptions& options) {
     printJson(report);
 }
 
+void restore(const DataOptions& options) {
+    const QtForSql qt;
+    const std::string path = db::databaseFile(options.folder);
+    if (const auto lock = db::lockDataFile(path); !lock) {  // before anything lies ready for the next start
+        throw BadInput(fmt::format("{}: {}", path, lock.error().english()));
+    }
+    if (const auto ready = db::layReady(path, {options.copy, options.author, options.reason}); !ready) {
+        throw BadInput(fmt::format("{}: {}", options.copy, ready.error().english()));
+    }
+    const auto file = db::DataFile::open(path);
+    if (!file) {
+        throw BadInput(fmt::format("{}: {}", path, file.error().english()));
+    }
+    nlohmann::ordered_json report;
+    report["file"] = path;
+    report["restored"] = options.copy;
+    report["set_aside"] = (*file)->finding().setAside;
+    printJson(report);
+}
+
 }  // namespace
 
 void addDataCommands(CLI::App& kerf) {
     const auto options = std::make_shared<DataOptions>();
-    CLI::App* data =
-        kerf.add_subcommand("data", "The data file: export, check, back up. Only reads; the console may run meanwhile");
+    CLI::App* data = kerf.add_subcommand(
+        "data", "The data file: export, check, back up (they only read; the console may run meanwhile), restore");
     data->require_subcommand(1);
     const auto add = [&](const char* name, const char* help, void (*run)(const DataOptions&)) {
         CLI::App* command = data->add_subcommand(name, help);
@@ -192,6 +218,14 @@ void addDataCommands(CLI::App& kerf) {
         verify);
     add("check", "SQLite's integrity check, references, version, and all that verify looks at; exit 3 when damaged",
         check);
+    CLI::App* restoring =
+        add("restore",
+            "Puts a checked backup in the place of the data file, which is set aside under a name of its own; "
+            "not while a console runs",
+            restore);
+    restoring->add_option("file", options->copy, "The backup")->required();
+    restoring->add_option("--author", options->author, "Who does it, for the audit log")->required();
+    restoring->add_option("--reason", options->reason, "Why, for the audit log")->required();
     add("backup", "A checked copy in one file, also while the console runs", backup)
         ->add_option("file", options->copy, "New file; an existing one is never overwritten")
         ->required();

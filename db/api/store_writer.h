@@ -149,6 +149,11 @@ struct SaveAccount {
     std::string author{};   ///< never empty
     std::string reason{};
 };
+/// Takes an account off the list; the audit log and everything stored keep the name.
+struct RemoveAccount {
+    std::string name{};
+    std::string author{};  ///< never empty
+};
 /// Wrong PINs of an account since the last right one: kept, so that a restart does not end the wait.
 struct NoteWrongPin {
     std::string name{};
@@ -159,7 +164,7 @@ struct NoteWrongPin {
 using StoreCommand = std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot,
                                   SetActiveLot, AddPart, SetPartSerial, AcceptMeasurement, StoreSchedule,
                                   AcceptSchedule, RaiseAlarm, ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm,
-                                  ChangeSetting, AddAudit, AddRoomRecord, SaveAccount, NoteWrongPin>;
+                                  ChangeSetting, AddAudit, AddRoomRecord, SaveAccount, RemoveAccount, NoteWrongPin>;
 
 /// What a command has made; each command says what it puts here.
 struct Receipt {

@@ -32,6 +32,19 @@ Receipt Store::run(const SaveAccount& command) {
     return {};
 }
 
+Receipt Store::run(const RemoveAccount& command) {
+    Statement find(m_database, "SELECT role FROM accounts WHERE name = ?");
+    if (!find.bind(command.name).run().next()) {
+        throw SqlFailure(Sentence(KERF_TEXT("There is no such person on the list.")), 0, "no such account");
+    }
+    const std::string role = find.text(0);
+    Statement(m_database, "DELETE FROM accounts WHERE name = ?").bind(command.name).run();
+    appendAudit(
+        m_database,
+        {.author = command.author, .action = "account removed", .object = "account " + command.name, .oldValue = role});
+    return {};
+}
+
 Receipt Store::run(const NoteWrongPin& command) {
     Statement(m_database, "UPDATE accounts SET wrong_tries = ?, last_wrong_utc_ms = ? WHERE name = ?")
         .bind(command.tries)

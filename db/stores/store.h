@@ -48,6 +48,7 @@ class Store {
     Receipt run(const AddAudit& command);
     Receipt run(const AddRoomRecord& command);
     Receipt run(const SaveAccount& command);
+    Receipt run(const RemoveAccount& command);
     Receipt run(const NoteWrongPin& command);
 
     QSqlDatabase m_database;

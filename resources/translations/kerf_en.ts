@@ -898,6 +898,22 @@
             <source>must be given</source>
             <translation>must be given</translation>
         </message>
+        <message>
+            <source>Take off</source>
+            <translation>Take off</translation>
+        </message>
+        <message>
+            <source>Take %1 off the list?</source>
+            <translation>Take %1 off the list?</translation>
+        </message>
+        <message>
+            <source>What was done under this name keeps it. Who comes back signs on anew, as an operator.</source>
+            <translation>What was done under this name keeps it. Who comes back signs on anew, as an operator.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
     </context>
     <context>
         <name>PinSheet</name>
@@ -940,6 +956,61 @@
         <message>
             <source>typed on the keypad</source>
             <translation>typed on the keypad</translation>
+        </message>
+    </context>
+    <context>
+        <name>Restore</name>
+        <message>
+            <source>Not restored</source>
+            <translation>Not restored</translation>
+        </message>
+        <message>
+            <source>The backup is whole and waits</source>
+            <translation>The backup is whole and waits</translation>
+        </message>
+        <message>
+            <source>It takes the place of the data at the next start of Kerf. What is stored until then goes aside with the data that are there now.</source>
+            <translation>It takes the place of the data at the next start of Kerf. What is stored until then goes aside with the data that are there now.</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>Later</translation>
+        </message>
+        <message>
+            <source>End Kerf now</source>
+            <translation>End Kerf now</translation>
+        </message>
+        <message>
+            <source>Put this backup in the place of the data?</source>
+            <translation>Put this backup in the place of the data?</translation>
+        </message>
+        <message>
+            <source>%1, of %2. Everything stored since then goes aside into a file of its own, nothing is deleted.</source>
+            <translation>%1, of %2. Everything stored since then goes aside into a file of its own, nothing is deleted.</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>Why</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>Check it and lay it ready</source>
+            <translation>Check it and lay it ready</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>Restore a backup</translation>
+        </message>
+        <message>
+            <source>No backup lies on a removable drive, among the documents or in the backups folder of the data.</source>
+            <translation>No backup lies on a removable drive, among the documents or in the backups folder of the data.</translation>
+        </message>
+        <message>
+            <source>Touch the one that shall take the place of the data; it is checked first.</source>
+            <translation>Touch the one that shall take the place of the data; it is checked first.</translation>
         </message>
     </context>
     <context>
@@ -5593,6 +5664,46 @@
             <source>Set the life of a tool</source>
             <translation>Set the life of a tool</translation>
         </message>
+        <message>
+            <source>A backup has taken the place of the data; what was there is kept as %1.</source>
+            <translation>A backup has taken the place of the data; what was there is kept as %1.</translation>
+        </message>
+        <message>
+            <source>A backup lies ready, but not who has asked for it: delete kerf.db.restore or ask again.</source>
+            <translation>A backup lies ready, but not who has asked for it: delete kerf.db.restore or ask again.</translation>
+        </message>
+        <message>
+            <source>Nobody takes himself off the list: somebody else has to.</source>
+            <translation>Nobody takes himself off the list: somebody else has to.</translation>
+        </message>
+        <message>
+            <source>Put a backup in the place of the data</source>
+            <translation>Put a backup in the place of the data</translation>
+        </message>
+        <message>
+            <source>Take somebody off the list of people</source>
+            <translation>Take somebody off the list of people</translation>
+        </message>
+        <message>
+            <source>The backup could not be put in place: check the folder and its permissions.</source>
+            <translation>The backup could not be put in place: check the folder and its permissions.</translation>
+        </message>
+        <message>
+            <source>There is no such file.</source>
+            <translation>There is no such file.</translation>
+        </message>
+        <message>
+            <source>There is no such person on the list.</source>
+            <translation>There is no such person on the list.</translation>
+        </message>
+        <message>
+            <source>This backup is of a later version of Kerf.</source>
+            <translation>This backup is of a later version of Kerf.</translation>
+        </message>
+        <message>
+            <source>This is no data file of Kerf's.</source>
+            <translation>This is no data file of Kerf's.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -6124,6 +6235,10 @@
         <message>
             <source>Shop</source>
             <translation>Shop</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>Restore a backup</translation>
         </message>
     </context>
     <context>
@@ -7936,6 +8051,14 @@
         <message>
             <source>Several wrong PINs were typed: wait %1 s.</source>
             <translation>Several wrong PINs were typed: wait %1 s.</translation>
+        </message>
+        <message>
+            <source>Sign on first.</source>
+            <translation>Sign on first.</translation>
+        </message>
+        <message>
+            <source>Nobody takes himself off the list.</source>
+            <translation>Nobody takes himself off the list.</translation>
         </message>
     </context>
     <context>

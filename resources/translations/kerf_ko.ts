@@ -898,6 +898,22 @@
             <source>must be given</source>
             <translation>입력 필수</translation>
         </message>
+        <message>
+            <source>Take off</source>
+            <translation>목록에서 빼기</translation>
+        </message>
+        <message>
+            <source>Take %1 off the list?</source>
+            <translation>%1 님을 목록에서 뺄까요?</translation>
+        </message>
+        <message>
+            <source>What was done under this name keeps it. Who comes back signs on anew, as an operator.</source>
+            <translation>이 이름으로 한 일에는 이름이 남습니다. 다시 오면 작업자로 새로 로그인합니다.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
     </context>
     <context>
         <name>PinSheet</name>
@@ -940,6 +956,61 @@
         <message>
             <source>typed on the keypad</source>
             <translation>키패드로 입력</translation>
+        </message>
+    </context>
+    <context>
+        <name>Restore</name>
+        <message>
+            <source>Not restored</source>
+            <translation>복원하지 못했습니다</translation>
+        </message>
+        <message>
+            <source>The backup is whole and waits</source>
+            <translation>백업이 온전하며 대기 중입니다</translation>
+        </message>
+        <message>
+            <source>It takes the place of the data at the next start of Kerf. What is stored until then goes aside with the data that are there now.</source>
+            <translation>다음에 Kerf를 시작할 때 지금의 데이터를 대신합니다. 그때까지 저장되는 것은 지금의 데이터와 함께 따로 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>Later</source>
+            <translation>나중에</translation>
+        </message>
+        <message>
+            <source>End Kerf now</source>
+            <translation>지금 Kerf 끝내기</translation>
+        </message>
+        <message>
+            <source>Put this backup in the place of the data?</source>
+            <translation>이 백업으로 데이터를 바꿀까요?</translation>
+        </message>
+        <message>
+            <source>%1, of %2. Everything stored since then goes aside into a file of its own, nothing is deleted.</source>
+            <translation>%1, %2. 그 뒤에 저장된 것은 모두 다른 파일로 따로 보관되며 지워지는 것은 없습니다.</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>이유</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>Check it and lay it ready</source>
+            <translation>검사하고 준비하기</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>백업 복원</translation>
+        </message>
+        <message>
+            <source>No backup lies on a removable drive, among the documents or in the backups folder of the data.</source>
+            <translation>이동식 드라이브, 문서 폴더, 데이터의 backups 폴더에 백업이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Touch the one that shall take the place of the data; it is checked first.</source>
+            <translation>데이터를 대신할 백업을 누르십시오. 먼저 검사합니다.</translation>
         </message>
     </context>
     <context>
@@ -5588,6 +5659,46 @@
             <source>Set the life of a tool</source>
             <translation>공구 수명 설정</translation>
         </message>
+        <message>
+            <source>A backup has taken the place of the data; what was there is kept as %1.</source>
+            <translation>백업이 데이터를 대신했습니다. 이전 데이터는 %1에 보관했습니다.</translation>
+        </message>
+        <message>
+            <source>A backup lies ready, but not who has asked for it: delete kerf.db.restore or ask again.</source>
+            <translation>백업은 준비되었지만 요청한 사람을 알 수 없습니다. kerf.db.restore를 지우거나 다시 요청하십시오.</translation>
+        </message>
+        <message>
+            <source>Nobody takes himself off the list: somebody else has to.</source>
+            <translation>자기 자신은 목록에서 뺄 수 없습니다. 다른 사람이 해야 합니다.</translation>
+        </message>
+        <message>
+            <source>Put a backup in the place of the data</source>
+            <translation>백업으로 데이터 바꾸기</translation>
+        </message>
+        <message>
+            <source>Take somebody off the list of people</source>
+            <translation>사람을 목록에서 빼기</translation>
+        </message>
+        <message>
+            <source>The backup could not be put in place: check the folder and its permissions.</source>
+            <translation>백업을 제자리에 놓지 못했습니다. 폴더와 권한을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>There is no such file.</source>
+            <translation>그런 파일이 없습니다.</translation>
+        </message>
+        <message>
+            <source>There is no such person on the list.</source>
+            <translation>목록에 그런 사람이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This backup is of a later version of Kerf.</source>
+            <translation>이 백업은 더 새로운 Kerf의 것입니다.</translation>
+        </message>
+        <message>
+            <source>This is no data file of Kerf's.</source>
+            <translation>Kerf의 데이터 파일이 아닙니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -6118,6 +6229,10 @@
         <message>
             <source>Shop</source>
             <translation>공장 서버</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>백업 복원</translation>
         </message>
     </context>
     <context>
@@ -7926,6 +8041,14 @@
         <message>
             <source>Several wrong PINs were typed: wait %1 s.</source>
             <translation>틀린 PIN이 여러 번 입력되었습니다. %1초 기다리십시오.</translation>
+        </message>
+        <message>
+            <source>Sign on first.</source>
+            <translation>먼저 로그인하십시오.</translation>
+        </message>
+        <message>
+            <source>Nobody takes himself off the list.</source>
+            <translation>자기 자신은 목록에서 뺄 수 없습니다.</translation>
         </message>
     </context>
     <context>

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/service/boring/boring_lots.h"
+#include "app/service/data/data_keeper.h"
 #include "app/service/engine_gate.h"
 #include "app/service/milling/milling_service.h"
 #include "app/service/tapping/tapping_service.h"
@@ -52,6 +53,8 @@ struct Shop {
             note(who, key, what);
         };
         tapping = std::make_unique<StoredTappingService>(engine, *tapExchange, std::move(tappingParams));
+        keeper = std::make_unique<DataKeeper>(DataKeeper::Links{
+            writer, scratch.path(), [](const auto& work, const auto& done) { done(work()); }, rights});
         gate = std::make_unique<EngineGate>(EngineGate::Links{
             engine, [this] { return signedOn; }, rights,
             [this](const std::string& who, const char* key, const std::string& what) { note(who, key, what); },
@@ -149,6 +152,7 @@ struct Shop {
     std::unique_ptr<StoredTurningService> turning;
     std::unique_ptr<StoredThermalService> thermal;
     std::unique_ptr<StoredTappingService> tapping;
+    std::unique_ptr<DataKeeper> keeper;
     std::unique_ptr<EngineGate> gate;
     std::string signedOn;
     Sentence refused;
@@ -310,6 +314,16 @@ const std::vector<Row>& rows() {
         {Deed::TappingMemory, [](Shop& s, Text who, Text why) { return s.tapping->leaveOut(true, who, why); }, false,
          "This job began from no stored tuning."},
         {Deed::TappingTuning, [](Shop& s, Text who, Text) { return s.tapping->begin(who, false); }},
+        {Deed::DataRestore,
+         [](Shop& s, Text who, Text why) {
+             return s.wait([&](const auto& done) { s.keeper->restore("/no/such.db", who, why, done); });
+         },
+         false, "There is no such file."},
+        {Deed::PersonRemove,
+         [](Shop& s, Text who, Text) {
+             s.writer.submit(SaveAccount{"Choi", "operator", {}, "Kerf", {}}, {});
+             return s.wait([&](const auto& done) { s.keeper->removePerson("Choi", who, done); });
+         }},
     };
     return table;
 }

@@ -191,6 +191,23 @@ class TestDataCommands : public QObject {
         QVERIFY(again.err.contains(QStringLiteral("never overwrites")));
         QCOMPARE(data.run({"backup", QStringLiteral("/no/such/folder/x.db")}).exitCode, 3);
     }
+    void aBackupTakesThePlaceOfTheData() {
+        const DataFolder data;
+        QTemporaryDir stick;
+        const QString copy = stick.filePath(QStringLiteral("kerf.db"));
+        QCOMPARE(data.run({"backup", copy}).exitCode, 0);
+        const QString before = data.run({"export", "parts"}).out;
+        QCOMPARE(data.run({"restore", copy, "--author", "Park"}).exitCode, 2);  // no reason
+        const KerfRun none = data.run({"restore", "/no/such.db", "--author", "Park", "--reason", "a trial"});
+        QCOMPARE(none.exitCode, 3);
+        const KerfRun done = data.run({"restore", copy, "--author", "Park", "--reason", "a trial"});
+        QCOMPARE(done.exitCode, 0);
+        QVERIFY(
+            QFile::exists(QString::fromStdString(json::parse(done.out.toStdString())["set_aside"].get<std::string>())));
+        QCOMPARE(data.run({"export", "parts"}).out, before);
+        QVERIFY(data.run({"export", "audit"}).out.contains(QStringLiteral("backup restored")));
+        QCOMPARE(data.run({"verify"}).exitCode, 0);
+    }
     void badInputIsOneSentenceAndNothingOnStdout_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("nothing there") << QByteArray();

@@ -46,6 +46,23 @@ class TestOperatorSession : public QObject {
         session.setRole(QStringLiteral("Lee"), Role::Engineer);
         QCOMPARE(*session.role(), Role::Operator);
     }
+    void anEngineerTakesOthersOffTheList() {
+        OperatorSession session;
+        QVERIFY(session.signOn(QStringLiteral("Park"), Role::Engineer));
+        QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Operator));
+        QVERIFY(!session.whyNotRemove(QStringLiteral("Park")).isEmpty());  // an operator may not
+        session.remove(QStringLiteral("Park"));
+        QCOMPARE(session.known().size(), 2);
+        QVERIFY(session.signOn(QStringLiteral("Park")));
+        QVERIFY(!session.whyNotRemove(QStringLiteral("Park")).isEmpty());  // nor anybody himself
+        QSignalSpy changed(&session, &OperatorSession::settingsChanged);
+        session.remove(QStringLiteral("Kim"));
+        QCOMPARE(session.known(), QStringList{QStringLiteral("Park")});
+        QCOMPARE(changed.count(), 1);
+        session.signOff();
+        QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Engineer));  // back: a new person, an operator
+        QCOMPARE(*session.role(), Role::Operator);
+    }
     void aPinIsAskedForAndNeverStoredAsTyped() {
         OperatorSession session;
         QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Engineer));

@@ -14,6 +14,7 @@
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
 #include "ui/shell/operator_session.h"
+#include "ui/widgets/action_button.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -58,6 +59,19 @@ void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayou
                 .arg(OperatorSession::kLongestPin),
             [&session, who](const QString& typed) { return session.setPin(who, typed); },
             [&look, &host, &session] { openPeople(look, host, session); });
+    });
+    auto* off = new ActionButton(look, parent);
+    off->setObjectName(QStringLiteral("personRemove%1").arg(row));
+    off->setText(People::tr("Take off"));
+    off->setPredicate([&session, who = person.name] { return session.whyNotRemove(who); });
+    grid->addWidget(off, row, 5);
+    QObject::connect(off, &QPushButton::clicked, parent, [&look, &host, &session, who = person.name] {
+        host.ask(People::tr("Take %1 off the list?").arg(who),
+                 People::tr("What was done under this name keeps it. Who comes back signs on anew, as an operator."),
+                 People::tr("Cancel"), People::tr("Take off"), [&look, &host, &session, who] {
+                     session.remove(who);
+                     openPeople(look, host, session);
+                 });
     });
 }
 

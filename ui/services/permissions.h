@@ -53,6 +53,8 @@ enum class Deed : std::uint8_t {
     ShiftWords,
     ToolChange,
     ToolLife,
+    DataRestore,
+    PersonRemove,
     Count,
 };
 inline constexpr std::size_t kDeedCount = static_cast<std::size_t>(Deed::Count);
@@ -100,6 +102,8 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
      KERF_TEXT("Reason of a stop, note or handover of a shift")},
     {Deed::ToolChange, Trust::Operator, false, "tool.change", KERF_TEXT("Say that a new tool is in")},
     {Deed::ToolLife, Trust::Setter, false, "tool.life", KERF_TEXT("Set the life of a tool")},
+    {Deed::DataRestore, Trust::Engineer, true, "data.restore", KERF_TEXT("Put a backup in the place of the data")},
+    {Deed::PersonRemove, Trust::Engineer, false, "person.remove", KERF_TEXT("Take somebody off the list of people")},
 }};
 static_assert([] {
     for (std::size_t i = 0; i < kDeedCount; ++i) {

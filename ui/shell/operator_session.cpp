@@ -199,6 +199,22 @@ bool OperatorSession::setPin(const QString& name, const QString& pin) {
     return true;
 }
 
+QString OperatorSession::whyNotRemove(const QString& name) const {
+    if (const QString may = whyNot(Deed::PersonRemove); !may.isEmpty()) {
+        return may;
+    }
+    return !signedOn() ? tr("Sign on first.") : name == m_name ? tr("Nobody takes himself off the list.") : QString();
+}
+
+void OperatorSession::remove(const QString& name) {
+    if (!whyNotRemove(name).isEmpty()) {
+        return;
+    }
+    std::erase_if(m_settings.accounts, [&name](const OperatorAccount& known) { return known.name == name; });
+    emit settingsChanged(m_settings);
+    emit changed();
+}
+
 void OperatorSession::setAutoSignOff_min(int minutes) {
     if (minutes != m_settings.autoSignOff_min) {
         m_settings.autoSignOff_min = minutes;

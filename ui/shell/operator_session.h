@@ -89,6 +89,10 @@ class OperatorSession : public QObject {
     void setRole(const QString& name, Role role);
     /// Digits only, kShortestPin to kLongestPin of them, or empty to ask for none. False when it is neither.
     bool setPin(const QString& name, const QString& pin);
+    /// Why this person cannot be taken off the list: oneself, or the last process engineer. Empty: can be.
+    [[nodiscard]] QString whyNotRemove(const QString& name) const;
+    /// @pre whyNotRemove() is empty
+    void remove(const QString& name);
     void setAutoSignOff_min(int minutes);
 
     /// Somebody touched the screen or a key.

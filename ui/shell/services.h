@@ -85,11 +85,9 @@ struct Services {
     std::function<void(const QString& file, Done)> backUp{};
     /// Checks that `file` is a whole backup and keeps it for the next start, which takes its place; what is there now
     /// is kept beside it. Empty: not possible here.
-    std::function<void(const QString& file, const QString& author, Done)> restore{};
+    std::function<void(const QString& file, const QString& author, const QString& reason, Done)> restore{};
     /// Files of that ending on removable drives and among the documents, newest first.
     std::function<QStringList(const QString& ending)> filesThere{};
-    /// Takes somebody off the list of people; what they have signed stays.
-    std::function<void(const QString& name, const QString& author, Done)> removeAccount{};
     /// Called when alarms have been acknowledged by code; the application writes it to the history.
     std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
 };

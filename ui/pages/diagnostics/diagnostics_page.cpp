@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QPointer>
 
+#include "ui/dialogs/restore_sheet.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
@@ -23,7 +24,8 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
       m_engine(new Card(context.look, this)),
       m_link(new Card(context.look, this)),
       m_scheduling(makeLabel(TextRole::Body, this, true)),
-      m_backup(new ActionButton(context.look, this)) {
+      m_backup(new ActionButton(context.look, this)),
+      m_restore(new ActionButton(context.look, this)) {
     auto* grid = new QGridLayout(this);
     grid->addWidget(m_costCard, 0, 0);
     grid->addWidget(m_lateCard, 0, 1);
@@ -55,6 +57,12 @@ DiagnosticsPage::DiagnosticsPage(const PageContext& context, QWidget* parent)
     });
     connect(m_backup, &QPushButton::clicked, this, &DiagnosticsPage::askBackup);
     m_link->body()->addWidget(m_backup);
+    m_restore->setObjectName(QStringLiteral("restore"));
+    m_restore->setPredicate([this] { return !this->context().services.restore ? tr("no database") : QString(); });
+    allowOnly(m_restore, this->context().session, Deed::DataRestore);
+    connect(m_restore, &QPushButton::clicked, this,
+            [this] { this->context().withPermission(Deed::DataRestore, [this] { openRestore(this->context()); }); });
+    m_link->body()->addWidget(m_restore);
     m_since.start();
     connect(&context.client, &EngineClient::statusChanged, this, &DiagnosticsPage::onStatus);
     refresh();
@@ -155,6 +163,7 @@ void DiagnosticsPage::refresh() {
     m_engine->setTitle(tr("Engine"));
     m_link->setTitle(tr("Machine and versions"));
     m_backup->setText(tr("Back up all data"));
+    m_restore->setText(tr("Restore a backup"));
     m_period.name->setText(tr("Period of the cycle"));
     m_cycles.name->setText(tr("Cycles"));
     m_overruns.name->setText(tr("Overruns"));

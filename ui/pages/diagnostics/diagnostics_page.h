@@ -44,6 +44,7 @@ class DiagnosticsPage : public Page {
     Fact m_speed{};
     QLabel* m_scheduling;
     ActionButton* m_backup;
+    ActionButton* m_restore;
     bool m_backingUp{false};
     Fact m_machine{};
     Fact m_state{};
