@@ -38,13 +38,21 @@ void send(test::ConsoleBench& bench, const Action& action) {
     (void)bench.console().engine().send(command);
 }
 
+double threadTime_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
 void liveConsole(benchmark::State& state) {
     const QSize size(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     for (auto _ : state) {
         test::ConsoleBench bench;
         console::Options options;
-        options.simulationSpeed = 1.0;
+        const double speed = static_cast<double>(state.range(2));
+        options.simulationSpeed = speed;
         options.seed = 5;
+        bench.setOwnThread(true);
         bench.start(options);
         if (!QTest::qWaitFor([&] { return bench.up(); }, 20'000)) {
             state.SkipWithError("the console did not start");
@@ -55,8 +63,8 @@ void liveConsole(benchmark::State& state) {
         window->showPage("boring");
         // The shift before the operator came is made as fast as it can be.
         (void)QTest::qWaitFor([&] { return bench.service().parts.size() >= options.preparedParts; }, 60'000);
-        send(bench, SetSimulationSpeed{1.0});
-        (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == 1.0; }, 10'000);
+        send(bench, SetSimulationSpeed{speed});
+        (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == speed; }, 10'000);
         if (!bench.status().boring.cutting) {
             send(bench, StartPart{ProcessId::Boring});
             (void)QTest::qWaitFor([&] { return bench.status().boring.cutting; }, 10'000);
@@ -71,7 +79,10 @@ void liveConsole(benchmark::State& state) {
         const CycleStats before = bench.status().stats;
         QElapsedTimer clock;
         clock.start();
+        const double before_s = threadTime_s();
         QTest::qWait(kMeasured_ms);
+        state.counters["gui_core_percent"] =
+            100.0 * (threadTime_s() - before_s) / (static_cast<double>(clock.nsecsElapsed()) * 1e-9);
         const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         const CycleStats after = bench.status().stats;
         int most = 0;
@@ -85,18 +96,14 @@ void liveConsole(benchmark::State& state) {
     }
 }
 BENCHMARK(liveConsole)
-    ->Args({1280, 800})
-    ->Args({1920, 1080})
-    ->Args({3840, 2160})
+    ->ArgNames({"width", "height", "speed"})
+    ->Args({1280, 800, 1})
+    ->Args({1920, 1080, 1})
+    ->Args({3840, 2160, 1})
+    ->Args({1920, 1080, 20})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-
-double threadTime_s() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
 
 /// What the screen costs while nothing is cut: CPU time of the GUI thread alone, every page at 1280 × 800, a bore
 /// waiting for its diameter; the engine runs on its own thread at ×20.
