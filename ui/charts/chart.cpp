@@ -107,8 +107,12 @@ void Chart::setCurveLabel(CurveId curve, const QString& label) {
 }
 
 void Chart::setPoints(CurveId curve, const std::vector<QPointF>& points) {
+    if (m_curves[curve].points == points) {
+        return;  // nothing is painted that did not change
+    }
     m_curves[curve].points = points;
-    rebuild();
+    draw(m_curves[curve]);
+    fit();
 }
 
 Chart::BandId Chart::addBand(Token token) {
@@ -196,17 +200,23 @@ void Chart::retitle() {
     m_y->setTitleVisible(!m_yTitle.isEmpty() && !m_lowTitles);
 }
 
+void Chart::draw(Curve& curve) {
+    const DisplayUnit x = m_look.units().of(m_xUnit);
+    const DisplayUnit y = m_look.units().of(m_yUnit);
+    QList<QPointF> shown;
+    shown.reserve(static_cast<qsizetype>(curve.points.size()));
+    for (const QPointF& p : curve.points) {
+        shown.append({x.toShown(p.x()), y.toShown(p.y())});
+    }
+    curve.shown = shown;
+    curve.series->replace(shown);
+}
+
 void Chart::rebuild() {
     const DisplayUnit x = m_look.units().of(m_xUnit);
     const DisplayUnit y = m_look.units().of(m_yUnit);
     for (Curve& curve : m_curves) {
-        QList<QPointF> shown;
-        shown.reserve(static_cast<qsizetype>(curve.points.size()));
-        for (const QPointF& p : curve.points) {
-            shown.append({x.toShown(p.x()), y.toShown(p.y())});
-        }
-        curve.shown = shown;
-        curve.series->replace(shown);
+        draw(curve);
     }
     for (const Band& band : m_bands) {
         QList<QPointF> low;

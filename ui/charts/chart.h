@@ -118,6 +118,7 @@ class Chart : public QChartView {
     void restyle();
     void retitle();
     void paintLowTitle(QPainter& painter, const QRectF& plot) const;
+    void draw(Curve& curve);
     void fit();
     void paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
     void paintMarks(QPainter& painter, const QRectF& plot) const;
