@@ -424,6 +424,7 @@ void addMillingCommands(CLI::App& kerf) {
     addSimulate(*milling);
     addReplay(*milling);
     addMillingRobust(*milling);
+    addMillingNoise(*milling);
     auto seeds = std::make_shared<int>(10);
     CLI::App* table =
         milling->add_subcommand("table", "The laws compared on B0, whole pulses and .5 kgf of noise, at 40 kgf");

@@ -8,5 +8,6 @@ class App;
 namespace kerf::headless {
 
 void addMillingRobust(CLI::App& milling);
+void addMillingNoise(CLI::App& milling);
 
 }  // namespace kerf::headless

@@ -44,6 +44,7 @@ constexpr FaultSpec kSpecs[] = {
     {"force_collapsed", FaultNeeds::Nothing, setSignal<&InjectedFaults::force, SignalFault::Collapsed>},
     {"force_ok", FaultNeeds::Nothing, setSignal<&InjectedFaults::force, SignalFault::None>},
     {"tool_broken", FaultNeeds::Nothing, setFlag<&InjectedFaults::toolBroken, true>},
+    {"flute_chipped", FaultNeeds::Nothing, setFlag<&InjectedFaults::fluteChipped, true>},
     {"tool_changed", FaultNeeds::Nothing, setFlag<&InjectedFaults::toolBroken, false>},
     {"link_down", FaultNeeds::Nothing, setFlag<&InjectedFaults::linkDown, true>},
     {"link_up", FaultNeeds::Nothing, setFlag<&InjectedFaults::linkDown, false>},

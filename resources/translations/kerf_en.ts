@@ -5704,6 +5704,26 @@
             <source>This is no data file of Kerf's.</source>
             <translation>This is no data file of Kerf's.</translation>
         </message>
+        <message>
+            <source>Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.</source>
+            <translation>Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.</translation>
+        </message>
+        <message>
+            <source>Chatter</source>
+            <translation>Chatter</translation>
+        </message>
+        <message>
+            <source>The force swings at a frequency that is no multiple of the spindle's: at this depth and speed the cut excites tool and work.</source>
+            <translation>The force swings at a frequency that is no multiple of the spindle's: at this depth and speed the cut excites tool and work.</translation>
+        </message>
+        <message>
+            <source>The force swings by %1 N at about %2 Hz.</source>
+            <translation>The force swings by %1 N at about %2 Hz.</translation>
+        </message>
+        <message>
+            <source>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</source>
+            <translation>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

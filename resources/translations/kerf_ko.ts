@@ -5699,6 +5699,26 @@
             <source>This is no data file of Kerf's.</source>
             <translation>Kerf의 데이터 파일이 아닙니다.</translation>
         </message>
+        <message>
+            <source>Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.</source>
+            <translation>주축 회전수를 5~15 % 바꾸거나, 절입 깊이를 줄이거나, 공구와 공작물을 더 짧게 고정하세요.</translation>
+        </message>
+        <message>
+            <source>Chatter</source>
+            <translation>채터 진동</translation>
+        </message>
+        <message>
+            <source>The force swings at a frequency that is no multiple of the spindle's: at this depth and speed the cut excites tool and work.</source>
+            <translation>절삭력이 주축 회전수의 배수가 아닌 주파수로 흔들립니다. 이 절입 깊이와 회전수에서 절삭이 공구와 공작물을 가진합니다.</translation>
+        </message>
+        <message>
+            <source>The force swings by %1 N at about %2 Hz.</source>
+            <translation>절삭력이 약 %2 Hz로 %1 N만큼 흔들립니다.</translation>
+        </message>
+        <message>
+            <source>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</source>
+            <translation>가공면에 자국이 남고 공구가 빨리 마모되며 파손될 수 있습니다. 이송은 계속 평균 절삭력을 유지하지만 채터 진동을 없애지는 못합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

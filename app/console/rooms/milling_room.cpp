@@ -20,11 +20,17 @@ std::unique_ptr<SimulatedProcess> MillingRoom::makePlant(const Options& options)
     params.blanks = {milling::BlankProfile::ofSegments(kHeights_mm, kSegment_mm)->inAir(true, true)};
     params.wearPerPart = 0.015;  // twenty parts to the usual threshold: a shift sees the trend
     params.seed = options.seed;
-    if (options.machineSeed != 0) {  // the noise of a mean says nothing of single samples: that stays
+    if (options.machineSeed != 0) {  // the noise of a mean says nothing of single samples: theirs stays
         const milling::HardMachine machine = milling::hardMachine(options.machineSeed);
         params.plant = machine.plant;
         params.shape = machine.shape;
         params.driveLag_s = std::max(params.driveLag_s, machine.axisLag_s);
+        params.revolutionNoise_N = machine.forceNoise_N;
+        params.late = machine.late;
+        params.drift_NPerS = machine.drift_NPerS;
+        params.corner_Hz = machine.corner_Hz;
+        params.chattersFrom_mm = machine.chattersFrom_mm;
+        params.chatter_Hz = machine.chatter_Hz;
         params.blanks = {machine.blank.inAir(true, true)};
     }
     auto plant = std::make_unique<SimulatedMilling>(params);

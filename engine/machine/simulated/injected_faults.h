@@ -24,6 +24,7 @@ struct InjectedFaults {
     bool operatorFeedHold{false};
     bool spindleStopped{false};
     bool toolBroken{false};       ///< milling: the force collapses; turning: a chip breaks off, the force jumps
+    bool fluteChipped{false};     ///< milling: one flute of several cuts no more, the next one twice as much
     double spindleOverride{1.0};  ///< factor on the programmed spindle speed
     double operatorOverride{1.0};
     SignalFault overhang{SignalFault::None};

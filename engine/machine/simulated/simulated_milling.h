@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,12 @@ class SimulatedMilling final : public SimulatedProcess {
         double sensorRange_N{5000.0};  ///< beyond: saturated
         double wearPerPart{0.0};       ///< rise of ln C with every part of the tool
         double driveLag_s{0.02};
+        double revolutionNoise_N{0.0};  ///< standard deviation of a revolution's mean, drawn anew at every mark
+        bool late{false};               ///< force and feed are told one revolution late, as if they were of now
+        double drift_NPerS{0.0};        ///< of the sensor's zero, from 0 at the begin of each program
+        double corner_Hz{0.0};          ///< of the dynamometer, first order; 0: passes all
+        double chattersFrom_mm{0.0};    ///< engaged depth above which the cut chatters; 0: never
+        double chatter_Hz{637.0};
         std::uint64_t seed{1};
     };
     explicit SimulatedMilling(const Params& params);
@@ -47,6 +54,13 @@ class SimulatedMilling final : public SimulatedProcess {
     void cut(const SimulationStep& step, double speed_rpm) noexcept;
     void sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
                      MachineInputs& inputs) noexcept;
+    void chatter(double dt_s) noexcept;
+    /// What the sensors tell of: now, or one revolution ago.
+    struct Told {
+        double force_N{0.0};
+        double feed_mmPerS{0.0};
+    };
+    [[nodiscard]] Told tell(const Told& now, double dt_s, double speed_rpm) noexcept;
 
     Params m_params;
     Random m_noise;
@@ -54,6 +68,16 @@ class SimulatedMilling final : public SimulatedProcess {
     milling::MovingCut m_cut{};
     double m_feed_mmPerS{0.0};
     double m_samplesOwed{0.0};
+    double m_revolution{0.0};
+    double m_offset_N{0.0};   ///< of this revolution's mean
+    double m_zero_N{0.0};     ///< of the sensor
+    double m_passed_N{0.0};   ///< by the dynamometer
+    double m_chatter_N{0.0};  ///< amplitude
+    double m_time_s{0.0};     ///< of this program
+    double m_toldForce_N{0.0};
+    static constexpr std::size_t kLate = 2048;  ///< steps: a revolution at 60 rpm and 1 ms
+    std::array<Told, kLate> m_past{};           ///< a ring
+    std::size_t m_pastCount{0};
     std::uint32_t m_partsBegun{0};
     std::atomic<std::uint32_t> m_partsWithTool{0};
     bool m_running{false};

@@ -100,6 +100,11 @@ HardMachine hardMachine(std::uint64_t seed) {
     machine.drift_NPerS = random.uniform(-1.0, 1.0);
     machine.corner_Hz = 100.0;
     machine.blank = drawnBlank(random);
+    constexpr std::uint64_t kChatterStream = 77;  // of its own: the machines of before stay as they were
+    Random chatter = Random(seed).stream(kChatterStream);
+    const bool chatters = chatter.uniform() < 0.2;
+    machine.chatter_Hz = logUniform(chatter, 300.0, 900.0);
+    machine.chattersFrom_mm = chatters ? chatter.uniform(2.0, 3.0) : 0.0;
     return machine;
 }
 

@@ -20,6 +20,8 @@ namespace kerf::milling {
 ///   axis       reaches its feed with a time constant log-uniform .05-.3 s with probability .5, else at once
 ///   force      noise of a revolution's mean log-uniform .1-5 kgf; everything measured arrives one revolution late with
 ///              probability .3; zero drifts by uniform −1 to 1 N/s; the dynamometer passes 100 Hz
+///   chatter    with probability .2 above an engaged depth of uniform 2-3 mm, at log-uniform 300-900 Hz; the console's
+///              simulator only
 ///   blank      100 mm: the published stairs, a ramp 1 → 3 or 3 → 1 mm, a comb 1-3-1-3 with a step every millimetre, or
 ///              5 to 10 steps of uniform 1-3 mm; each as likely as the others
 /// Drawn again while the feed that holds 40 kgf at 1 or 3 mm lies outside .03 to .35 mm/rev.
@@ -31,7 +33,9 @@ struct HardMachine {
     double forceNoise_N{0.0};  ///< standard deviation of one averaged force
     bool late{false};
     double drift_NPerS{0.0};
-    double corner_Hz{0.0};  ///< of the dynamometer, first order; 0: passes all
+    double corner_Hz{0.0};        ///< of the dynamometer, first order; 0: passes all
+    double chattersFrom_mm{0.0};  ///< engaged depth; 0: never
+    double chatter_Hz{637.0};
     BlankProfile blank{};
 };
 [[nodiscard]] HardMachine hardMachine(std::uint64_t seed);

@@ -15,6 +15,7 @@ inline constexpr AlarmCode kSpindleStopped = 203;
 inline constexpr AlarmCode kFeedUnknown = 204;
 inline constexpr AlarmCode kToolWorn = 205;
 inline constexpr AlarmCode kReferenceOutOfReach = 206;
+inline constexpr AlarmCode kChatter = 207;
 
 inline constexpr std::array kSpecs{
     AlarmSpec{
@@ -59,6 +60,13 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("The feed sits at its limit: the blank is too thin or too thick for the reference."),
               KERF_TEXT("The force differs from the reference, so the wall is not as flat as it could be."),
               KERF_TEXT("Change the reference or the feed limits, or accept the deviation.")},
+    AlarmSpec{
+        kChatter, 2, KERF_TEXT("Chatter"),
+        KERF_TEXT("The force swings at a frequency that is no multiple of the spindle's: at this depth and speed the "
+                  "cut excites tool and work."),
+        KERF_TEXT("The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: "
+                  "it does not cure chatter."),
+        KERF_TEXT("Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.")},
 };
 
 }  // namespace kerf::milling_alarm

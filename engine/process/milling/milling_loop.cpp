@@ -260,6 +260,7 @@ void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
     watch.flutes = m_setup.flutes;
     watch.inWork_N = kInWork * m_setup.reference_N;
     m_watch = milling::ForceWatch(watch);
+    m_chatter.begin(m_setup.flutes);
     m_decision = {};
     m_record = milling::CutRecord(milling::recordParams(m_setup), m_law, m_mode != LoopMode::Control);
     m_status.waviness_um = 0.0;
@@ -285,6 +286,7 @@ void MillingLoop::takeSamples(const MachineInputs& inputs) noexcept {
     for (std::size_t i = 0; i < inputs.fastCount && i < kMaxFastSamples; ++i) {
         const FastSample& sample = inputs.fast[i];
         m_watch.add(sample);
+        m_chatter.add(sample);
         if (sample.quality == Quality::Good && std::isfinite(sample.force_N)) {
             const auto force_N = static_cast<float>(sample.force_N);
             m_rawLow_N = m_rawTaken ? force_N : std::min(m_rawLow_N, force_N);
@@ -453,6 +455,9 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
     const bool forceBlind = blind && m_feedKnown && watched && !m_paused;
     events.set(milling_alarm::kForceUnknown, forceBlind, forceDetail(m_watch.quality()));
     events.set(milling_alarm::kFeedUnknown, !m_feedKnown);
+    events.set(milling_alarm::kChatter, m_chatter.chatters(),
+               Sentence(KERF_TEXT("The force swings by %1 N at about %2 Hz."), {m_chatter.amplitude_N(), 0},
+                        {m_chatter.frequency_Hz(), 0}));
     watchForStops(inputs, events);
     m_limitedSince_ns = !m_decision.limited || m_paused ? -1
                         : m_limitedSince_ns < 0         ? inputs.time_ns

@@ -5,6 +5,7 @@
 #include "engine/cycle/process_loop.h"
 #include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
+#include "engine/process/milling/chatter_watch.h"
 #include "engine/process/milling/cut_record.h"
 #include "engine/process/milling/feed_controller.h"
 #include "engine/process/milling/force_watch.h"
@@ -61,6 +62,7 @@ class MillingLoop final : public ProcessLoop {
     milling::FeedController m_controller;
     milling::RevolutionAverager m_averager{};
     milling::ForceWatch m_watch{};
+    milling::ChatterWatch m_chatter{};
     milling::CutRecord m_record{};
     milling::WearTrend m_wear{};
     PartRecord m_part{};

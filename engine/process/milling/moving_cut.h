@@ -34,8 +34,8 @@ class MovingCut {
             return;
         }
         const double theta = m_plant.forceAngle_deg * std::numbers::pi / 180.0;
-        const double depth_mm = m_blank.engagedDepth_mm(m_tip_mm, m_plant.toolRadius_mm);
-        const double compliance = m_coefficient * sharpness * depth_mm * std::cos(theta) / m_plant.kx_NPerMm;
+        m_depth_mm = m_blank.engagedDepth_mm(m_tip_mm, m_plant.toolRadius_mm);
+        const double compliance = m_coefficient * sharpness * m_depth_mm * std::cos(theta) / m_plant.kx_NPerMm;
         const double supply_mm = moved_mm + m_deflection_mm;
         const double cut_mm =
             solveCutFeed_mmPerRev(compliance * std::pow(turned_rev, -m_plant.exponent), supply_mm, m_plant.exponent);
@@ -46,11 +46,14 @@ class MovingCut {
     void leaveWork() noexcept {
         m_deflection_mm = 0.0;
         m_force_N = 0.0;
+        m_depth_mm = 0.0;
     }
 
     [[nodiscard]] double axis_mm() const noexcept { return m_axis_mm; }
     [[nodiscard]] double tip_mm() const noexcept { return m_tip_mm; }
     [[nodiscard]] double force_N() const noexcept { return m_force_N; }
+    /// Engaged depth of the last step.
+    [[nodiscard]] double depth_mm() const noexcept { return m_depth_mm; }
 
  private:
     PlantParams m_plant{};
@@ -60,6 +63,7 @@ class MovingCut {
     double m_tip_mm{0.0};
     double m_deflection_mm{0.0};
     double m_force_N{0.0};
+    double m_depth_mm{0.0};
 };
 
 }  // namespace kerf::milling

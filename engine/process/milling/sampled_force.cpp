@@ -7,7 +7,8 @@
 namespace kerf::milling {
 
 double sampledForce_N(const ForceShape& shape, double meanForce_N, double angle_rev) noexcept {
-    const double turn = 2.0 * std::numbers::pi * (angle_rev - std::floor(angle_rev));
+    const double flute_rev = angle_rev + shape.markAt_rev;
+    const double turn = 2.0 * std::numbers::pi * (flute_rev - std::floor(flute_rev));
     const double tooth = static_cast<double>(shape.flutes) * turn;
     const double teeth = 1.0 + shape.toothRipple * (std::cos(tooth) + 0.25 * std::cos(2.0 * tooth));
     const double pitch = std::floor(tooth / (2.0 * std::numbers::pi));
