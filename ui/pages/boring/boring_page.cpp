@@ -81,10 +81,9 @@ void BoringPage::build() {
         showNote();
     });
     connect(m_next, &NextPartPanel::modeRequested, this,
-            [this](LoopMode mode) { context().withRole(Role::Setter, [this, mode] { setMode(mode); }); });
+            [this](LoopMode mode) { context().withPermission(Deed::SwitchLoop, [this, mode] { setMode(mode); }); });
     connect(m_next, &NextPartPanel::lotsRequested, this, [this] { LotForm::open(context()); });
-    connect(&context().session, &OperatorSession::changed, this,
-            [this] { m_next->setWhyNoMode(context().session.whyNot(Role::Setter)); });
+    m_next->setSession(context().session);
     connect(m_next, &NextPartPanel::acceptRequested, this,
             [this] { context().withOperator([this] { acceptSchedule(); }); });
     connect(m_next, &NextPartPanel::changeRequested, this,
@@ -134,7 +133,6 @@ void BoringPage::refresh() {
             row->setSpacing(gap);
         }
         m_next->setFixedWidth(look().metrics().sideWidth());
-        m_next->setWhyNoMode(context().session.whyNot(Role::Setter));
         m_bore->retranslate();
         m_behind = true;
         onServiceChanged();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/boring/next_part_panel.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -25,8 +24,7 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
       m_accept(new ActionButton(look, this)),
       m_nextLot(new QPushButton(this)),
       m_loopReason(makeLabel(TextRole::Small, this, true)),
-      m_modes(new QButtonGroup(this)),
-      m_modeRow(new QHBoxLayout) {
+      m_modes(new ModeButtons(look, ProcessId::Boring, this)) {
     setObjectName(QStringLiteral("boringNextPart"));
     m_feed->setObjectName(QStringLiteral("boringNextFeed"));
     m_why->setObjectName(QStringLiteral("boringNextReason"));
@@ -54,22 +52,9 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     connect(m_change, &QPushButton::clicked, this, &NextPartPanel::changeRequested);
     connect(m_nextLot, &QPushButton::clicked, this, &NextPartPanel::lotsRequested);
     body()->addWidget(m_loopReason);
-    constexpr std::array<const char*, 3> names{"boringModeOff", "boringModeAdvise", "boringModeControl"};
-    for (int mode = 0; mode < 3; ++mode) {
-        auto* button = new QPushButton(this);
-        button->setObjectName(QLatin1String(names[static_cast<std::size_t>(mode)]));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_modeButtons[static_cast<std::size_t>(mode)] = button;
-        m_modes->addButton(button, mode);
-        m_modeRow->addWidget(button, 1);
-    }
-    body()->addLayout(m_modeRow);
+    body()->addWidget(m_modes);
 
-    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
-        showLoop();  // the engine says what the mode is, not the touch
-        emit modeRequested(static_cast<LoopMode>(id));
-    });
+    connect(m_modes, &ModeButtons::modeRequested, this, &NextPartPanel::modeRequested);
     connect(m_accept, &QPushButton::clicked, this, &NextPartPanel::acceptRequested);
     m_accept->setPredicate([this] { return whyNotAccept(); });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
@@ -87,13 +72,9 @@ void NextPartPanel::retranslate() {
     m_feedLabel->setText(tr("feed, top to bottom of the bore"));
     m_accept->setText(tr("Accept"));
     m_nextLot->setText(tr("Next lot"));
-    m_modeButtons[0]->setText(modeName(LoopMode::Off));
-    m_modeButtons[1]->setText(modeName(LoopMode::Advise));
-    m_modeButtons[2]->setText(modeName(LoopMode::Control));
     m_limited->set(Sign::Limited, tr("at limit"));
     m_diameters->setHorizontalSpacing(m_look.space(Space::Large));
     m_diameters->setVerticalSpacing(m_look.space(Space::Small));
-    m_modeRow->setSpacing(m_look.metrics().touchGap());
     showNext();
     showLoop();
 }
@@ -172,24 +153,16 @@ void NextPartPanel::setLotsThere(bool there) {
     showNext();
 }
 
-void NextPartPanel::setWhyNoMode(const QString& why) {
-    m_whyNoMode = why;
+void NextPartPanel::setSession(OperatorSession& session) {
+    m_modes->setSession(session);
+    connect(m_modes, &ModeButtons::permissionChanged, this, &NextPartPanel::showLoop);
     showLoop();
 }
 
 void NextPartPanel::showLoop() {
-    for (int mode = 0; mode < 3; ++mode) {
-        QPushButton* button = m_modeButtons[static_cast<std::size_t>(mode)];
-        button->setChecked(m_loop.mode == static_cast<LoopMode>(mode));
-        button->setEnabled(m_loop.fitted && m_whyNoMode.isEmpty());
-    }
+    m_modes->setLoop(m_loop);
     const QString why = sentenceText(m_loop.reason, m_look.units());
-    m_loopReason->setText(
-        m_loop.fitted ? (why.isEmpty() ? stateName(m_loop.state) : stateName(m_loop.state) + QStringLiteral(": ") + why)
-                      : tr("This machine has no boring loop: %1").arg(why));
-    if (m_loop.fitted && !m_whyNoMode.isEmpty()) {
-        m_loopReason->setText(m_loopReason->text() + u' ' + m_whyNoMode);
-    }
+    m_loopReason->setText(m_loop.fitted ? m_modes->words() : tr("This machine has no boring loop: %1").arg(why));
     m_accept->reconsider();
 }
 

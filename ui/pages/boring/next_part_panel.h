@@ -8,12 +8,12 @@
 
 #include "engine/api/status.h"
 #include "ui/services/boring_service.h"
+#include "ui/shell/mode_buttons.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/lamp.h"
 #include "ui/widgets/number_display.h"
 
-class QButtonGroup;
 class QGridLayout;
 class QHBoxLayout;
 class QLabel;
@@ -33,8 +33,8 @@ class NextPartPanel : public Card {
     void setBusy(bool busy);
     /// A full or closed lot then offers the next one.
     void setLotsThere(bool there);
-    /// Why the one at the machine may not switch the loop (translated); empty: he or she may.
-    void setWhyNoMode(const QString& why);
+    /// Who is signed on may not be trusted with the mode; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void acceptRequested();
@@ -63,12 +63,9 @@ class NextPartPanel : public Card {
     ActionButton* m_accept;
     QPushButton* m_nextLot;
     QLabel* m_loopReason;
-    QButtonGroup* m_modes;
-    QHBoxLayout* m_modeRow;
-    std::array<QPushButton*, 3> m_modeButtons{};
+    ModeButtons* m_modes;
     BoringServiceView m_view{};
     LoopStatus m_loop{};
-    QString m_whyNoMode{};
     bool m_lotsThere{false};
     bool m_busy{false};
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/milling/control_panel.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -17,7 +16,6 @@ namespace {
 
 constexpr std::array<const char*, kMillingLawCount> kLawNames{"millingLawConstant", "millingLawPi", "millingLawModel",
                                                               "millingLawPreview"};
-constexpr std::array<const char*, 3> kModeNames{"millingModeOff", "millingModeAdvise", "millingModeControl"};
 
 constexpr int kPeriod_ms = 200;
 
@@ -44,8 +42,7 @@ MillingControlPanel::MillingControlPanel(Look& look, QWidget* parent)
       m_start(new ActionButton(look, this)),
       m_release(new ActionButton(look, this)),
       m_actions(new QGridLayout),
-      m_modes(new QButtonGroup(this)),
-      m_modeRow(new QHBoxLayout) {
+      m_modes(new ModeButtons(look, ProcessId::Milling, this)) {
     setObjectName(QStringLiteral("millingControl"));
     m_lamp->setObjectName(QStringLiteral("millingState"));
     m_reason->setObjectName(QStringLiteral("millingLoopReason"));
@@ -89,16 +86,7 @@ MillingControlPanel::MillingControlPanel(Look& look, QWidget* parent)
     m_actions->setColumnStretch(0, 1);
     m_actions->setColumnStretch(1, 1);
     body()->addLayout(m_actions);
-    for (int mode = 0; mode < 3; ++mode) {
-        auto* button = new QPushButton(this);
-        button->setObjectName(QLatin1String(kModeNames[static_cast<std::size_t>(mode)]));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_modeButtons[static_cast<std::size_t>(mode)] = button;
-        m_modes->addButton(button, mode);
-        m_modeRow->addWidget(button, 1);
-    }
-    body()->addLayout(m_modeRow);
+    body()->addWidget(m_modes);
 
     m_teach->setPredicate([this] { return whyNotTeach(); });
     m_start->setPredicate([this] { return whyNotStart(); });
@@ -106,10 +94,7 @@ MillingControlPanel::MillingControlPanel(Look& look, QWidget* parent)
     connect(m_teach, &QPushButton::clicked, this, &MillingControlPanel::teachRequested);
     connect(m_start, &QPushButton::clicked, this, &MillingControlPanel::startRequested);
     connect(m_release, &QPushButton::clicked, this, &MillingControlPanel::releaseRequested);
-    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
-        showLoop();
-        emit modeRequested(static_cast<LoopMode>(id));
-    });
+    connect(m_modes, &ModeButtons::modeRequested, this, &MillingControlPanel::modeRequested);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
 }
@@ -119,6 +104,8 @@ void MillingControlPanel::setSession(OperatorSession& session) {
         allowOnly(button, session, Deed::MillingLaw);
     }
     allowOnly(m_teach, session, Deed::MillingLaw);
+    m_modes->setSession(session);
+    connect(m_modes, &ModeButtons::permissionChanged, this, &MillingControlPanel::showLoop);
 }
 
 void MillingControlPanel::changeEvent(QEvent* event) {
@@ -140,16 +127,12 @@ void MillingControlPanel::retranslate() {
     m_teach->setText(tr("Teach reference from this cut"));
     m_start->setText(tr("Start cut"));
     m_release->setText(tr("Release feed"));
-    for (int mode = 0; mode < 3; ++mode) {
-        m_modeButtons[static_cast<std::size_t>(mode)]->setText(modeName(static_cast<LoopMode>(mode)));
-    }
     m_numbers->setHorizontalSpacing(m_look.space(Space::Large));
     m_numbers->setVerticalSpacing(m_look.space(Space::Small));
     for (QGridLayout* grid : {m_laws, m_actions}) {
         grid->setHorizontalSpacing(m_look.metrics().touchGap());
         grid->setVerticalSpacing(m_look.metrics().touchGap());
     }
-    m_modeRow->setSpacing(m_look.metrics().touchGap());
     setView(m_view);
     showNumbers();
     showLoop();
@@ -208,14 +191,10 @@ void MillingControlPanel::showLoop() {
         m_lawButtons[i]->setChecked(m_status.milling.law == static_cast<MillingLaw>(i));
         m_lawButtons[i]->reconsider();
     }
-    for (int mode = 0; mode < 3; ++mode) {
-        QPushButton* button = m_modeButtons[static_cast<std::size_t>(mode)];
-        button->setChecked(loop.mode == static_cast<LoopMode>(mode));
-        button->setEnabled(loop.fitted);
-    }
+    m_modes->setLoop(loop);
     m_lamp->setState(loop.state);
     const QString why = sentenceText(loop.reason, m_look.units());
-    m_reason->setText(loop.fitted ? why : tr("This machine has no milling loop: %1").arg(why));
+    m_reason->setText(loop.fitted ? m_modes->words() : tr("This machine has no milling loop: %1").arg(why));
     m_teach->reconsider();
     m_start->reconsider();
     m_release->setPrimary(m_status.milling.stopped);

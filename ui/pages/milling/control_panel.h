@@ -7,17 +7,15 @@
 
 #include "engine/api/status.h"
 #include "ui/services/milling_service.h"
+#include "ui/shell/mode_buttons.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/lamp.h"
 #include "ui/widgets/number_display.h"
 
-class QButtonGroup;
 class QGridLayout;
 
 namespace kerf::ui {
-
-class OperatorSession;
 
 /// What the loop does and what it may be told: state, law, reference, start and release, mode. Emits what was touched.
 class MillingControlPanel : public Card {
@@ -27,7 +25,7 @@ class MillingControlPanel : public Card {
 
     void setView(const MillingServiceView& view);
     void setStatus(const Status& status, const Capabilities& capabilities);
-    /// Who is signed on may not be trusted with law and reference; outlives this.
+    /// Who is signed on may not be trusted with law, reference and mode; outlives this.
     void setSession(OperatorSession& session);
 
  signals:
@@ -64,9 +62,7 @@ class MillingControlPanel : public Card {
     ActionButton* m_start;
     ActionButton* m_release;
     QGridLayout* m_actions;
-    QButtonGroup* m_modes;
-    QHBoxLayout* m_modeRow;
-    std::array<QPushButton*, 3> m_modeButtons{};
+    ModeButtons* m_modes;
     MillingServiceView m_view{};
     Status m_status{};
     Capability m_cycleStart{};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/tapping/gains_panel.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QGridLayout>
 #include <QPainter>
@@ -89,8 +88,7 @@ GainsPanel::GainsPanel(Look& look, QWidget* parent)
       m_reason(makeLabel(TextRole::Body, this, true)),
       m_drift(makeLabel(TextRole::Small, this, true)),
       m_loopReason(makeLabel(TextRole::Small, this, true)),
-      m_modes(new QButtonGroup(this)),
-      m_modeRow(new QHBoxLayout) {
+      m_modes(new ModeButtons(look, ProcessId::Tapping, this)) {
     setObjectName(QStringLiteral("tappingGains"));
     m_state->setObjectName(QStringLiteral("tappingState"));
     m_safe->setObjectName(QStringLiteral("tappingSafe"));
@@ -122,23 +120,16 @@ GainsPanel::GainsPanel(Look& look, QWidget* parent)
     body()->addWidget(m_drift);
     body()->addStretch(1);
     body()->addWidget(m_loopReason);
-    constexpr std::array<const char*, 3> names{"tappingModeOff", "tappingModeAdvise", "tappingModeControl"};
-    for (int mode = 0; mode < 3; ++mode) {
-        auto* button = new QPushButton(this);
-        button->setObjectName(QLatin1String(names[static_cast<std::size_t>(mode)]));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_modeButtons[static_cast<std::size_t>(mode)] = button;
-        m_modes->addButton(button, mode);
-        m_modeRow->addWidget(button, 1);
-    }
-    body()->addLayout(m_modeRow);
-    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
-        showLoop();  // the engine says what the mode is, not the touch
-        emit modeRequested(static_cast<LoopMode>(id));
-    });
+    body()->addWidget(m_modes);
+    connect(m_modes, &ModeButtons::modeRequested, this, &GainsPanel::modeRequested);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
+}
+
+void GainsPanel::setSession(OperatorSession& session) {
+    m_modes->setSession(session);
+    connect(m_modes, &ModeButtons::permissionChanged, this, &GainsPanel::showLoop);
+    showLoop();
 }
 
 void GainsPanel::changeEvent(QEvent* event) {
@@ -158,12 +149,8 @@ void GainsPanel::retranslate() {
     m_names[2]->setText(tr("Z speed FF"));
     m_names[3]->setText(tr("Z accel. FF"));
     m_names[4]->setText(tr("trim, %1", "largest learned trim, unit").arg(m_look.units().of("um").symbol));
-    m_modeButtons[0]->setText(modeName(LoopMode::Off));
-    m_modeButtons[1]->setText(modeName(LoopMode::Advise));
-    m_modeButtons[2]->setText(modeName(LoopMode::Control));
     m_grid->setHorizontalSpacing(m_look.space(Space::Medium));
     m_grid->setVerticalSpacing(m_look.space(Space::Hair));
-    m_modeRow->setSpacing(m_look.metrics().touchGap());
     showView();
     showLoop();
 }
@@ -225,15 +212,9 @@ void GainsPanel::setStatus(const Status& status) {
 }
 
 void GainsPanel::showLoop() {
-    for (int mode = 0; mode < 3; ++mode) {
-        QPushButton* button = m_modeButtons[static_cast<std::size_t>(mode)];
-        button->setChecked(m_loop.mode == static_cast<LoopMode>(mode));
-        button->setEnabled(m_loop.fitted);
-    }
+    m_modes->setLoop(m_loop);
     const QString why = sentenceText(m_loop.reason, m_look.units());
-    m_loopReason->setText(
-        m_loop.fitted ? (why.isEmpty() ? stateName(m_loop.state) : stateName(m_loop.state) + QStringLiteral(": ") + why)
-                      : tr("This machine has no tapping loop: %1").arg(why));
+    m_loopReason->setText(m_loop.fitted ? m_modes->words() : tr("This machine has no tapping loop: %1").arg(why));
     const int percent = static_cast<int>(std::lround(kPercent * std::min(1.0, m_tapping.driftShare / kDriftAlarm)));
     m_drift->setVisible(m_tapping.productionTaps > 0);
     m_drift->setText(m_tapping.wantsTuning ? tr("Tune again: the sum of errors has grown above that of the first taps.")

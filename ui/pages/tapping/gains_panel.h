@@ -6,10 +6,10 @@
 
 #include "engine/api/status.h"
 #include "ui/services/tapping_service.h"
+#include "ui/shell/mode_buttons.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/face_widget.h"
 
-class QButtonGroup;
 class QGridLayout;
 class QPushButton;
 
@@ -39,6 +39,8 @@ class GainsPanel : public Card {
 
     void setView(const TappingServiceView& view);
     void setStatus(const Status& status);
+    /// Who is signed on may not be trusted with the mode; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void modeRequested(kerf::LoopMode mode);
@@ -64,9 +66,7 @@ class GainsPanel : public Card {
     QLabel* m_reason;
     QLabel* m_drift;
     QLabel* m_loopReason;
-    QButtonGroup* m_modes;
-    QHBoxLayout* m_modeRow;
-    std::array<QPushButton*, 3> m_modeButtons{};
+    ModeButtons* m_modes;
     TappingServiceView m_view{};
     LoopStatus m_loop{};
     TappingStatus m_tapping{};

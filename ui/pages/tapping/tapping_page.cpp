@@ -79,6 +79,7 @@ void TappingPage::build() {
 
 void TappingPage::connectActions() {
     connect(m_contour, &ContourChart::touched, this, [this] { m_key->setText(m_contour->key()); });
+    m_gains->setSession(context().session);
     connect(m_gains, &GainsPanel::modeRequested, this, [this](LoopMode mode) {
         context().withPermission(Deed::SwitchLoop, [this, mode] {
             context().client.sendAction(SetLoopMode{ProcessId::Tapping, mode});

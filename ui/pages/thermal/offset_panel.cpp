@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/thermal/offset_panel.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QLabel>
 
@@ -16,9 +15,8 @@ OffsetPanel::OffsetPanel(Look& look, QWidget* parent)
       m_look(look),
       m_ready(makeLabel(TextRole::CardNumber, this, true)),
       m_reason(makeLabel(TextRole::Small, this, true)),
-      m_modes(new QButtonGroup(this)),
-      m_numbers(new QHBoxLayout),
-      m_modeRow(new QHBoxLayout) {
+      m_modes(new ModeButtons(look, ProcessId::Thermal, this)),
+      m_numbers(new QHBoxLayout) {
     setObjectName(QStringLiteral("thermalOffsets"));
     m_ready->setObjectName(QStringLiteral("thermalReady"));
     m_reason->setObjectName(QStringLiteral("thermalLoopReason"));
@@ -43,24 +41,17 @@ OffsetPanel::OffsetPanel(Look& look, QWidget* parent)
     words->addWidget(m_ready);
     words->addWidget(m_reason);
     below->addLayout(words, 1);
-    constexpr std::array<const char*, 3> names{"thermalModeOff", "thermalModeAdvise", "thermalModeControl"};
-    for (int mode = 0; mode < 3; ++mode) {
-        auto* button = new QPushButton(this);
-        button->setObjectName(QLatin1String(names[static_cast<std::size_t>(mode)]));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
-        m_modeButtons[static_cast<std::size_t>(mode)] = button;
-        m_modes->addButton(button, mode);
-        m_modeRow->addWidget(button);
-    }
-    below->addLayout(m_modeRow);
+    below->addWidget(m_modes);
     body()->addLayout(below);
-    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
-        show(m_status, m_loop);  // the engine says what the mode is, not the touch
-        emit modeRequested(static_cast<LoopMode>(id));
-    });
+    connect(m_modes, &ModeButtons::modeRequested, this, &OffsetPanel::modeRequested);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
+}
+
+void OffsetPanel::setSession(OperatorSession& session) {
+    m_modes->setSession(session);
+    connect(m_modes, &ModeButtons::permissionChanged, this, [this] { show(m_status, m_loop); });
+    show(m_status, m_loop);
 }
 
 void OffsetPanel::changeEvent(QEvent* event) {
@@ -72,14 +63,10 @@ void OffsetPanel::changeEvent(QEvent* event) {
 
 void OffsetPanel::retranslate() {
     setTitle(tr("Drift of the origin, predicted"));
-    for (std::size_t mode = 0; mode < 3; ++mode) {
-        m_modeButtons[mode]->setText(modeName(static_cast<LoopMode>(mode)));
-    }
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         m_drift[axis]->setLabel(QLatin1String(kThermalAxes[axis]));
         m_limit[axis]->set(Sign::Limited, tr("at limit"));
     }
-    m_modeRow->setSpacing(m_look.metrics().touchGap());
     m_numbers->setSpacing(m_look.space(Space::Large));
     show(m_status, m_loop);
 }
@@ -111,13 +98,9 @@ void OffsetPanel::show(const ThermalStatus& status, const LoopStatus& loop) {
         m_shift[axis]->setText(text);
     }
     m_ready->setText(warmUpText(status, units));
-    for (std::size_t mode = 0; mode < 3; ++mode) {
-        m_modeButtons[mode]->setChecked(loop.mode == static_cast<LoopMode>(mode));
-        m_modeButtons[mode]->setEnabled(loop.fitted);
-    }
+    m_modes->setLoop(loop);
     const QString why = sentenceText(loop.reason, units);
-    m_reason->setText(loop.fitted ? stateName(loop.state) + QStringLiteral(": ") + why
-                                  : tr("This machine has no thermal loop: %1").arg(why));
+    m_reason->setText(loop.fitted ? m_modes->words() : tr("This machine has no thermal loop: %1").arg(why));
 }
 
 }  // namespace kerf::ui

@@ -4,12 +4,11 @@
 #include <array>
 
 #include "engine/api/status.h"
-#include "ui/widgets/action_button.h"
+#include "ui/shell/mode_buttons.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/lamp.h"
 #include "ui/widgets/number_display.h"
 
-class QButtonGroup;
 class QLabel;
 
 namespace kerf::ui {
@@ -21,6 +20,8 @@ class OffsetPanel : public Card {
     explicit OffsetPanel(Look& look, QWidget* parent = nullptr);
 
     void setStatus(const ThermalStatus& status, const LoopStatus& loop);
+    /// Who is signed on may not be trusted with the mode; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void modeRequested(kerf::LoopMode mode);
@@ -38,10 +39,8 @@ class OffsetPanel : public Card {
     std::array<Lamp*, kAxisCount> m_limit{};
     QLabel* m_ready;
     QLabel* m_reason;
-    QButtonGroup* m_modes;
-    std::array<QPushButton*, 3> m_modeButtons{};
+    ModeButtons* m_modes;
     QHBoxLayout* m_numbers;
-    QHBoxLayout* m_modeRow;
     ThermalStatus m_status{};
     LoopStatus m_loop{};
 };

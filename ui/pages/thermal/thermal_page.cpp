@@ -88,6 +88,7 @@ void ThermalPage::build() {
     addButton("thermalSensors", [this] { m_sheets->openSensors(); });
     addButton("thermalMap", [this] { m_sheets->openMap(); });
     addButton("thermalLimits", [this] { m_sheets->openLimits(); });
+    m_offsets->setSession(context().session);
     connect(m_offsets, &OffsetPanel::modeRequested, this, [this](LoopMode mode) {
         context().withPermission(Deed::SwitchLoop, [this, mode] {
             context().client.sendAction(SetLoopMode{ProcessId::Thermal, mode});

@@ -19,9 +19,8 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
       m_engine(engine),
       m_reason(makeLabel(TextRole::Body, this, true)),
       m_progress(new QProgressBar(this)),
-      m_modes(new QButtonGroup(this)),
+      m_modes(new ModeButtons(look, ProcessId::Turning, this)),
       m_controllers(new QButtonGroup(this)),
-      m_modeRow(new QHBoxLayout),
       m_partRow(new QHBoxLayout),
       m_controllerGrid(new QGridLayout),
       m_controllerTitle(makeLabel(TextRole::Small, this)),
@@ -45,12 +44,6 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
         group->addButton(button, id);
         return button;
     };
-    constexpr std::array<const char*, 3> modes{"turningModeOff", "turningModeAdvise", "turningModeControl"};
-    for (int i = 0; i < 3; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        m_modeButtons[at] = add(m_modes, QLatin1String(modes[at]), i);
-        m_modeRow->addWidget(m_modeButtons[at], 1);
-    }
     constexpr std::array<const char*, kTurningControllers> controllers{"turningOpen", "turningPaper", "turningPi",
                                                                        "turningTones"};
     for (int i = 0; i < static_cast<int>(kTurningControllers); ++i) {
@@ -61,7 +54,7 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
     body()->addWidget(m_reason);
     body()->addWidget(m_progress);
     body()->addStretch(1);
-    body()->addLayout(m_modeRow);
+    body()->addWidget(m_modes);
     body()->addWidget(m_controllerTitle);
     body()->addLayout(m_controllerGrid);
     body()->addStretch(1);
@@ -69,10 +62,7 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
     m_partRow->addWidget(m_change, 1);
     m_partRow->addWidget(m_start, 1);
     body()->addLayout(m_partRow);
-    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
-        showLoop();  // the engine says what the mode is, not the touch
-        emit modeRequested(static_cast<LoopMode>(id));
-    });
+    connect(m_modes, &ModeButtons::modeRequested, this, &TurningControlPanel::modeRequested);
     connect(m_controllers, &QButtonGroup::idClicked, this, [this](int id) {
         showLoop();
         emit controllerRequested(static_cast<TurningController>(id));
@@ -92,16 +82,12 @@ void TurningControlPanel::changeEvent(QEvent* event) {
 }
 
 void TurningControlPanel::retranslate() {
-    for (std::size_t i = 0; i < m_modeButtons.size(); ++i) {
-        m_modeButtons[i]->setText(modeName(static_cast<LoopMode>(i)));
-    }
     for (std::size_t i = 0; i < m_controllerButtons.size(); ++i) {
         m_controllerButtons[i]->setText(controllerName(static_cast<TurningController>(i)));
     }
     m_controllerTitle->setText(tr("controller"));
     m_start->setText(tr("Start part"));
     m_change->setText(tr("Setup"));
-    m_modeRow->setSpacing(m_look.metrics().touchGap());
     m_partRow->setSpacing(m_look.metrics().touchGap());
     m_controllerGrid->setSpacing(m_look.metrics().touchGap());
     m_progress->setFixedHeight(m_look.space(Space::Medium));
@@ -144,6 +130,13 @@ void TurningControlPanel::setStatus(const Status& status) {
     showLoop();
 }
 
+void TurningControlPanel::setSession(OperatorSession& session) {
+    m_session = &session;
+    m_modes->setSession(session);
+    connect(&session, &OperatorSession::changed, this, &TurningControlPanel::showLoop);
+    showLoop();
+}
+
 void TurningControlPanel::setBusy(bool busy) {
     m_busy = busy;
     showLoop();
@@ -151,18 +144,14 @@ void TurningControlPanel::setBusy(bool busy) {
 
 void TurningControlPanel::showLoop() {
     setTitle(tr("Diamond turning: %1", "stage").arg(stageName(m_stage)));
-    for (std::size_t i = 0; i < m_modeButtons.size(); ++i) {
-        m_modeButtons[i]->setChecked(m_loop.mode == static_cast<LoopMode>(i));
-        m_modeButtons[i]->setEnabled(m_loop.fitted);
-    }
+    m_modes->setLoop(m_loop);
+    const bool may = m_session == nullptr || m_session->whyNot(Deed::TurningLaw).isEmpty();  // the mode buttons say who
     for (std::size_t i = 0; i < m_controllerButtons.size(); ++i) {
         m_controllerButtons[i]->setChecked(m_view.controller == static_cast<TurningController>(i));
-        m_controllerButtons[i]->setEnabled(m_loop.fitted && !m_busy);
+        m_controllerButtons[i]->setEnabled(m_loop.fitted && !m_busy && may);
     }
     const QString why = sentenceText(m_loop.reason, m_look.units());
-    m_reason->setText(
-        m_loop.fitted ? (why.isEmpty() ? stateName(m_loop.state) : stateName(m_loop.state) + QStringLiteral(": ") + why)
-                      : tr("This machine has no turning loop: %1").arg(why));
+    m_reason->setText(m_loop.fitted ? m_modes->words() : tr("This machine has no turning loop: %1").arg(why));
     m_start->setPrimary(m_program != ProgramState::Running);
     m_start->reconsider();
 }

@@ -6,6 +6,7 @@
 #include "engine/api/engine_api.h"
 #include "engine/api/status.h"
 #include "ui/services/turning_service.h"
+#include "ui/shell/mode_buttons.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/card.h"
 
@@ -26,6 +27,8 @@ class TurningControlPanel : public Card {
     void setStatus(const Status& status);
     /// A change is on its way to the disk.
     void setBusy(bool busy);
+    /// Who is signed on may not be trusted with mode and controller; outlives this.
+    void setSession(OperatorSession& session);
 
  signals:
     void modeRequested(kerf::LoopMode mode);
@@ -45,17 +48,16 @@ class TurningControlPanel : public Card {
     const EngineApi& m_engine;
     QLabel* m_reason;
     QProgressBar* m_progress;
-    QButtonGroup* m_modes;
+    ModeButtons* m_modes;
     QButtonGroup* m_controllers;
-    std::array<QPushButton*, 3> m_modeButtons{};
     std::array<QPushButton*, kTurningControllers> m_controllerButtons{};
-    QHBoxLayout* m_modeRow;
     QHBoxLayout* m_partRow;
     QGridLayout* m_controllerGrid;
     QLabel* m_controllerTitle;
     QLabel* m_setup;
     ActionButton* m_start;
     QPushButton* m_change;
+    OperatorSession* m_session{nullptr};
     TurningServiceView m_view{};
     LoopStatus m_loop{};
     ProgramState m_program{ProgramState::Idle};

@@ -56,6 +56,7 @@ void TurningPage::build() {
     m_rows->addLayout(m_top, 1);
     m_rows->addLayout(m_bottom);
 
+    m_control->setSession(context().session);
     connect(m_control, &TurningControlPanel::modeRequested, this, [this](LoopMode mode) {
         context().withPermission(Deed::SwitchLoop, [this, mode] {
             context().client.sendAction(SetLoopMode{ProcessId::Turning, mode});
