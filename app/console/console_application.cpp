@@ -391,6 +391,14 @@ Rights ConsoleApplication::rights() {
         }
         const ui::OperatorAccount* account = m_window->session().account(QString::fromStdString(who));
         if (account != nullptr && account->role >= least) {
+            // A demonstration among people without PINs goes on alone.
+            const ui::OperatorSession& session = m_window->session();
+            const bool alone = session.settings().demonstration && session.possibleSeconds().isEmpty();
+            if (deed == Deed::LimitFar && !alone && session.second().isEmpty()) {
+                return Sentence(
+                    KERF_TEXT("Raising a limit by more than half takes two: another setter or process engineer "
+                              "says yes first (touch the name in the header, Second person)."));
+            }
             return std::nullopt;
         }
         audit(who, "refused", permissionOf(deed).key, "role");

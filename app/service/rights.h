@@ -30,4 +30,11 @@ using Rights = std::function<std::optional<Sentence>(const std::string& author, 
     return {};
 }
 
+/// The same for a change that raises a limit: `far` by more than half, which wants a second person as well.
+[[nodiscard]] inline Result<void> permittedLimit(const Rights& rights, const std::string& author, Deed deed,
+                                                 const std::string& reason, bool far) {
+    const auto may = permitted(rights, author, deed, reason);
+    return may && far ? permitted(rights, author, Deed::LimitFar, reason) : may;
+}
+
 }  // namespace kerf

@@ -683,6 +683,22 @@
             <source>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</source>
             <translation>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</translation>
         </message>
+        <message>
+            <source>Who says yes as well?</source>
+            <translation>Who says yes as well?</translation>
+        </message>
+        <message>
+            <source>For two minutes %1 may raise a limit by more than half.</source>
+            <translation>For two minutes %1 may raise a limit by more than half.</translation>
+        </message>
+        <message>
+            <source>Second person</source>
+            <translation>Second person</translation>
+        </message>
+        <message>
+            <source>no other setter or engineer has a PIN</source>
+            <translation>no other setter or engineer has a PIN</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -5723,6 +5739,14 @@
         <message>
             <source>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</source>
             <translation>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</translation>
+        </message>
+        <message>
+            <source>Raise a limit by more than half, with a second person</source>
+            <translation>Raise a limit by more than half, with a second person</translation>
+        </message>
+        <message>
+            <source>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</source>
+            <translation>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</translation>
         </message>
     </context>
     <context>

@@ -683,6 +683,22 @@
             <source>Demonstration on a simulated machine: a new name may take any role until there is a process engineer.</source>
             <translation>모의 기계에서의 시연입니다. 공정 엔지니어가 생길 때까지 새 이름은 어떤 역할이든 가질 수 있습니다.</translation>
         </message>
+        <message>
+            <source>Who says yes as well?</source>
+            <translation>누가 함께 승인합니까?</translation>
+        </message>
+        <message>
+            <source>For two minutes %1 may raise a limit by more than half.</source>
+            <translation>2분 동안 %1 님이 한계를 절반 넘게 올릴 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Second person</source>
+            <translation>두 번째 사람</translation>
+        </message>
+        <message>
+            <source>no other setter or engineer has a PIN</source>
+            <translation>PIN이 있는 다른 셋업 담당자나 기술자가 없음</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -4621,7 +4637,7 @@
         </message>
         <message>
             <source>Only a setter or a process engineer may do this.</source>
-            <translation>세팅 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
+            <translation>셋업 담당자나 공정 엔지니어만 할 수 있습니다.</translation>
         </message>
         <message>
             <source>Recipe revision %1 differs from what was logged when it was saved.</source>
@@ -5718,6 +5734,14 @@
         <message>
             <source>The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: it does not cure chatter.</source>
             <translation>가공면에 자국이 남고 공구가 빨리 마모되며 파손될 수 있습니다. 이송은 계속 평균 절삭력을 유지하지만 채터 진동을 없애지는 못합니다.</translation>
+        </message>
+        <message>
+            <source>Raise a limit by more than half, with a second person</source>
+            <translation>두 번째 사람과 함께 한계를 절반 넘게 올리기</translation>
+        </message>
+        <message>
+            <source>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</source>
+            <translation>한계를 절반 넘게 올리려면 두 사람이 필요합니다. 다른 셋업 담당자나 공정 기술자가 먼저 승인해야 합니다(위쪽의 이름을 누르고 두 번째 사람).</translation>
         </message>
     </context>
     <context>

@@ -314,6 +314,12 @@ const std::vector<Row>& rows() {
         {Deed::TappingMemory, [](Shop& s, Text who, Text why) { return s.tapping->leaveOut(true, who, why); }, false,
          "This job began from no stored tuning."},
         {Deed::TappingTuning, [](Shop& s, Text who, Text) { return s.tapping->begin(who, false); }},
+        {Deed::LimitFar,
+         [](Shop& s, Text who, Text why) {
+             MillingSetup setup = s.milling->view().setup;
+             setup.overload_N *= 2.0;
+             return s.wait([&](const auto& done) { s.milling->saveSetup(setup, who, why, done); });
+         }},
         {Deed::DataRestore,
          [](Shop& s, Text who, Text why) {
              return s.wait([&](const auto& done) { s.keeper->restore("/no/such.db", who, why, done); });

@@ -46,6 +46,31 @@ class TestOperatorSession : public QObject {
         session.setRole(QStringLiteral("Lee"), Role::Engineer);
         QCOMPARE(*session.role(), Role::Operator);
     }
+    void aSecondPersonCountsForTwoMinutesAndForOnePerson() {
+        OperatorSession session;
+        qint64 now_ms = 1'000'000;
+        session.setClock([&now_ms] { return now_ms; });
+        QVERIFY(session.signOn(QStringLiteral("Park"), Role::Engineer));
+        QVERIFY(session.signOn(QStringLiteral("Lee"), Role::Setter));
+        QVERIFY(session.signOn(QStringLiteral("Kim"), Role::Operator));
+        QVERIFY(session.signOn(QStringLiteral("Park")));
+        QVERIFY(session.possibleSeconds().isEmpty());  // nobody has a PIN
+        QVERIFY(session.setPin(QStringLiteral("Lee"), QStringLiteral("1234")));
+        QVERIFY(session.setPin(QStringLiteral("Kim"), QStringLiteral("1234")));
+        QCOMPARE(session.possibleSeconds(), QStringList{QStringLiteral("Lee")});
+        QVERIFY(!session.confirmAsSecond(QStringLiteral("Park"), {}));  // not oneself
+        QVERIFY(!session.confirmAsSecond(QStringLiteral("Kim"), QStringLiteral("1234")));
+        QVERIFY(!session.confirmAsSecond(QStringLiteral("Lee"), QStringLiteral("9999")));
+        QVERIFY(session.second().isEmpty());
+        QVERIFY(session.confirmAsSecond(QStringLiteral("Lee"), QStringLiteral("1234")));
+        QCOMPARE(session.second(), QStringLiteral("Lee"));
+        now_ms += OperatorSession::kSecondCounts_ms + 1;
+        QVERIFY(session.second().isEmpty());
+        QVERIFY(session.confirmAsSecond(QStringLiteral("Lee"), QStringLiteral("1234")));
+        session.signOff();
+        QVERIFY(session.signOn(QStringLiteral("Park")));
+        QVERIFY(session.second().isEmpty());
+    }
     void anEngineerTakesOthersOffTheList() {
         OperatorSession session;
         QVERIFY(session.signOn(QStringLiteral("Park"), Role::Engineer));

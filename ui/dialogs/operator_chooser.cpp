@@ -32,6 +32,26 @@ QString demonstrationNote(const OperatorSession& session) {
                 : QString();
 }
 
+/// Who says yes beside the one who is signed on, by PIN.
+void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
+    Sheet* sheet =
+        host.open(OperatorChooser::tr("Who says yes as well?"),
+                  OperatorChooser::tr("For two minutes %1 may raise a limit by more than half.").arg(session.name()));
+    const QStringList others = session.possibleSeconds();
+    for (int i = 0; i < others.size(); ++i) {
+        auto* button = new QPushButton(others[i], sheet);
+        button->setObjectName(QStringLiteral("second%1").arg(i));
+        sheet->body()->addWidget(button);
+        QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, name = others[i]] {
+            askPin(
+                look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
+                [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); }, {},
+                [&session, name] { return session.whyNotYet(name); });
+        });
+    }
+    sheet->addButton(OperatorChooser::tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+}
+
 }  // namespace
 
 void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::function<void()> then) {
@@ -101,6 +121,15 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
     });
     sheet->addButton(people, [&look, &host, &session] { openPeople(look, host, session); });
     if (session.signedOn()) {
+        auto* second = new ActionButton(look, sheet);
+        second->setObjectName(QStringLiteral("secondPerson"));
+        second->setText(OperatorChooser::tr("Second person"));
+        second->setPredicate([&session] {
+            return session.possibleSeconds().isEmpty() ? OperatorChooser::tr("no other setter or engineer has a PIN")
+                                                       : QString();
+        });
+        sheet->addButton(
+            second, [&look, &host, &session] { askSecond(look, host, session); }, false);
         sheet->addButton(OperatorChooser::tr("Sign off"), [&session] { session.signOff(); })
             ->setObjectName(QStringLiteral("signOff"));
     }

@@ -55,6 +55,7 @@ enum class Deed : std::uint8_t {
     ToolLife,
     DataRestore,
     PersonRemove,
+    LimitFar,
     Count,
 };
 inline constexpr std::size_t kDeedCount = static_cast<std::size_t>(Deed::Count);
@@ -104,6 +105,8 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
     {Deed::ToolLife, Trust::Setter, false, "tool.life", KERF_TEXT("Set the life of a tool")},
     {Deed::DataRestore, Trust::Engineer, true, "data.restore", KERF_TEXT("Put a backup in the place of the data")},
     {Deed::PersonRemove, Trust::Engineer, false, "person.remove", KERF_TEXT("Take somebody off the list of people")},
+    {Deed::LimitFar, Trust::Engineer, true, "limit.far",
+     KERF_TEXT("Raise a limit by more than half, with a second person")},
 }};
 static_assert([] {
     for (std::size_t i = 0; i < kDeedCount; ++i) {
@@ -111,6 +114,11 @@ static_assert([] {
     }
     return true;
 }());
+
+/// A limit raised by more than half wants a second person beside the one who raises it (Deed::LimitFar).
+[[nodiscard]] constexpr bool raisedFar(double from, double to) noexcept {
+    return from > 0.0 && to > 1.5 * from;
+}
 
 [[nodiscard]] constexpr const Permission& permissionOf(Deed deed) noexcept {
     return kPermissions[static_cast<std::size_t>(deed)];

@@ -108,6 +108,7 @@ bool OperatorSession::signOn(const QString& name, Role roleOfNew, const QString&
         emit audited(m_name, QStringLiteral("signed off"), {});
     }
     m_name = trimmed;
+    m_second.clear();
     m_lastTouch_ms.reset();
     if (known == nullptr) {
         OperatorAccount fresh;
@@ -165,6 +166,7 @@ void OperatorSession::leave(const QString& action) {
     if (signedOn()) {
         const QString who = m_name;
         m_name.clear();
+        m_second.clear();
         emit audited(who, action, {});
         emit changed();
     }
@@ -197,6 +199,37 @@ bool OperatorSession::setPin(const QString& name, const QString& pin) {
                  pin.isEmpty() ? QStringLiteral("PIN removed") : QStringLiteral("PIN set"), name);
     emit settingsChanged(m_settings);
     return true;
+}
+
+bool OperatorSession::confirmAsSecond(const QString& name, const QString& pin) {
+    OperatorAccount* other = find(name);
+    if (!signedOn() || other == nullptr || !possibleSeconds().contains(name) || !whyNotYet(name).isEmpty()) {
+        return false;
+    }
+    if (!opensSeal(other->pin, pin)) {
+        other->lastWrong_ms = m_now_ms();
+        emit wrongPins(name, ++other->wrongTries, other->lastWrong_ms);
+        emit audited(name, QStringLiteral("PIN refused"), {});
+        return false;
+    }
+    m_second = name;
+    m_secondSaid_ms = m_now_ms();
+    emit audited(name, QStringLiteral("second person"), m_name);
+    return true;
+}
+
+QString OperatorSession::second() const {
+    return m_now_ms() - m_secondSaid_ms <= kSecondCounts_ms ? m_second : QString();
+}
+
+QStringList OperatorSession::possibleSeconds() const {
+    QStringList names;
+    for (const OperatorAccount& account : m_settings.accounts) {
+        if (account.name != m_name && account.role >= Role::Setter && !account.pin.isEmpty()) {
+            names << account.name;
+        }
+    }
+    return names;
 }
 
 QString OperatorSession::whyNotRemove(const QString& name) const {

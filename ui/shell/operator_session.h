@@ -49,6 +49,7 @@ class OperatorSession : public QObject {
  public:
     static constexpr int kShortestPin = 4;
     static constexpr int kLongestPin = 8;
+    static constexpr qint64 kSecondCounts_ms = 120'000;
 
     explicit OperatorSession(SignOnSettings settings = {}, QObject* parent = nullptr);
 
@@ -89,6 +90,13 @@ class OperatorSession : public QObject {
     void setRole(const QString& name, Role role);
     /// Digits only, kShortestPin to kLongestPin of them, or empty to ask for none. False when it is neither.
     bool setPin(const QString& name, const QString& pin);
+    /// Somebody else, a setter or process engineer with a PIN, stands beside the one who is signed on and says yes; it
+    /// counts for kSecondCounts_ms, and ends with whoever it was said to. False: not such a person, or another PIN.
+    bool confirmAsSecond(const QString& name, const QString& pin);
+    /// Empty: nobody, or too long ago.
+    [[nodiscard]] QString second() const;
+    /// Who could: all but the one who is signed on.
+    [[nodiscard]] QStringList possibleSeconds() const;
     /// Why this person cannot be taken off the list: oneself, or the last process engineer. Empty: can be.
     [[nodiscard]] QString whyNotRemove(const QString& name) const;
     /// @pre whyNotRemove() is empty
@@ -115,6 +123,8 @@ class OperatorSession : public QObject {
 
     SignOnSettings m_settings;
     QString m_name;
+    QString m_second;
+    qint64 m_secondSaid_ms{0};
     std::function<qint64()> m_now_ms;
     std::optional<qint64> m_lastTouch_ms{};
 };

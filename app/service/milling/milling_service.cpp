@@ -304,8 +304,10 @@ void StoredMillingService::saveSetup(const MillingSetup& setup, const std::strin
         return answer(done, tl::unexpected(*why));
     }
     const bool limits = setup.overload_N > m_setup.overload_N || setup.highestFeed_mmPerS > m_setup.highestFeed_mmPerS;
-    if (const auto may = permitted(m_links.rights, author, limits ? Deed::MillingLimits : Deed::MillingSetup, reason);
-        !may) {
+    const bool far = raisedFar(m_setup.overload_N, setup.overload_N) ||
+                     raisedFar(m_setup.highestFeed_mmPerS, setup.highestFeed_mmPerS);
+    const Deed deed = limits ? Deed::MillingLimits : Deed::MillingSetup;
+    if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
         return answer(done, may);
     }
     store("setup", m_type, millingSetupJson(setup), author, reason, std::move(done), [this, setup, type = m_type] {

@@ -314,7 +314,8 @@ Result<void> StoredThermalService::rollBack(const std::string& author) {
 
 Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author,
                                                const std::string& reason) {
-    if (const auto may = permitted(m_links.rights, author, Deed::ThermalLimits, reason); !may) return may;
+    const bool far = raisedFar(m_view.setup.maxShift_um, setup.maxShift_um);
+    if (const auto may = permittedLimit(m_links.rights, author, Deed::ThermalLimits, reason, far); !may) return may;
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
     if (const auto sent = send(LoadThermalSetup{next}); !sent) return sent;

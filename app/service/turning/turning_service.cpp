@@ -157,8 +157,9 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
         return;
     }
     const bool limits = setup.trimAuthority_um > m_view.setup.trimAuthority_um;
-    if (const auto may = permitted(m_links.rights, author, limits ? Deed::TurningLimits : Deed::TurningSetup, reason);
-        !may) {
+    const bool far = raisedFar(m_view.setup.trimAuthority_um, setup.trimAuthority_um);
+    const Deed deed = limits ? Deed::TurningLimits : Deed::TurningSetup;
+    if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
         if (done) {
             done(may);
         }
