@@ -357,6 +357,698 @@
             <source>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</source>
             <translation>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</translation>
         </message>
+        <message>
+            <source>Off</source>
+            <translation>Off</translation>
+        </message>
+        <message>
+            <source>The loop has no influence: the machine runs as it was programmed. What is measured is still kept.</source>
+            <translation>The loop has no influence: the machine runs as it was programmed. What is measured is still kept.</translation>
+        </message>
+        <message>
+            <source>Advise</source>
+            <translation>Advise</translation>
+        </message>
+        <message>
+            <source>The loop computes and shows what it would do, and does nothing. The way to get to know it.</source>
+            <translation>The loop computes and shows what it would do, and does nothing. The way to get to know it.</translation>
+        </message>
+        <message>
+            <source>Control</source>
+            <translation>Control</translation>
+        </message>
+        <message>
+            <source>The loop acts on the machine, within its limits. HOLD ALL takes it off at once.</source>
+            <translation>The loop acts on the machine, within its limits. HOLD ALL takes it off at once.</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Starts the program of the next part, where the control allows it. Off, it says what is missing.</source>
+            <translation>Starts the program of the next part, where the control allows it. Off, it says what is missing.</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>Start part</translation>
+        </message>
+        <message>
+            <source>Starts the next part on the simulator, or on a control that allows it. Off, it says why.</source>
+            <translation>Starts the next part on the simulator, or on a control that allows it. Off, it says why.</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>Release hold</translation>
+        </message>
+        <message>
+            <source>After a look at the machine: the loops go on in the mode they had, without a jump. A stop stays until it is released by its own button.</source>
+            <translation>After a look at the machine: the loops go on in the mode they had, without a jump. A stop stays until it is released by its own button.</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>Feed</translation>
+        </message>
+        <message>
+            <source>How fast the axis moves now, as the control reports it. Grey: not fresh.</source>
+            <translation>How fast the axis moves now, as the control reports it. Grey: not fresh.</translation>
+        </message>
+        <message>
+            <source>Parts since start</source>
+            <translation>Parts since start</translation>
+        </message>
+        <message>
+            <source>Parts begun since this console was started, whatever process made them.</source>
+            <translation>Parts begun since this console was started, whatever process made them.</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Accept</translation>
+        </message>
+        <message>
+            <source>In advise mode: the schedule shown is what the next part shall be cut with. It is written down with the name. In control every schedule is used by itself. Its bores are expected within the 95 % interval shown.</source>
+            <translation>In advise mode: the schedule shown is what the next part shall be cut with. It is written down with the name. In control every schedule is used by itself. Its bores are expected within the 95 % interval shown.</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>Tool or material changed</translation>
+        </message>
+        <message>
+            <source>Two touches after a new insert, a reground tool or another batch of material: the next bore is expected from what such changes have brought before, with a wider interval.</source>
+            <translation>Two touches after a new insert, a reground tool or another batch of material: the next bore is expected from what such changes have brought before, with a wider interval.</translation>
+        </message>
+        <message>
+            <source>Next lot</source>
+            <translation>Next lot</translation>
+        </message>
+        <message>
+            <source>This lot is complete or closed: here the next one is opened.</source>
+            <translation>This lot is complete or closed: here the next one is opened.</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>Undo last</translation>
+        </message>
+        <message>
+            <source>Takes the newest diameter back. It stays in the records, with who undid it.</source>
+            <translation>Takes the newest diameter back. It stays in the records, with who undid it.</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>Correct</translation>
+        </message>
+        <message>
+            <source>All diameters of the lot: touch one to correct it or take it out, with a reason. Everything after it is computed again.</source>
+            <translation>All diameters of the lot: touch one to correct it or take it out, with a reason. Everything after it is computed again.</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>Gauge</translation>
+        </message>
+        <message>
+            <source>On the simulator: measures the bore that waits. On a machine the gauge sends by its own key.</source>
+            <translation>On the simulator: measures the bore that waits. On a machine the gauge sends by its own key.</translation>
+        </message>
+        <message>
+            <source>Measure again</source>
+            <translation>Measure again</translation>
+        </message>
+        <message>
+            <source>Leaves the value that was asked about and waits for another one. Nothing was stored.</source>
+            <translation>Leaves the value that was asked about and waits for another one. Nothing was stored.</translation>
+        </message>
+        <message>
+            <source>Confirm</source>
+            <translation>Confirm</translation>
+        </message>
+        <message>
+            <source>The value is far from what was expected, and it is right: it is stored as confirmed.</source>
+            <translation>The value is far from what was expected, and it is right: it is stored as confirmed.</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>Channels</translation>
+        </message>
+        <message>
+            <source>Which channel of the gauge box stands for which depth. Learnt once, changed here.</source>
+            <translation>Which channel of the gauge box stands for which depth. Learnt once, changed here.</translation>
+        </message>
+        <message>
+            <source>Expected diameter</source>
+            <translation>Expected diameter</translation>
+        </message>
+        <message>
+            <source>What the next part is expected to measure at this depth. 19 of 20 bores fall into the interval beside it.</source>
+            <translation>What the next part is expected to measure at this depth. 19 of 20 bores fall into the interval beside it.</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Force</translation>
+        </message>
+        <message>
+            <source>Mean force of the last revolution; this is what is held.</source>
+            <translation>Mean force of the last revolution; this is what is held.</translation>
+        </message>
+        <message>
+            <source>Force of single teeth</source>
+            <translation>Force of single teeth</translation>
+        </message>
+        <message>
+            <source>Lowest and highest force since the last picture: what the tool really feels.</source>
+            <translation>Lowest and highest force since the last picture: what the tool really feels.</translation>
+        </message>
+        <message>
+            <source>Feed now; under control it goes where the force wants it.</source>
+            <translation>Feed now; under control it goes where the force wants it.</translation>
+        </message>
+        <message>
+            <source>How the tool cuts</source>
+            <translation>How the tool cuts</translation>
+        </message>
+        <message>
+            <source>How hard this tool works for its feed, as learnt from its cuts. It grows as the tool wears.</source>
+            <translation>How hard this tool works for its feed, as learnt from its cuts. It grows as the tool wears.</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>New tool</translation>
+        </message>
+        <message>
+            <source>Another tool is in: wear is counted anew, and what tools of its kind have taught is used.</source>
+            <translation>Another tool is in: wear is counted anew, and what tools of its kind have taught is used.</translation>
+        </message>
+        <message>
+            <source>Teach</source>
+            <translation>Teach</translation>
+        </message>
+        <message>
+            <source>Takes the mean force of the last good cut as the reference that the feed shall hold.</source>
+            <translation>Takes the mean force of the last good cut as the reference that the feed shall hold.</translation>
+        </message>
+        <message>
+            <source>Release the stop</source>
+            <translation>Release the stop</translation>
+        </message>
+        <message>
+            <source>The feed was stopped by an overload or a broken tool. After a look at tool and work, this lets the next cut begin; it needs a name.</source>
+            <translation>The feed was stopped by an overload or a broken tool. After a look at tool and work, this lets the next cut begin; it needs a name.</translation>
+        </message>
+        <message>
+            <source>Reference force</source>
+            <translation>Reference force</translation>
+        </message>
+        <message>
+            <source>The force that the feed holds: higher is faster, and bends the tool more.</source>
+            <translation>The force that the feed holds: higher is faster, and bends the tool more.</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Margin</translation>
+        </message>
+        <message>
+            <source>How far the force of this cut is from the overload at which the feed is stopped.</source>
+            <translation>How far the force of this cut is from the overload at which the feed is stopped.</translation>
+        </message>
+        <message>
+            <source>Peak force</source>
+            <translation>Peak force</translation>
+        </message>
+        <message>
+            <source>Highest force of this cut, of single teeth.</source>
+            <translation>Highest force of this cut, of single teeth.</translation>
+        </message>
+        <message>
+            <source>Saved</source>
+            <translation>Saved</translation>
+        </message>
+        <message>
+            <source>Time against the planned feed on the same path; in advise mode, what control would save.</source>
+            <translation>Time against the planned feed on the same path; in advise mode, what control would save.</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>Law</translation>
+        </message>
+        <message>
+            <source>How the feed is found from the force. Model is the default; the others are there to compare.</source>
+            <translation>How the feed is found from the force. Model is the default; the others are there to compare.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>Setup</translation>
+        </message>
+        <message>
+            <source>Tool, path, planned feed, reference and limits of the next cuts.</source>
+            <translation>Tool, path, planned feed, reference and limits of the next cuts.</translation>
+        </message>
+        <message>
+            <source>Blank</source>
+            <translation>Blank</translation>
+        </message>
+        <message>
+            <source>How much stands on the blank along the path, so that the feed is ready before a step comes.</source>
+            <translation>How much stands on the blank along the path, so that the feed is ready before a step comes.</translation>
+        </message>
+        <message>
+            <source>Log</source>
+            <translation>Log</translation>
+        </message>
+        <message>
+            <source>The last cuts with force, waviness and time.</source>
+            <translation>The last cuts with force, waviness and time.</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Tools</translation>
+        </message>
+        <message>
+            <source>What was learnt of tools of this kind; one can be left out, with a reason.</source>
+            <translation>What was learnt of tools of this kind; one can be left out, with a reason.</translation>
+        </message>
+        <message>
+            <source>Depth, speed and path of the next cut, and how far the trim may go.</source>
+            <translation>Depth, speed and path of the next cut, and how far the trim may go.</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Open</translation>
+        </message>
+        <message>
+            <source>No trim: what the lathe does by itself.</source>
+            <translation>No trim: what the lathe does by itself.</translation>
+        </message>
+        <message>
+            <source>Paper</source>
+            <translation>Paper</translation>
+        </message>
+        <message>
+            <source>The controller of the published work, for comparison.</source>
+            <translation>The controller of the published work, for comparison.</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>A tuned PI controller, for comparison.</source>
+            <translation>A tuned PI controller, for comparison.</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <translation>Tones</translation>
+        </message>
+        <message>
+            <source>The default: a broadband law, and one for each vibration it finds; none has to be named.</source>
+            <translation>The default: a broadband law, and one for each vibration it finds; none has to be named.</translation>
+        </message>
+        <message>
+            <source>Tune</source>
+            <translation>Tune</translation>
+        </message>
+        <message>
+            <source>Taps in the air, then proposes gains that match spindle and Z, and says what limits them.</source>
+            <translation>Taps in the air, then proposes gains that match spindle and Z, and says what limits them.</translation>
+        </message>
+        <message>
+            <source>Turn out</source>
+            <translation>Turn out</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: spindle and Z turn it out together.</source>
+            <translation>A tap stands in the hole: spindle and Z turn it out together.</translation>
+        </message>
+        <message>
+            <source>Job</source>
+            <translation>Job</translation>
+        </message>
+        <message>
+            <source>Thread, depth, speed and class of what is tapped.</source>
+            <translation>Thread, depth, speed and class of what is tapped.</translation>
+        </message>
+        <message>
+            <source>Tap</source>
+            <translation>Tap</translation>
+        </message>
+        <message>
+            <source>One tap with the gains in force, in the work or in the air.</source>
+            <translation>One tap with the gains in force, in the work or in the air.</translation>
+        </message>
+        <message>
+            <source>One more</source>
+            <translation>One more</translation>
+        </message>
+        <message>
+            <source>One more trial before the proposal is made.</source>
+            <translation>One more trial before the proposal is made.</translation>
+        </message>
+        <message>
+            <source>The gains proposed are used from now on, and kept with your name.</source>
+            <translation>The gains proposed are used from now on, and kept with your name.</translation>
+        </message>
+        <message>
+            <source>Roll back</source>
+            <translation>Roll back</translation>
+        </message>
+        <message>
+            <source>Back to the gains that were in force before.</source>
+            <translation>Back to the gains that were in force before.</translation>
+        </message>
+        <message>
+            <source>Abort</source>
+            <translation>Abort</translation>
+        </message>
+        <message>
+            <source>Turns the tap out in step with Z and goes back to the gains accepted last.</source>
+            <translation>Turns the tap out in step with Z and goes back to the gains accepted last.</translation>
+        </message>
+        <message>
+            <source>Trials follow each other without a touch, until a proposal is there.</source>
+            <translation>Trials follow each other without a touch, until a proposal is there.</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>Drift</translation>
+        </message>
+        <message>
+            <source>How far the origin is thought to have moved since the reference, with the interval in which it lies on 19 of 20 minutes. Measuring makes it narrow.</source>
+            <translation>How far the origin is thought to have moved since the reference, with the interval in which it lies on 19 of 20 minutes. Measuring makes it narrow.</translation>
+        </message>
+        <message>
+            <source>Warm up</source>
+            <translation>Warm up</translation>
+        </message>
+        <message>
+            <source>Runs the warm-up program until the drift is small enough to cut.</source>
+            <translation>Runs the warm-up program until the drift is small enough to cut.</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Measure</translation>
+        </message>
+        <message>
+            <source>Measures the origin: the prediction counts on from what was measured, at once.</source>
+            <translation>Measures the origin: the prediction counts on from what was measured, at once.</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Model</translation>
+        </message>
+        <message>
+            <source>Which days the model has learnt from, how well it told days it had not seen, train, go back.</source>
+            <translation>Which days the model has learnt from, how well it told days it had not seen, train, go back.</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>History</translation>
+        </message>
+        <message>
+            <source>Every shift of the origin, with when and why.</source>
+            <translation>Every shift of the origin, with when and why.</translation>
+        </message>
+        <message>
+            <source>Thermocouples: where each sits, and its health.</source>
+            <translation>Thermocouples: where each sits, and its health.</translation>
+        </message>
+        <message>
+            <source>Map</source>
+            <translation>Map</translation>
+        </message>
+        <message>
+            <source>How the error of the axes differs over the table.</source>
+            <translation>How the error of the axes differs over the table.</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Limits</translation>
+        </message>
+        <message>
+            <source>How far and how often the origin may be shifted.</source>
+            <translation>How far and how often the origin may be shifted.</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Place</translation>
+        </message>
+        <message>
+            <source>Touch the picture where this sensor sits.</source>
+            <translation>Touch the picture where this sensor sits.</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Acknowledge</translation>
+        </message>
+        <message>
+            <source>Somebody has seen this alarm; the name goes into the history. It stays until its cause is gone.</source>
+            <translation>Somebody has seen this alarm; the name goes into the history. It stays until its cause is gone.</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Now</translation>
+        </message>
+        <message>
+            <source>Alarms that stand now, the most urgent first.</source>
+            <translation>Alarms that stand now, the most urgent first.</translation>
+        </message>
+        <message>
+            <source>All alarms, with when they came and went, and who has seen them.</source>
+            <translation>All alarms, with when they came and went, and who has seen them.</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>The history as shown, as a table into a folder of your choice. No file is written over.</source>
+            <translation>The history as shown, as a table into a folder of your choice. No file is written over.</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Search</translation>
+        </message>
+        <message>
+            <source>Part number, serial number, lot or part type; what is typed is looked for as it is typed.</source>
+            <translation>Part number, serial number, lot or part type; what is typed is looked for as it is typed.</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Out of tolerance</translation>
+        </message>
+        <message>
+            <source>Only parts with rework or scrap.</source>
+            <translation>Only parts with rework or scrap.</translation>
+        </message>
+        <message>
+            <source>This lot</source>
+            <translation>This lot</translation>
+        </message>
+        <message>
+            <source>Only parts of the lot that is open.</source>
+            <translation>Only parts of the lot that is open.</translation>
+        </message>
+        <message>
+            <source>The parts shown, as a table for Excel or programs, into a folder of your choice.</source>
+            <translation>The parts shown, as a table for Excel or programs, into a folder of your choice.</translation>
+        </message>
+        <message>
+            <source>Another value for the diameter chosen, with a reason. The old one stays in the records.</source>
+            <translation>Another value for the diameter chosen, with a reason. The old one stays in the records.</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>Take out</translation>
+        </message>
+        <message>
+            <source>The diameter chosen no longer counts, with a reason. It stays in the records.</source>
+            <translation>The diameter chosen no longer counts, with a reason. It stays in the records.</translation>
+        </message>
+        <message>
+            <source>Serial</source>
+            <translation>Serial</translation>
+        </message>
+        <message>
+            <source>Gives the part its serial number, or another one.</source>
+            <translation>Gives the part its serial number, or another one.</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Report</translation>
+        </message>
+        <message>
+            <source>One page about this part as PDF: diameters, tolerance, verdict, feed.</source>
+            <translation>One page about this part as PDF: diameters, tolerance, verdict, feed.</translation>
+        </message>
+        <message>
+            <source>What was done with parts outside their limits: reworked, scrapped, released by whom.</source>
+            <translation>What was done with parts outside their limits: reworked, scrapped, released by whom.</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Files</translation>
+        </message>
+        <message>
+            <source>Reports of the lot, and Q-DAS files by hand or by themselves into a folder.</source>
+            <translation>Reports of the lot, and Q-DAS files by hand or by themselves into a folder.</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>Gauges</translation>
+        </message>
+        <message>
+            <source>The register of gauges: range, due date, studies of a ring and of several people.</source>
+            <translation>The register of gauges: range, due date, studies of a ring and of several people.</translation>
+        </message>
+        <message>
+            <source>Limits of the figures of milled, turned and tapped parts, by which they are judged.</source>
+            <translation>Limits of the figures of milled, turned and tapped parts, by which they are judged.</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>Older</translation>
+        </message>
+        <message>
+            <source>The parts before those shown.</source>
+            <translation>The parts before those shown.</translation>
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation>Newer</translation>
+        </message>
+        <message>
+            <source>The parts after those shown.</source>
+            <translation>The parts after those shown.</translation>
+        </message>
+        <message>
+            <source>Leave a note</source>
+            <translation>Leave a note</translation>
+        </message>
+        <message>
+            <source>A sentence for the next shift, signed with your name.</source>
+            <translation>A sentence for the next shift, signed with your name.</translation>
+        </message>
+        <message>
+            <source>Hand over</source>
+            <translation>Hand over</translation>
+        </message>
+        <message>
+            <source>Signs this shift; the next one begins now and reads your words first.</source>
+            <translation>Signs this shift; the next one begins now and reads your words first.</translation>
+        </message>
+        <message>
+            <source>One page (PDF)</source>
+            <translation>One page (PDF)</translation>
+        </message>
+        <message>
+            <source>The shift as it stands here, on one page.</source>
+            <translation>The shift as it stands here, on one page.</translation>
+        </message>
+        <message>
+            <source>Shift before</source>
+            <translation>Shift before</translation>
+        </message>
+        <message>
+            <source>The shift that was handed over before the one shown.</source>
+            <translation>The shift that was handed over before the one shown.</translation>
+        </message>
+        <message>
+            <source>This shift</source>
+            <translation>This shift</translation>
+        </message>
+        <message>
+            <source>Back to the shift that goes on.</source>
+            <translation>Back to the shift that goes on.</translation>
+        </message>
+        <message>
+            <source>Stops</source>
+            <translation>Stops</translation>
+        </message>
+        <message>
+            <source>Pauses of more than three minutes. Touch one and say why; two touches.</source>
+            <translation>Pauses of more than three minutes. Touch one and say why; two touches.</translation>
+        </message>
+        <message>
+            <source>Which one rises?</source>
+            <translation>Which one rises?</translation>
+        </message>
+        <message>
+            <source>Warm a thermocouple with a finger: the one that rises first is named, so that its place on the picture can be set.</source>
+            <translation>Warm a thermocouple with a finger: the one that rises first is named, so that its place on the picture can be set.</translation>
+        </message>
+        <message>
+            <source>Ask the gauge</source>
+            <translation>Ask the gauge</translation>
+        </message>
+        <message>
+            <source>Asks a gauge for a reading, to see that it answers.</source>
+            <translation>Asks a gauge for a reading, to see that it answers.</translation>
+        </message>
+        <message>
+            <source>Back up all data</source>
+            <translation>Back up all data</translation>
+        </message>
+        <message>
+            <source>A checked copy of everything in one file, made while everything goes on.</source>
+            <translation>A checked copy of everything in one file, made while everything goes on.</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>Restore a backup</translation>
+        </message>
+        <message>
+            <source>Puts a backup in the place of the data at the next start. What is there now is set aside. For process engineers, with a reason.</source>
+            <translation>Puts a backup in the place of the data at the next start. What is there now is set aside. For process engineers, with a reason.</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>Lots</translation>
+        </message>
+        <message>
+            <source>Open, choose or close a lot; recipes of the part types.</source>
+            <translation>Open, choose or close a lot; recipes of the part types.</translation>
+        </message>
+        <message>
+            <source>Who is there</source>
+            <translation>Who is there</translation>
+        </message>
+        <message>
+            <source>Sign on, sign off, people and their roles; a second person for limits.</source>
+            <translation>Sign on, sign off, people and their roles; a second person for limits.</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Settings</translation>
+        </message>
+        <message>
+            <source>Language, units, light or dark, size of the text.</source>
+            <translation>Language, units, light or dark, size of the text.</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Language</translation>
+        </message>
+        <message>
+            <source>Korean or English, at once, on all pages.</source>
+            <translation>Korean or English, at once, on all pages.</translation>
+        </message>
+        <message>
+            <source>Simulator</source>
+            <translation>Simulator</translation>
+        </message>
+        <message>
+            <source>How much faster than time the simulated machine runs. A real machine has no such button.</source>
+            <translation>How much faster than time the simulated machine runs. A real machine has no such button.</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>Archive of parts</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each.</source>
+            <translation>The parts turned so far, with surface, force and trim of each.</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>Automatic</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>

@@ -357,6 +357,698 @@
             <source>How punctual the engine is, how long a cycle takes, the version, the data file and its backup. For whoever looks after Kerf.</source>
             <translation>엔진이 얼마나 정시에 도는지, 주기가 얼마나 걸리는지, 버전과 데이터 파일, 백업입니다. Kerf를 관리하는 사람을 위한 페이지입니다.</translation>
         </message>
+        <message>
+            <source>Off</source>
+            <translation>끄기</translation>
+        </message>
+        <message>
+            <source>The loop has no influence: the machine runs as it was programmed. What is measured is still kept.</source>
+            <translation>루프가 아무 영향도 주지 않고 기계는 프로그램대로 움직입니다. 측정한 값은 그대로 저장됩니다.</translation>
+        </message>
+        <message>
+            <source>Advise</source>
+            <translation>추천</translation>
+        </message>
+        <message>
+            <source>The loop computes and shows what it would do, and does nothing. The way to get to know it.</source>
+            <translation>루프는 계산하고 보여 주기만 하며 아무것도 하지 않습니다. 루프를 익히기 좋은 방법입니다.</translation>
+        </message>
+        <message>
+            <source>Control</source>
+            <translation>제어</translation>
+        </message>
+        <message>
+            <source>The loop acts on the machine, within its limits. HOLD ALL takes it off at once.</source>
+            <translation>루프가 한계 안에서 기계에 작용합니다. 전체 홀드를 누르면 바로 멈춥니다.</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>시작</translation>
+        </message>
+        <message>
+            <source>Starts the program of the next part, where the control allows it. Off, it says what is missing.</source>
+            <translation>제어기가 허용하면 다음 공작물의 프로그램을 시작합니다. 꺼져 있으면 무엇이 부족한지 나옵니다.</translation>
+        </message>
+        <message>
+            <source>Start part</source>
+            <translation>공작물 시작</translation>
+        </message>
+        <message>
+            <source>Starts the next part on the simulator, or on a control that allows it. Off, it says why.</source>
+            <translation>시뮬레이터나 허용하는 제어기에서 다음 공작물을 시작합니다. 꺼져 있으면 이유가 나옵니다.</translation>
+        </message>
+        <message>
+            <source>Release hold</source>
+            <translation>홀드 해제</translation>
+        </message>
+        <message>
+            <source>After a look at the machine: the loops go on in the mode they had, without a jump. A stop stays until it is released by its own button.</source>
+            <translation>기계를 살펴본 뒤 누르면 루프가 전의 모드로 튀지 않고 이어집니다. 정지는 자기 단추로 풀 때까지 남습니다.</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>이송</translation>
+        </message>
+        <message>
+            <source>How fast the axis moves now, as the control reports it. Grey: not fresh.</source>
+            <translation>제어기가 알려 주는 지금의 축 이송 속도입니다. 회색이면 새 값이 아닙니다.</translation>
+        </message>
+        <message>
+            <source>Parts since start</source>
+            <translation>시작 이후 공작물</translation>
+        </message>
+        <message>
+            <source>Parts begun since this console was started, whatever process made them.</source>
+            <translation>이 콘솔을 켠 뒤 시작한 공작물 수로, 어느 공정이든 셉니다.</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>수락</translation>
+        </message>
+        <message>
+            <source>In advise mode: the schedule shown is what the next part shall be cut with. It is written down with the name. In control every schedule is used by itself. Its bores are expected within the 95 % interval shown.</source>
+            <translation>추천 모드에서 표시한 계획으로 다음 공작물을 가공합니다. 이름과 함께 기록됩니다. 제어 중에는 저절로 쓰입니다. 내경은 표시한 95 % 구간 안에 들 것으로 예상됩니다.</translation>
+        </message>
+        <message>
+            <source>Tool or material changed</source>
+            <translation>공구 또는 소재 변경</translation>
+        </message>
+        <message>
+            <source>Two touches after a new insert, a reground tool or another batch of material: the next bore is expected from what such changes have brought before, with a wider interval.</source>
+            <translation>새 인서트, 재연삭한 공구, 다른 소재 묶음이면 두 번만 누르십시오. 그런 변경이 전에 가져온 결과에서 다음 내경을 예상하고 구간은 더 넓어집니다.</translation>
+        </message>
+        <message>
+            <source>Next lot</source>
+            <translation>다음 로트</translation>
+        </message>
+        <message>
+            <source>This lot is complete or closed: here the next one is opened.</source>
+            <translation>이 로트가 끝났거나 닫혔습니다. 여기서 다음 로트를 엽니다.</translation>
+        </message>
+        <message>
+            <source>Undo last</source>
+            <translation>직전 입력 취소</translation>
+        </message>
+        <message>
+            <source>Takes the newest diameter back. It stays in the records, with who undid it.</source>
+            <translation>가장 새로운 지름을 되돌립니다. 누가 취소했는지와 함께 기록에 남습니다.</translation>
+        </message>
+        <message>
+            <source>Correct</source>
+            <translation>수정</translation>
+        </message>
+        <message>
+            <source>All diameters of the lot: touch one to correct it or take it out, with a reason. Everything after it is computed again.</source>
+            <translation>로트의 모든 지름입니다. 하나를 눌러 이유와 함께 수정하거나 뺍니다. 그 뒤의 것은 모두 다시 계산됩니다.</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>On the simulator: measures the bore that waits. On a machine the gauge sends by its own key.</source>
+            <translation>시뮬레이터에서는 기다리는 내경을 측정합니다. 실제 기계에서는 게이지의 키로 보냅니다.</translation>
+        </message>
+        <message>
+            <source>Measure again</source>
+            <translation>다시 측정</translation>
+        </message>
+        <message>
+            <source>Leaves the value that was asked about and waits for another one. Nothing was stored.</source>
+            <translation>물어본 값을 버리고 다른 값을 기다립니다. 아무것도 저장되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Confirm</source>
+            <translation>확인</translation>
+        </message>
+        <message>
+            <source>The value is far from what was expected, and it is right: it is stored as confirmed.</source>
+            <translation>예상과 크게 다르지만 맞는 값입니다. 확인한 값으로 저장합니다.</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>채널</translation>
+        </message>
+        <message>
+            <source>Which channel of the gauge box stands for which depth. Learnt once, changed here.</source>
+            <translation>게이지 상자의 어느 채널이 어느 깊이인지 정합니다. 한 번 익히고 여기서 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>Expected diameter</source>
+            <translation>예상 지름</translation>
+        </message>
+        <message>
+            <source>What the next part is expected to measure at this depth. 19 of 20 bores fall into the interval beside it.</source>
+            <translation>이 깊이에서 다음 공작물이 가질 것으로 예상되는 값입니다. 내경 20개 가운데 19개가 옆의 구간에 듭니다.</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>절삭력</translation>
+        </message>
+        <message>
+            <source>Mean force of the last revolution; this is what is held.</source>
+            <translation>마지막 한 회전의 평균 절삭력이며 이 값을 일정하게 유지합니다.</translation>
+        </message>
+        <message>
+            <source>Force of single teeth</source>
+            <translation>날 하나의 절삭력</translation>
+        </message>
+        <message>
+            <source>Lowest and highest force since the last picture: what the tool really feels.</source>
+            <translation>지난 화면 이후 가장 작은 힘과 가장 큰 힘으로, 공구가 실제로 받는 힘입니다.</translation>
+        </message>
+        <message>
+            <source>Feed now; under control it goes where the force wants it.</source>
+            <translation>지금의 이송입니다. 제어 중에는 절삭력에 맞추어 변합니다.</translation>
+        </message>
+        <message>
+            <source>How the tool cuts</source>
+            <translation>공구의 절삭 상태</translation>
+        </message>
+        <message>
+            <source>How hard this tool works for its feed, as learnt from its cuts. It grows as the tool wears.</source>
+            <translation>이 공구가 이송에 비해 얼마나 힘들게 깎는지를 절삭에서 학습한 값입니다. 공구가 닳을수록 커집니다.</translation>
+        </message>
+        <message>
+            <source>New tool</source>
+            <translation>새 공구</translation>
+        </message>
+        <message>
+            <source>Another tool is in: wear is counted anew, and what tools of its kind have taught is used.</source>
+            <translation>다른 공구를 끼웠습니다. 마모를 새로 세고 같은 종류의 공구에서 배운 것을 씁니다.</translation>
+        </message>
+        <message>
+            <source>Teach</source>
+            <translation>가르치기</translation>
+        </message>
+        <message>
+            <source>Takes the mean force of the last good cut as the reference that the feed shall hold.</source>
+            <translation>이번 절삭이나 마지막 절삭의 평균 절삭력을 이송이 유지할 기준으로 삼습니다.</translation>
+        </message>
+        <message>
+            <source>Release the stop</source>
+            <translation>정지 해제</translation>
+        </message>
+        <message>
+            <source>The feed was stopped by an overload or a broken tool. After a look at tool and work, this lets the next cut begin; it needs a name.</source>
+            <translation>과부하나 공구 파손으로 이송이 멈췄습니다. 공구와 공작물을 살펴본 뒤 다음 절삭을 허용하며 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Reference force</source>
+            <translation>기준 절삭력</translation>
+        </message>
+        <message>
+            <source>The force that the feed holds: higher is faster, and bends the tool more.</source>
+            <translation>이송이 유지하는 절삭력입니다. 높을수록 빠르지만 공구가 더 휩니다.</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>여유</translation>
+        </message>
+        <message>
+            <source>How far the force of this cut is from the overload at which the feed is stopped.</source>
+            <translation>이 절삭의 힘이 이송을 멈추는 과부하까지 얼마나 남았는지입니다.</translation>
+        </message>
+        <message>
+            <source>Peak force</source>
+            <translation>최대 절삭력</translation>
+        </message>
+        <message>
+            <source>Highest force of this cut, of single teeth.</source>
+            <translation>이번 절삭에서 날 하나가 받은 가장 큰 힘입니다.</translation>
+        </message>
+        <message>
+            <source>Saved</source>
+            <translation>절약</translation>
+        </message>
+        <message>
+            <source>Time against the planned feed on the same path; in advise mode, what control would save.</source>
+            <translation>같은 경로를 계획 이송으로 갈 때와의 시간 차이입니다. 추천 모드에서는 제어했다면 아꼈을 시간입니다.</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>How the feed is found from the force. Model is the default; the others are there to compare.</source>
+            <translation>절삭력에서 이송을 구하는 방법입니다. 모델이 기본이고 나머지는 비교용입니다.</translation>
+        </message>
+        <message>
+            <source>Setup</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Tool, path, planned feed, reference and limits of the next cuts.</source>
+            <translation>공구, 경로, 계획 이송, 기준과 다음 절삭의 한계입니다.</translation>
+        </message>
+        <message>
+            <source>Blank</source>
+            <translation>소재 형상</translation>
+        </message>
+        <message>
+            <source>How much stands on the blank along the path, so that the feed is ready before a step comes.</source>
+            <translation>경로를 따라 소재가 얼마나 서 있는지입니다. 단차가 오기 전에 이송을 준비합니다.</translation>
+        </message>
+        <message>
+            <source>Log</source>
+            <translation>기록</translation>
+        </message>
+        <message>
+            <source>The last cuts with force, waviness and time.</source>
+            <translation>마지막 절삭들의 힘, 파형과 시간입니다.</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>공구들</translation>
+        </message>
+        <message>
+            <source>What was learnt of tools of this kind; one can be left out, with a reason.</source>
+            <translation>이 종류의 공구에서 배운 것입니다. 이유를 적고 하나를 뺄 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Depth, speed and path of the next cut, and how far the trim may go.</source>
+            <translation>다음 가공의 깊이, 속도, 경로와 보정이 갈 수 있는 범위입니다.</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>열림</translation>
+        </message>
+        <message>
+            <source>No trim: what the lathe does by itself.</source>
+            <translation>보정하지 않은, 선반 그대로의 상태입니다.</translation>
+        </message>
+        <message>
+            <source>Paper</source>
+            <translation>논문</translation>
+        </message>
+        <message>
+            <source>The controller of the published work, for comparison.</source>
+            <translation>발표된 연구의 제어기로, 비교용입니다.</translation>
+        </message>
+        <message>
+            <source>PI</source>
+            <translation>PI</translation>
+        </message>
+        <message>
+            <source>A tuned PI controller, for comparison.</source>
+            <translation>조정한 PI 제어기로, 비교용입니다.</translation>
+        </message>
+        <message>
+            <source>Tones</source>
+            <translation>톤</translation>
+        </message>
+        <message>
+            <source>The default: a broadband law, and one for each vibration it finds; none has to be named.</source>
+            <translation>기본값입니다. 넓은 대역의 법칙과, 찾아낸 진동마다 하나씩 더합니다. 이름을 지정할 필요가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Tune</source>
+            <translation>튜닝</translation>
+        </message>
+        <message>
+            <source>Taps in the air, then proposes gains that match spindle and Z, and says what limits them.</source>
+            <translation>공중에서 탭을 돌려 본 뒤 주축과 Z가 맞는 게인을 제안하고 무엇이 한계인지 알려 줍니다.</translation>
+        </message>
+        <message>
+            <source>Turn out</source>
+            <translation>되돌려 빼기</translation>
+        </message>
+        <message>
+            <source>A tap stands in the hole: spindle and Z turn it out together.</source>
+            <translation>탭이 구멍에 서 있습니다. 주축과 Z가 함께 돌려 뺍니다.</translation>
+        </message>
+        <message>
+            <source>Job</source>
+            <translation>작업</translation>
+        </message>
+        <message>
+            <source>Thread, depth, speed and class of what is tapped.</source>
+            <translation>탭 가공할 나사, 깊이, 속도와 등급입니다.</translation>
+        </message>
+        <message>
+            <source>Tap</source>
+            <translation>탭</translation>
+        </message>
+        <message>
+            <source>One tap with the gains in force, in the work or in the air.</source>
+            <translation>지금의 게인으로 공작물이나 공중에서 탭 한 번을 합니다.</translation>
+        </message>
+        <message>
+            <source>One more</source>
+            <translation>한 번 더</translation>
+        </message>
+        <message>
+            <source>One more trial before the proposal is made.</source>
+            <translation>제안하기 전에 시험을 한 번 더 합니다.</translation>
+        </message>
+        <message>
+            <source>The gains proposed are used from now on, and kept with your name.</source>
+            <translation>제안한 게인을 이제부터 쓰고 이름과 함께 보관합니다.</translation>
+        </message>
+        <message>
+            <source>Roll back</source>
+            <translation>되돌리기</translation>
+        </message>
+        <message>
+            <source>Back to the gains that were in force before.</source>
+            <translation>전에 쓰던 게인으로 돌아갑니다.</translation>
+        </message>
+        <message>
+            <source>Abort</source>
+            <translation>중단</translation>
+        </message>
+        <message>
+            <source>Turns the tap out in step with Z and goes back to the gains accepted last.</source>
+            <translation>Z와 맞추어 탭을 돌려 빼고 마지막에 수락한 게인으로 돌아갑니다.</translation>
+        </message>
+        <message>
+            <source>Trials follow each other without a touch, until a proposal is there.</source>
+            <translation>제안이 나올 때까지 누르지 않아도 시험이 이어집니다.</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>How far the origin is thought to have moved since the reference, with the interval in which it lies on 19 of 20 minutes. Measuring makes it narrow.</source>
+            <translation>기준 이후 원점이 움직였다고 보는 양과, 20분 가운데 19분이 드는 구간입니다. 측정하면 좁아집니다.</translation>
+        </message>
+        <message>
+            <source>Warm up</source>
+            <translation>예열</translation>
+        </message>
+        <message>
+            <source>Runs the warm-up program until the drift is small enough to cut.</source>
+            <translation>가공할 만큼 열변위가 작아질 때까지 예열 프로그램을 돌립니다.</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>측정</translation>
+        </message>
+        <message>
+            <source>Measures the origin: the prediction counts on from what was measured, at once.</source>
+            <translation>원점을 측정합니다. 예측은 바로 측정한 값에서 이어집니다.</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>모델</translation>
+        </message>
+        <message>
+            <source>Which days the model has learnt from, how well it told days it had not seen, train, go back.</source>
+            <translation>모델이 어느 날들에서 배웠는지, 보지 못한 날을 얼마나 맞혔는지 보고, 학습시키거나 되돌립니다.</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>이력</translation>
+        </message>
+        <message>
+            <source>Every shift of the origin, with when and why.</source>
+            <translation>원점을 옮긴 모든 기록과 시각, 이유입니다.</translation>
+        </message>
+        <message>
+            <source>Thermocouples: where each sits, and its health.</source>
+            <translation>열전대가 어디에 있는지와 그 상태입니다.</translation>
+        </message>
+        <message>
+            <source>Map</source>
+            <translation>지도</translation>
+        </message>
+        <message>
+            <source>How the error of the axes differs over the table.</source>
+            <translation>축의 오차가 테이블 위에서 어떻게 다른지입니다.</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>한계</translation>
+        </message>
+        <message>
+            <source>How far and how often the origin may be shifted.</source>
+            <translation>원점을 얼마나 멀리, 얼마나 자주 옮길 수 있는지입니다.</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>위치</translation>
+        </message>
+        <message>
+            <source>Touch the picture where this sensor sits.</source>
+            <translation>이 센서가 있는 곳을 그림에서 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>확인</translation>
+        </message>
+        <message>
+            <source>Somebody has seen this alarm; the name goes into the history. It stays until its cause is gone.</source>
+            <translation>누군가 이 알람을 보았습니다. 이름이 이력에 남습니다. 원인이 사라질 때까지 알람은 남습니다.</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>지금</translation>
+        </message>
+        <message>
+            <source>Alarms that stand now, the most urgent first.</source>
+            <translation>지금 서 있는 알람이며 급한 것이 먼저입니다.</translation>
+        </message>
+        <message>
+            <source>All alarms, with when they came and went, and who has seen them.</source>
+            <translation>모든 알람과 언제 왔다가 갔는지, 누가 보았는지입니다.</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>내보내기</translation>
+        </message>
+        <message>
+            <source>The history as shown, as a table into a folder of your choice. No file is written over.</source>
+            <translation>표시한 이력을 표로 만들어 고른 폴더에 넣습니다. 있는 파일은 덮어쓰지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>찾기</translation>
+        </message>
+        <message>
+            <source>Part number, serial number, lot or part type; what is typed is looked for as it is typed.</source>
+            <translation>공작물 번호, 일련번호, 로트, 품종을 입력하는 대로 찾습니다.</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>공차 밖</translation>
+        </message>
+        <message>
+            <source>Only parts with rework or scrap.</source>
+            <translation>재가공이나 불량이 있는 공작물만 봅니다.</translation>
+        </message>
+        <message>
+            <source>This lot</source>
+            <translation>이 로트</translation>
+        </message>
+        <message>
+            <source>Only parts of the lot that is open.</source>
+            <translation>열려 있는 로트의 공작물만 봅니다.</translation>
+        </message>
+        <message>
+            <source>The parts shown, as a table for Excel or programs, into a folder of your choice.</source>
+            <translation>표시한 공작물을 엑셀이나 다른 프로그램용 표로 만들어 고른 폴더에 넣습니다.</translation>
+        </message>
+        <message>
+            <source>Another value for the diameter chosen, with a reason. The old one stays in the records.</source>
+            <translation>고른 지름을 이유와 함께 다른 값으로 바꿉니다. 옛 값은 기록에 남습니다.</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>빼기</translation>
+        </message>
+        <message>
+            <source>The diameter chosen no longer counts, with a reason. It stays in the records.</source>
+            <translation>고른 지름을 이유와 함께 세지 않습니다. 기록에는 남습니다.</translation>
+        </message>
+        <message>
+            <source>Serial</source>
+            <translation>일련번호</translation>
+        </message>
+        <message>
+            <source>Gives the part its serial number, or another one.</source>
+            <translation>공작물에 일련번호를 주거나 바꿉니다.</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>보고서</translation>
+        </message>
+        <message>
+            <source>One page about this part as PDF: diameters, tolerance, verdict, feed.</source>
+            <translation>이 공작물의 지름, 공차, 판정, 이송을 PDF 한 장으로 만듭니다.</translation>
+        </message>
+        <message>
+            <source>What was done with parts outside their limits: reworked, scrapped, released by whom.</source>
+            <translation>한계를 벗어난 공작물을 어떻게 했는지 적습니다. 재가공, 불량, 누가 허용했는지.</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Reports of the lot, and Q-DAS files by hand or by themselves into a folder.</source>
+            <translation>로트 보고서, 그리고 손으로 또는 저절로 폴더에 넣는 Q-DAS 파일입니다.</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>게이지들</translation>
+        </message>
+        <message>
+            <source>The register of gauges: range, due date, studies of a ring and of several people.</source>
+            <translation>게이지 등록부입니다. 범위, 기한, 링과 여러 사람의 평가가 있습니다.</translation>
+        </message>
+        <message>
+            <source>Limits of the figures of milled, turned and tapped parts, by which they are judged.</source>
+            <translation>밀링, 터닝, 탭 가공 수치의 한계이며 이것으로 판정합니다.</translation>
+        </message>
+        <message>
+            <source>Older</source>
+            <translation>이전</translation>
+        </message>
+        <message>
+            <source>The parts before those shown.</source>
+            <translation>표시한 것보다 앞의 공작물입니다.</translation>
+        </message>
+        <message>
+            <source>Newer</source>
+            <translation>다음</translation>
+        </message>
+        <message>
+            <source>The parts after those shown.</source>
+            <translation>표시한 것보다 뒤의 공작물입니다.</translation>
+        </message>
+        <message>
+            <source>Leave a note</source>
+            <translation>메모 남기기</translation>
+        </message>
+        <message>
+            <source>A sentence for the next shift, signed with your name.</source>
+            <translation>다음 근무조에 남기는 한 문장이며 이름이 붙습니다.</translation>
+        </message>
+        <message>
+            <source>Hand over</source>
+            <translation>인계</translation>
+        </message>
+        <message>
+            <source>Signs this shift; the next one begins now and reads your words first.</source>
+            <translation>이 근무조에 서명합니다. 다음 근무조가 지금 시작되고 이 글을 먼저 읽습니다.</translation>
+        </message>
+        <message>
+            <source>One page (PDF)</source>
+            <translation>한 장 보고서 (PDF)</translation>
+        </message>
+        <message>
+            <source>The shift as it stands here, on one page.</source>
+            <translation>지금 보이는 근무조를 한 장으로 만듭니다.</translation>
+        </message>
+        <message>
+            <source>Shift before</source>
+            <translation>이전 근무조</translation>
+        </message>
+        <message>
+            <source>The shift that was handed over before the one shown.</source>
+            <translation>표시한 것보다 앞서 인계된 근무조입니다.</translation>
+        </message>
+        <message>
+            <source>This shift</source>
+            <translation>이번 근무조</translation>
+        </message>
+        <message>
+            <source>Back to the shift that goes on.</source>
+            <translation>지금 이어지는 근무조로 돌아갑니다.</translation>
+        </message>
+        <message>
+            <source>Stops</source>
+            <translation>정지</translation>
+        </message>
+        <message>
+            <source>Pauses of more than three minutes. Touch one and say why; two touches.</source>
+            <translation>3분이 넘는 멈춤입니다. 하나를 눌러 이유를 고릅니다. 두 번이면 됩니다.</translation>
+        </message>
+        <message>
+            <source>Which one rises?</source>
+            <translation>어느 것이 오르는가?</translation>
+        </message>
+        <message>
+            <source>Warm a thermocouple with a finger: the one that rises first is named, so that its place on the picture can be set.</source>
+            <translation>손가락으로 열전대를 따뜻하게 하십시오. 먼저 오르는 것의 이름이 나와 그림에서 위치를 정할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Ask the gauge</source>
+            <translation>게이지에 묻기</translation>
+        </message>
+        <message>
+            <source>Asks a gauge for a reading, to see that it answers.</source>
+            <translation>게이지가 답하는지 보려고 값을 한 번 묻습니다.</translation>
+        </message>
+        <message>
+            <source>Back up all data</source>
+            <translation>모든 데이터 백업</translation>
+        </message>
+        <message>
+            <source>A checked copy of everything in one file, made while everything goes on.</source>
+            <translation>모든 것이 이어지는 동안 검사한 사본을 파일 하나로 만듭니다.</translation>
+        </message>
+        <message>
+            <source>Restore a backup</source>
+            <translation>백업 복원</translation>
+        </message>
+        <message>
+            <source>Puts a backup in the place of the data at the next start. What is there now is set aside. For process engineers, with a reason.</source>
+            <translation>다음에 시작할 때 백업이 데이터를 대신합니다. 지금의 것은 따로 보관됩니다. 공정 기술자만, 이유와 함께 할 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Open, choose or close a lot; recipes of the part types.</source>
+            <translation>로트를 열고 고르고 닫습니다. 품종의 레시피도 있습니다.</translation>
+        </message>
+        <message>
+            <source>Who is there</source>
+            <translation>누가 있는가</translation>
+        </message>
+        <message>
+            <source>Sign on, sign off, people and their roles; a second person for limits.</source>
+            <translation>로그인, 로그아웃, 사람과 역할, 한계를 올릴 때의 두 번째 사람입니다.</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>설정</translation>
+        </message>
+        <message>
+            <source>Language, units, light or dark, size of the text.</source>
+            <translation>언어, 단위, 밝거나 어두운 화면, 글자 크기입니다.</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>언어</translation>
+        </message>
+        <message>
+            <source>Korean or English, at once, on all pages.</source>
+            <translation>한국어나 영어로, 모든 화면에서 바로 바뀝니다.</translation>
+        </message>
+        <message>
+            <source>Simulator</source>
+            <translation>시뮬레이터</translation>
+        </message>
+        <message>
+            <source>How much faster than time the simulated machine runs. A real machine has no such button.</source>
+            <translation>시뮬레이션 기계가 시간보다 얼마나 빨리 도는지입니다. 실제 기계에는 없는 단추입니다.</translation>
+        </message>
+        <message>
+            <source>Archive of parts</source>
+            <translation>공작물 보관함</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each.</source>
+            <translation>지금까지 가공한 공작물과 각각의 표면, 절삭력, 보정입니다.</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>자동</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>

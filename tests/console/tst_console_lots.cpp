@@ -8,7 +8,9 @@
 #include "db/migrator.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
+#include "ui/help/help_texts.h"
 #include "ui/widgets/action_button.h"
+#include "ui/widgets/number_display.h"
 #include "ui/widgets/value_field.h"
 
 using namespace kerf;
@@ -243,6 +245,29 @@ class TestConsoleLots : public QObject {
         look(bench, "diagnostics");
         QVERIFY(bench.press("backup"));
         QTRY_VERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
+    }
+    void everyButtonAndFigureIsExplained() {
+        test::ConsoleBench bench;
+        start(bench, options(5, false));
+        const std::vector<ui::HelpText> texts = ui::helpTexts();
+        QStringList without;
+        for (const ui::PageEntry& page : bench.console().window()->pages()) {
+            bench.console().window()->showPage(page.key);
+            for (const QWidget* widget : bench.console().window()->findChildren<QWidget*>()) {
+                const bool figure = qobject_cast<const ui::NumberDisplay*>(widget) != nullptr;
+                const QString name = widget->objectName();
+                // The keypad is the field's, the navigation its pages'; scroll bars are Qt's.
+                const bool counts = (figure || qobject_cast<const QAbstractButton*>(widget) != nullptr) &&
+                                    widget->isVisible() && !name.startsWith(QStringLiteral("key")) &&
+                                    !name.startsWith(QStringLiteral("nav_")) && !name.startsWith(QStringLiteral("qt_"));
+                if (counts && !name.isEmpty() && name != QStringLiteral("help") &&
+                    ui::findHelp(texts, name) == nullptr) {
+                    without << QLatin1String(page.key) + u'/' + name;
+                }
+            }
+        }
+        without.removeDuplicates();
+        QVERIFY2(without.isEmpty(), qPrintable(without.join(u' ')));
     }
     void aBoreThatWaitsCanBeGaugedAfterARestart() {
         test::ConsoleBench bench;

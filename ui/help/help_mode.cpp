@@ -6,7 +6,7 @@
 #include <QMouseEvent>
 #include <QScroller>
 #include <QTextBrowser>
-#include <algorithm>
+#include <optional>
 
 #include "ui/widgets/label.h"
 
@@ -45,18 +45,20 @@ bool HelpMode::eventFilter(QObject* watched, QEvent* event) {
 
 void HelpMode::explain(const QWidget* widget) {
     const std::vector<HelpText> texts = helpTexts();
-    for (const QWidget* w = widget; w != nullptr; w = w->parentWidget()) {
+    std::optional<HelpText> text;
+    // The nearest paragraph; its formula may be that of the panel or page around it.
+    for (const QWidget* w = widget; w != nullptr && (!text || text->formula.isEmpty()); w = w->parentWidget()) {
         const QString page = w->property("pageKey").toString();
         for (const QString& key : {w->objectName(), page.isEmpty() ? QString() : QStringLiteral("page:") + page}) {
-            const auto found = std::ranges::find_if(
-                texts, [&key](const HelpText& text) { return !key.isEmpty() && key == QLatin1String(text.key); });
-            if (found != texts.end()) {
-                show(*found);
-                return;
+            const HelpText* found = findHelp(texts, key);
+            if (found != nullptr && !text) {
+                text = *found;
+            } else if (found != nullptr && text->formula.isEmpty()) {
+                text->formula = found->formula;
             }
         }
     }
-    openGuide();
+    text ? show(*text) : openGuide();
 }
 
 void HelpMode::show(const HelpText& text) {

@@ -2,6 +2,7 @@
 #include "ui/help/help_texts.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace kerf::ui {
 namespace {
@@ -14,7 +15,8 @@ struct Help {
 
 // Shop words first; the formula comes with a second touch.
 std::vector<HelpText> helpTexts() {
-    return {
+    std::vector<HelpText> texts = buttonTexts();
+    const std::vector<HelpText> others{
         {"holdAll", Help::tr("HOLD ALL"),
          Help::tr("Takes every loop off within one cycle: the last offset stays, the feed is at or below the "
                   "programmed one. The machine goes on. It is no emergency stop."),
@@ -159,6 +161,18 @@ std::vector<HelpText> helpTexts() {
                   "whoever looks after Kerf."),
          QStringLiteral("")},
     };
+    texts.insert(texts.end(), others.begin(), others.end());
+    return texts;
+}
+
+const HelpText* findHelp(const std::vector<HelpText>& texts, const QString& name) {
+    const auto found = std::ranges::find_if(texts, [&name](const HelpText& text) {
+        const QLatin1String key(text.key);
+        return key.startsWith(u'*') ? name.endsWith(key.sliced(1))
+               : key.endsWith(u'*') ? name.startsWith(key.chopped(1))
+                                    : name == key;
+    });
+    return name.isEmpty() || found == texts.end() ? nullptr : &*found;
 }
 
 }  // namespace kerf::ui

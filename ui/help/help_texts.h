@@ -14,7 +14,11 @@ struct HelpText {
     QString formula{};  ///< empty: there is none
 };
 
-/// All of them, in the language of the program.
+/// All of them, those of single buttons first, in the language of the program.
 [[nodiscard]] std::vector<HelpText> helpTexts();
+/// Those about single buttons and figures; a key may begin or end with * (any name that ends or begins so).
+[[nodiscard]] std::vector<HelpText> buttonTexts();
+/// The paragraph of this name; null: there is none.
+[[nodiscard]] const HelpText* findHelp(const std::vector<HelpText>& texts, const QString& name);
 
 }  // namespace kerf::ui
