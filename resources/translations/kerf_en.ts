@@ -562,14 +562,6 @@
             <translation>The force that the feed holds: higher is faster, and bends the tool more.</translation>
         </message>
         <message>
-            <source>Margin</source>
-            <translation>Margin</translation>
-        </message>
-        <message>
-            <source>How far the force of this cut is from the overload at which the feed is stopped.</source>
-            <translation>How far the force of this cut is from the overload at which the feed is stopped.</translation>
-        </message>
-        <message>
             <source>Peak force</source>
             <translation>Peak force</translation>
         </message>
@@ -1048,6 +1040,14 @@
         <message>
             <source>Automatic</source>
             <translation>Automatic</translation>
+        </message>
+        <message>
+            <source>Gain margin</source>
+            <translation>Gain margin</translation>
+        </message>
+        <message>
+            <source>How many times stronger the law could act before the force begins to swing; below two it is close.</source>
+            <translation>How many times stronger the law could act before the force begins to swing; below two it is close.</translation>
         </message>
     </context>
     <context>

@@ -562,14 +562,6 @@
             <translation>이송이 유지하는 절삭력입니다. 높을수록 빠르지만 공구가 더 휩니다.</translation>
         </message>
         <message>
-            <source>Margin</source>
-            <translation>여유</translation>
-        </message>
-        <message>
-            <source>How far the force of this cut is from the overload at which the feed is stopped.</source>
-            <translation>이 절삭의 힘이 이송을 멈추는 과부하까지 얼마나 남았는지입니다.</translation>
-        </message>
-        <message>
             <source>Peak force</source>
             <translation>최대 절삭력</translation>
         </message>
@@ -1048,6 +1040,14 @@
         <message>
             <source>Automatic</source>
             <translation>자동</translation>
+        </message>
+        <message>
+            <source>Gain margin</source>
+            <translation>게인 여유</translation>
+        </message>
+        <message>
+            <source>How many times stronger the law could act before the force begins to swing; below two it is close.</source>
+            <translation>절삭력이 흔들리기 시작하기까지 법칙이 몇 배 더 강해질 수 있는지입니다. 2배보다 작으면 가깝습니다.</translation>
         </message>
     </context>
     <context>

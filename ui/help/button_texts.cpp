@@ -78,8 +78,10 @@ std::vector<HelpText> buttonTexts() {
                        "the next cut begin; it needs a name.")),
         about("millingReference", Help::tr("Reference force"),
               Help::tr("The force that the feed holds: higher is faster, and bends the tool more.")),
-        about("millingMargin", Help::tr("Margin"),
-              Help::tr("How far the force of this cut is from the overload at which the feed is stopped.")),
+        about(
+            "millingMargin", Help::tr("Gain margin"),
+            Help::tr(
+                "How many times stronger the law could act before the force begins to swing; below two it is close.")),
         about("millingPeak", Help::tr("Peak force"), Help::tr("Highest force of this cut, of single teeth.")),
         about("millingSaved", Help::tr("Saved"),
               Help::tr("Time against the planned feed on the same path; in advise mode, what control would save.")),

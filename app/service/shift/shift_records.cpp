@@ -23,6 +23,7 @@ constexpr std::uint32_t kRecordsLooked = 1000;
 constexpr std::uint32_t kPage = 500;
 constexpr std::uint32_t kMostParts = 5000;  // of one shift; a page is drawn from them, not a history
 constexpr double kNanosecondsPerMillisecond = 1e6;
+constexpr const char* kConsole = "Kerf";        // the author where nobody has signed on
 constexpr ProcessId kHome = ProcessId::Boring;  // where records of the whole machine are kept
 
 json bodyOf(const RoomRecordRow& row) {
@@ -165,9 +166,11 @@ Result<void> readChanges(ShiftView& view, AuditReader& reader) {
             if (row.utc_ms < view.fromUtc_ms) {
                 return {};
             }
-            // Measured diameters are the work itself; notes and reasons stand on the page already.
+            // Measured diameters are the work itself; notes and reasons stand on the page already; what the console
+            // does by itself is nobody's change, but for its settings.
             const bool work = row.action == "measured" || row.action == "signed on" || row.action == "signed off" ||
-                              row.action.find(" shift_") != std::string::npos;
+                              row.action.find(" shift_") != std::string::npos ||
+                              (row.author == kConsole && row.action != "setting changed");
             if (!work && !row.author.empty() && row.utc_ms < view.toUtc_ms) {
                 view.changes.push_back(
                     {row.utc_ms, row.author, row.action, row.object, row.oldValue, row.newValue, row.reason});
