@@ -10,9 +10,12 @@
 namespace kerf::dfq {
 namespace {
 
-/// What editors and printers have made of the two separators: ¤ and ¶, or the pictures of the control characters.
-constexpr std::array<std::string_view, 2> kForCharacteristics{"\xC2\xA4", "\xE2\x90\x8F"};
-constexpr std::array<std::string_view, 2> kForFields{"\xC2\xB6", "\xE2\x90\x94"};
+/// What editors, printers, mails and markup have made of the two separators: ¤ and ¶, the pictures of the control
+/// characters, ^O and ^T, their names and numbers.
+constexpr std::array<std::string_view, 8> kForCharacteristics{"\xC2\xA4", "\xE2\x90\x8F", "^O",    "<SI>",
+                                                              "[SI]",     "\\x0F",        "&#15;", "&#x0F;"};
+constexpr std::array<std::string_view, 8> kForFields{"\xC2\xB6", "\xE2\x90\x94", "^T",    "<DC4>",
+                                                     "[DC4]",    "\\x14",        "&#20;", "&#x14;"};
 
 std::string replaced(std::string text, std::string_view what, char with) {
     for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
@@ -59,7 +62,7 @@ std::vector<std::string> repairSeparators(std::string& line) {
     std::vector<std::string> oddities;
     // Only where what follows could begin a field: such a sign may also stand in a batch's name.
     const auto follows = [&](std::size_t after) {
-        return after >= line.size() || line.find_first_of("0123456789+-.#\x0F\x14 \xC2\xE2", after) == after;
+        return after >= line.size() || line.find_first_of("0123456789+-.#\x0F\x14 \xC2\xE2^<[\\&", after) == after;
     };
     const auto repair = [&](char right, const auto& wrong, const char* name) {
         if (line.find(right) != std::string::npos) {
@@ -81,6 +84,11 @@ std::vector<std::string> repairSeparators(std::string& line) {
     return oddities;
 }
 
+bool holdsPicture(std::string_view text) {
+    const auto in = [text](std::string_view picture) { return text.find(picture) != std::string_view::npos; };
+    return std::ranges::any_of(kForCharacteristics, in) || std::ranges::any_of(kForFields, in);
+}
+
 LineFields splitAtSeparators(std::string_view line) {
     LineFields characteristics;
     for (const std::string_view piece : split(line, kBetweenCharacteristics)) {
@@ -92,12 +100,14 @@ LineFields splitAtSeparators(std::string_view line) {
     return characteristics;
 }
 
-LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics) {
+namespace {
+
+LineFields splitAtAny(std::string_view line, std::string_view signs, std::uint32_t characteristics) {
     std::vector<std::string_view> tokens;
-    for (std::size_t begin = line.find_first_not_of(" \t;"); begin != std::string_view::npos;) {
-        const auto end = std::min(line.find_first_of(" \t;", begin), line.size());
+    for (std::size_t begin = line.find_first_not_of(signs); begin != std::string_view::npos;) {
+        const auto end = std::min(line.find_first_of(signs, begin), line.size());
         tokens.push_back(line.substr(begin, end - begin));
-        begin = line.find_first_not_of(" \t;", end);
+        begin = line.find_first_not_of(signs, end);
     }
     std::vector<std::size_t> starts;
     for (std::size_t i = 2; i < tokens.size(); ++i) {
@@ -105,7 +115,8 @@ LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics) {
             starts.push_back(i - 2);
         }
     }
-    if (starts.empty() && tokens.size() == characteristics) {
+    const auto isNumber = [](std::string_view token) { return numberOf(token).has_value(); };
+    if (starts.empty() && tokens.size() == characteristics && std::ranges::all_of(tokens, isNumber)) {
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             starts.push_back(i);
         }
@@ -120,6 +131,20 @@ LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics) {
                             tokens.begin() + static_cast<std::ptrdiff_t>(end));
     }
     return fields;
+}
+
+}  // namespace
+
+LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics) {
+    for (const std::string_view signs : {" \t;", "|", ","}) {
+        LineFields fields = splitAtAny(line, signs, characteristics);
+        // Between commas events would come apart: only what ends with the time is sure.
+        const bool sure = signs != "," || std::ranges::all_of(fields, [](const auto& one) { return one.size() <= 3; });
+        if (!fields.empty() && sure) {
+            return fields;
+        }
+    }
+    return {};
 }
 
 }  // namespace kerf::dfq

@@ -27,10 +27,12 @@ using LineFields = std::vector<std::vector<std::string_view>>;  ///< by characte
 
 /// Puts the separators back where an editor or printer has made visible signs of them. What was odd, for a person.
 [[nodiscard]] std::vector<std::string> repairSeparators(std::string& line);
+/// A sign that repairSeparators() would take for a separator.
+[[nodiscard]] bool holdsPicture(std::string_view text);
 /// Fields between the right separators.
 [[nodiscard]] LineFields splitAtSeparators(std::string_view line);
-/// Blanks, tabs or semicolons between everything: a characteristic begins two places before each time, or every token
-/// is a value when there are as many as characteristics. Empty: neither.
+/// Blanks, tabs, semicolons, bars or commas between everything: a characteristic begins two places before each time, or
+/// every token is a value when there are as many as characteristics. Empty: neither.
 [[nodiscard]] LineFields splitAtBlanks(std::string_view line, std::uint32_t characteristics);
 
 }  // namespace kerf::dfq

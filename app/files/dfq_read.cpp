@@ -4,26 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "app/files/dfq.h"
+#include "app/files/dfq_field.h"
 #include "app/files/dfq_line.h"
+#include "app/files/dfq_loose.h"
 
 namespace kerf::dfq {
 namespace {
 
 constexpr std::uint32_t kMostCharacteristics = 100'000;
 
-std::string keyName(int key) {
-    return key < 0 ? fmt::format("place {}", -key) : fmt::format("K{:04}", key);
-}
-
-bool isZeroTime(std::string_view text) {
-    return text.find_first_of("123456789") == std::string_view::npos;
-}
-
-class Reader {
+class Reader : public FieldFindings {
  public:
     explicit Reader(File& file, SlashDates slashes = SlashDates::MonthFirst) : m_file(file), m_slashes(slashes) {
         for (const Entry& entry : file.entries) {
@@ -98,15 +93,25 @@ class Reader {
             m_file.oddities.push_back({line, "and more of them"});
         }
     }
+    void oddOfFile(std::string text) override { odd(0, std::move(text)); }
+    void oddHere(std::string text) override { odd(m_line, std::move(text)); }
     /// Told once, with the line where it was seen first.
-    void oddOnce(std::string text) {
+    void oddOnce(std::string text) override {
         if (!std::ranges::any_of(m_file.oddities, [&](const Oddity& other) { return other.text == text; })) {
             odd(m_line, std::move(text));
         }
     }
-    void bad(std::string field, std::string text) {
+    void bad(std::string field, std::string text) override {
         if (!m_problem) {
             m_problem = Problem{m_line, std::move(field), std::move(text)};
+        }
+    }
+
+    /// A K field has come: what stood in front of it was a title.
+    void leavePreface() {
+        if (m_preface) {
+            odd(m_preface->line, "words in front of the first key, left out");
+            m_preface.reset();
         }
     }
 
@@ -124,9 +129,16 @@ class Reader {
             bad("line", "a zero byte; this is no text file");
             return;
         }
-        const std::string_view plain = trimmed(line);
+        std::string_view plain = trimmed(line);
         if (plain.empty()) {
             return;
+        }
+        std::string bare;
+        if (plain.size() > 2 && plain.front() == '"' && plain.back() == '"' && plain.find('"', 1) == plain.size() - 1) {
+            oddOnce("lines in quotes");
+            bare = plain.substr(1, plain.size() - 2);
+            line = bare;
+            plain = trimmed(line);
         }
         if (plain == "\x1A") {  // the end mark of old editors
             return;
@@ -134,6 +146,7 @@ class Reader {
         const bool isKey =
             plain.size() >= 2 && (plain[0] == 'K' || plain[0] == 'k') && plain[1] >= '0' && plain[1] <= '9';
         if (isKey) {
+            leavePreface();
             if (plain.size() != line.size() && line.front() != 'K' && line.front() != 'k') {
                 odd(m_line, "blanks in front of the key");
             }
@@ -143,10 +156,19 @@ class Reader {
         const bool numeric = plain.find_first_of("0123456789+-.,") == 0;
         const bool separated = line.find(kBetweenFields) != std::string_view::npos ||
                                line.find(kBetweenCharacteristics) != std::string_view::npos;
-        if (numeric || separated) {
+        const bool remark = (m_file.entries.empty() || !m_file.values.empty()) && isRemark(plain);
+        if (!separated && remark) {
+            odd(m_line, fmt::format("'{}' left out: a remark", plain.substr(0, 40)));
+        } else if (numeric || separated) {
+            if (m_preface) {
+                m_problem = m_preface;  // a table, not a Q-DAS file
+                return;
+            }
             takeValueLine(line);
         } else if (m_described == 0 && m_file.entries.empty() && m_file.values.empty()) {
-            bad("line", "neither a K field nor values; expected a DFQ, DFD or DFX file");
+            if (!m_preface) {
+                m_preface = Problem{m_line, "line", "neither a K field nor values; expected a DFQ, DFD or DFX file"};
+            }
         } else if (!m_file.values.empty()) {
             bad("K0001", fmt::format("'{}' is neither a K field nor values", plain.substr(0, 40)));
         } else if (!m_file.entries.empty()) {
@@ -176,6 +198,7 @@ class Reader {
         const std::size_t blank = std::min(line.find_first_of(" \t", at), line.size());
         std::string_view address = line.substr(at, blank - at);
         std::string text(trimmed(line.substr(blank)));
+        takeSign(address, text);
         if (!address.empty() && address.front() == '/') {
             address.remove_prefix(1);
             const auto slash = std::min(address.find('/'), address.size());
@@ -200,7 +223,14 @@ class Reader {
         if (key == 100) {
             std::uint32_t count = 0;
             const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-            if (error != std::errc{} || stop != text.data() + text.size() || count > kMostCharacteristics) {
+            if (text.empty()) {
+                odd(m_line, "K0100 without its number");
+                return;
+            }
+            const auto whole = numberOf(text);  // "2.0"
+            if (whole && *whole == std::floor(*whole) && *whole >= 0.0 && *whole <= kMostCharacteristics) {
+                count = static_cast<std::uint32_t>(*whole);
+            } else if (error != std::errc{} || stop != text.data() + text.size() || count > kMostCharacteristics) {
                 bad("K0100", fmt::format("'{}' is no number of characteristics", text));
                 return;
             }
@@ -217,6 +247,31 @@ class Reader {
             m_file.entries.push_back({key, index, std::move(sub), std::move(text)});
             note(m_file.entries.back());
         }
+    }
+
+    /// "K2002(1) text", "K2002/1=text", "K2002/1: text": the index as it should stand, what follows it in front of the
+    /// text.
+    void takeSign(std::string_view& address, std::string& text) {
+        std::size_t end = 1;
+        while (end < address.size() && address[end] >= '0' && address[end] <= '9') {
+            ++end;
+        }
+        const bool brackets = address.starts_with('(') || address.starts_with('[');
+        if (end == 1 || (!brackets && !address.starts_with('/'))) {
+            return;
+        }
+        const std::string_view rest = address.substr(end);
+        const bool closed = brackets && (rest.starts_with(')') || rest.starts_with(']'));
+        const bool sign = !brackets && (rest.starts_with('=') || rest.starts_with(':') || rest.starts_with(';'));
+        if (!closed && !sign) {
+            return;
+        }
+        odd(0, closed ? "an index in brackets" : "a sign between index and text");
+        if (rest.size() > 1) {
+            text = std::string(rest.substr(1)) + (text.empty() ? "" : " " + text);
+        }
+        m_address = '/' + std::string(address.substr(1, end - 1));
+        address = m_address;
     }
 
     void takeValueKey(int key, std::uint32_t characteristic, const std::string& sub, std::string text) {
@@ -317,107 +372,16 @@ class Reader {
 
     /// Checks a field, brings it to the form that is written, and keeps it.
     void set(Value& value, int key, std::string text) {
-        switch (key) {
-            case 1:
-            case 20:
-            case 21:
-                if (!text.empty()) {
-                    const auto number = numberOf(text);
-                    if (!number) {
-                        bad(keyName(key), fmt::format("'{}' is no number", text));
-                        return;
-                    }
-                    if (text.find(',') != std::string::npos) {
-                        odd(0, "decimal commas");
-                        std::ranges::replace(text, ',', '.');
-                    }
-                    if (key == 1) {
-                        value.value = number;
-                    }
-                } else if (key == 1) {
-                    value.value.reset();
-                }
-                break;
-            case 2:
-                if (!text.empty()) {
-                    int attribute = 0;
-                    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), attribute);
-                    if (error != std::errc{} || stop != text.data() + text.size()) {
-                        bad(keyName(key), fmt::format("'{}' is no attribute; expected 0, 255, 256 …", text));
-                        return;
-                    }
-                    value.attribute = attribute;
-                }
-                break;
-            case 4:
-                setTime(value, text);
-                break;
-            case 5:
-                setEvents(value, text);
-                break;
-            default:
-                break;
+        FieldReader reader(*this, m_file, m_slashes);
+        if (!reader.take(value, key, text)) {
+            m_dayFirst = m_dayFirst || reader.wantsDayFirst();
+            return;
         }
         const auto same = std::ranges::find(value.fields, key, &Field::key);
         if (same != value.fields.end() && key != 9) {
             same->text = std::move(text);
         } else {
             value.fields.push_back({key, std::move(text)});
-        }
-    }
-
-    void setTime(Value& value, std::string& text) {
-        if (text.empty()) {
-            return;
-        }
-        // An offset of ISO 8601 is kept as it stands; the clock in front of it is what counts here.
-        std::string_view local = text;
-        const auto t = local.find('T');
-        bool offset = false;
-        if (t != std::string_view::npos) {
-            const auto zone = local.find_first_of("+-Z", t);
-            offset = zone != std::string_view::npos;
-            local = local.substr(0, zone);
-        }
-        value.time = timeOf(local, m_slashes);
-        if (!value.time) {
-            if (!isZeroTime(text)) {
-                m_dayFirst = m_slashes == SlashDates::MonthFirst && timeOf(local, SlashDates::DayFirst).has_value();
-                bad("K0004", fmt::format("'{}' is no time; expected dd.MM.yyyy/HH:mm:ss", text));
-                return;
-            }
-            odd(m_line, "a time of zeros, taken as none");
-        } else if (!offset) {
-            const std::string canonical = timeText(*value.time);
-            if (canonical != text) {
-                odd(0, fmt::format("times in another form than dd.MM.yyyy/HH:mm:ss ('{}')", text.substr(0, 32)));
-                text = canonical;
-            }
-        }
-    }
-
-    void setEvents(Value& value, std::string& text) {
-        value.events.clear();
-        if (text.find_first_not_of("0123456789 ,;") == std::string::npos &&
-            text.find_first_of(" ;") != std::string::npos) {
-            odd(0, "events apart by blanks or semicolons instead of commas");
-            std::string numbers;
-            for (std::size_t at = text.find_first_of("0123456789"); at != std::string::npos;) {
-                const std::size_t end = std::min(text.find_first_of(" ,;", at), text.size());
-                numbers.append(numbers.empty() ? 0 : 1, ',').append(text, at, end - at);
-                at = text.find_first_of("0123456789", end);
-            }
-            text = numbers;
-        }
-        for (const std::string_view piece : split(text, ',')) {
-            const std::string_view number = trimmed(piece);
-            std::uint32_t event = 0;
-            const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), event);
-            if (!number.empty() && error == std::errc{} && stop == number.data() + number.size()) {
-                value.events.push_back(event);
-            } else if (!number.empty()) {
-                odd(m_line, fmt::format("'{}' is no event's number, kept as text", number.substr(0, 32)));
-            }
         }
     }
 
@@ -495,6 +459,9 @@ class Reader {
     }
 
     tl::expected<void, Problem> finish() {
+        if (m_preface) {
+            return tl::unexpected(*m_preface);
+        }
         if (m_file.entries.empty() && m_file.values.empty() && !m_announced) {
             return tl::unexpected(
                 Problem{m_line, "line", "the file holds neither a K field nor values; expected a DFQ, DFD or DFX"});
@@ -522,7 +489,9 @@ class Reader {
     std::map<std::uint32_t, std::string> m_kinds{};
     std::set<std::uint32_t> m_missing{};
     std::vector<Field> m_pending{};
-    bool m_inFront{false};  ///< K lines of a value stand before its value line
+    std::string m_address{};             ///< of a key line whose index had to be mended
+    std::optional<Problem> m_preface{};  ///< words in front of everything, of which nobody knows yet what they are
+    bool m_inFront{false};               ///< K lines of a value stand before its value line
     SlashDates m_slashes;
     bool m_dayFirst{false};  ///< failed at a date that only stands with its day first
 };

@@ -22,10 +22,8 @@ bool fieldFitsALine(const Field& field) {
     if (text.find_first_of("\x0F\x14\r\n") != std::string::npos) {
         return false;
     }
-    for (const std::string_view picture : {"\xC2\xA4", "\xC2\xB6", "\xE2\x90\x8F", "\xE2\x90\x94"}) {
-        if (text.find(picture) != std::string::npos) {
-            return false;  // readers take it for a separator
-        }
+    if (holdsPicture(text)) {
+        return false;  // readers take it for a separator
     }
     if (field.key == 5 && (timeOf(text) || timeOf(text, SlashDates::DayFirst))) {
         return false;  // a time in the place of the events would make an attribute characteristic of it
