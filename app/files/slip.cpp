@@ -89,6 +89,32 @@ std::optional<SlippedRow> slippedStation(std::span<const double> values) {
     return std::nullopt;
 }
 
+std::optional<Slip> slippedColumn(std::span<const double> values, double low, double high) {
+    constexpr double kEdge = 0.05;  // an inch value has a few digits, and a bore may be measured a little outside
+    if (values.empty()) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::ranges::minmax(values);
+    if (most >= low * (1.0 - kEdge) && least <= high * (1.0 + kEdge)) {
+        return std::nullopt;
+    }
+    constexpr std::array kColumnSlips{Slip{kInch_mm, "inch?"}, Slip{10.0, "cm?"}, Slip{1000.0, "metres?"},
+                                      Slip{0.001, "micrometres?"}, Slip{1.0 / kInch_mm, "mm for inch?"}};
+    for (const Slip& slip : kColumnSlips) {
+        if (least * slip.factor >= low * (1.0 - kEdge) && most * slip.factor <= high * (1.0 + kEdge)) {
+            return slip;
+        }
+    }
+    return std::nullopt;
+}
+
+void refuseUnless(bool accepted, const Table& table, const std::string& what) {
+    if (!accepted) {
+        throw BadInput(what + " --accept-implausible takes it all the same.");
+    }
+    table.note(what + " Taken, as was asked for.");
+}
+
 void askAbout(const Table& table, std::string_view column, double value, const std::optional<SlippedRow>& slipped,
               bool accepted) {
     if (!slipped) {
@@ -96,10 +122,7 @@ void askAbout(const Table& table, std::string_view column, double value, const s
     }
     const std::string what = fmt::format("{}{} does not fit the other rows; {}", table.where(slipped->row, column),
                                          value, slipped->slip.guess);
-    if (!accepted) {
-        throw BadInput(what + " --accept-implausible takes it all the same.");
-    }
-    table.note(what + " Taken, as was asked for.");
+    refuseUnless(accepted, table, what);
 }
 
 }  // namespace kerf::files

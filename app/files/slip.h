@@ -32,6 +32,14 @@ struct SlippedRow {
 /// The first of the values that come again and again (depths, stations) which comes once and is a slip of another.
 [[nodiscard]] std::optional<SlippedRow> slippedStation(std::span<const double> values);
 
+/// A whole column in another unit: every value lies below `low` (or every one above `high`), and one slip puts all of
+/// them inside.
+[[nodiscard]] std::optional<Slip> slippedColumn(std::span<const double> values, double low, double high);
+
+/// What cannot be meant: refused, or noted when the person accepts it. `what`: a sentence with its full stop.
+/// @throws headless::BadInput
+void refuseUnless(bool accepted, const Table& table, const std::string& what);
+
 /// Refuses it with its line, or notes it when the person accepts it. @throws headless::BadInput
 void askAbout(const Table& table, std::string_view column, double value, const std::optional<SlippedRow>& slipped,
               bool accepted);

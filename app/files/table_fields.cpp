@@ -15,7 +15,7 @@ bool digit(char c) noexcept {
 
 /// Numbers, dates and clock times begin with a digit, behind a sign or a mark.
 bool looksLikeData(std::string_view field) noexcept {
-    if (field.empty()) {
+    if (field.empty() || field == "error") {  // a logger's mark for no value, and a column of the charts
         return false;
     }
     if (readCell(field).kind != CellKind::Text) {

@@ -21,6 +21,7 @@ struct ReadOptions {
     std::optional<Encoding> encoding{};
     std::vector<std::string> names{};  ///< of the columns, for a file without a header; "-" leaves one out
     double period_s{0.0};              ///< > 0: a time column t_s is added, for a file without one
+    bool acceptImplausible{false};     ///< what cannot be meant is taken all the same, and told
 };
 
 struct Line {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/files/slip.h"
 #include "app/files/temperature_columns.h"
 #include "app/files/thermal_model_json.h"
 
@@ -24,6 +25,15 @@ constexpr std::array<const char*, 3> kTrue{"yx_true", "yy_true", "yz_true"};
 constexpr double kLongestDay_min = 2880.0;                             ///< longer is a day in seconds
 constexpr double kCoarsest_min = 30.0;                                 ///< between rows; coarser is a row a minute in s
 constexpr double kWarmestShop_degC = 50.0;                             ///< at the baseline; above: degrees Fahrenheit
+constexpr double kShortestDay_min = 30.0;                              ///< of many rows: a day in hours is shorter
+constexpr double kLongestDay_d = 2.0;                                  ///< shorter still: a day in days
+constexpr double kDayRows = 30;                                        ///< "many"
+constexpr double kFastest_KPerMin = 1.0;                               ///< from the first row to the last
+constexpr double kColdestDecade_degC = 0.5;                            ///< a tenth of a shop's 5 degC …
+constexpr double kDecadeShop_degC = 5.0;                               ///< … to 50, the machine at rest …
+constexpr double kDecadeHigh_degC = 15.0;                              ///< … and a tenth of a bearing's 150
+constexpr std::size_t kLikeSensors = 4;                                ///< of which one can be told from the others
+constexpr double kLikeStart = 0.15;                                    ///< at rest they begin alike, as a share
 constexpr Eigen::Index kBridged = 2;                                   ///< rows in a row
 constexpr std::size_t kFewWords = 20;                                  ///< numbers to one word that is a mark
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();  ///< inside a matrix of drifts only
@@ -155,41 +165,136 @@ void takeSensor(const Table& table, std::size_t column, HistoryUse use, thermal:
     }
 }
 
-/// Minutes, degrees Celsius: what training refuses, prediction refuses.
-void requireUnits(const Table& table, const thermal::ThermalHistory& history) {
+/// Lowest and highest of what a thermocouple can read, and the first of all it says; nothing when it never reads.
+struct Span {
+    double low{0.0}, high{0.0}, start{0.0};
+};
+
+std::optional<Span> spanOf(const thermal::ThermalHistory& history, Eigen::Index sensor) {
+    std::optional<Span> span;
+    const Eigen::Index baseline = std::max<Eigen::Index>(1, history.baselineRows());
+    double sum = 0.0;
+    int count = 0;
+    for (Eigen::Index row = 0; row < history.rows(); ++row) {
+        const double value = history.temp_degC(row, sensor);
+        if (!history.present(row, sensor)) {
+            continue;
+        }
+        if (!span) {
+            span = Span{value, value, value};
+        }
+        if (usable(value)) {
+            span->low = usable(span->low) ? std::min(span->low, value) : value;
+            span->high = usable(span->high) ? std::max(span->high, value) : value;
+        }
+        if (row < baseline) {
+            sum += value;
+            ++count;
+        }
+    }
+    if (span && count > 0) {
+        span->start = sum / count;
+    }
+    return span;
+}
+
+/// Minutes: what training refuses, prediction refuses.
+void requireMinutes(const Table& table, const thermal::ThermalHistory& history, const std::vector<Span>& spans,
+                    const HistoryOptions& options) {
+    const bool accepted = options.read.acceptImplausible;
     const double span_min = history.time_min.empty() ? 0.0 : history.time_min.back() - history.time_min.front();
     if (span_min > kLongestDay_min) {
-        throw BadInput(fmt::format("{}{} min is longer than two days; expected minutes, not seconds.",
-                                   table.where(history.time_min.size() - 1, "t_min"), span_min));
+        files::refuseUnless(accepted, table,
+                            fmt::format("{}{} min is longer than two days; expected minutes, not seconds.",
+                                        table.where(history.time_min.size() - 1, "t_min"), span_min));
     }
     const auto rows = static_cast<double>(history.time_min.size());
     if (const double apart_min = span_min / std::max(1.0, rows - 1.0); rows > 2 && apart_min >= kCoarsest_min) {
-        throw BadInput(fmt::format("{}the rows are {:.3g} min apart; expected minutes, not seconds.",
-                                   table.where(1, "t_min"), apart_min));
+        files::refuseUnless(accepted, table,
+                            fmt::format("{}the rows are {:.3g} min apart; expected minutes, not seconds.",
+                                        table.where(1, "t_min"), apart_min));
+    }
+    double rise_K = 0.0;
+    for (const Span& span : spans) {
+        rise_K = std::max(rise_K, span.high - span.low);
+    }
+    // A machine takes hours to warm: a day to learn from is no quarter of an hour, and iron does not rise by a kelvin a
+    // minute for minutes on end.
+    const bool training = options.use == HistoryUse::Training;
+    if (rows >= kDayRows && span_min > 0.0 && span_min < kShortestDay_min &&
+        (training || rise_K / span_min > kFastest_KPerMin)) {
+        files::refuseUnless(
+            accepted, table,
+            fmt::format(
+                "{}{} rows last {:.3g} min, in which the machine changes by {:.1f} K; expected minutes, not {}.",
+                table.where(history.time_min.size() - 1, "t_min"), history.time_min.size(), span_min, rise_K,
+                span_min > kLongestDay_d ? "hours" : "days"));
+    }
+}
+
+/// Degrees Celsius, and none a decade low.
+void requireCelsius(const Table& table, const thermal::ThermalHistory& history, const std::vector<Span>& spans,
+                    bool accepted) {
+    if (spans.empty()) {
+        return;
     }
     std::vector<double> starts;
-    const Eigen::Index baseline = std::max<Eigen::Index>(1, history.baselineRows());
-    for (Eigen::Index s = 0; s < history.temp_degC.cols() && history.rows() > 0; ++s) {
-        double sum = 0.0;
-        int count = 0;
-        for (Eigen::Index row = 0; row < std::min(baseline, history.rows()); ++row) {
-            if (history.present(row, s)) {
-                sum += history.temp_degC(row, s);
-                ++count;
-            }
-        }
-        if (count > 0) starts.push_back(sum / count);
-    }
-    if (starts.empty()) {
-        return;
+    double high = spans.front().high;
+    for (const Span& span : spans) {
+        starts.push_back(span.start);
+        high = std::max(high, span.high);
     }
     const auto middle = starts.begin() + static_cast<std::ptrdiff_t>(starts.size() / 2);
     std::ranges::nth_element(starts, middle);
     if (*middle > kWarmestShop_degC) {
-        throw BadInput(fmt::format("{}baseline of {:.1f} looks like {}; expected degC.",
-                                   table.where(0, history.sensors.front()), *middle,
-                                   *middle > 200.0 ? "kelvin" : "degrees Fahrenheit"));
+        files::refuseUnless(
+            accepted, table,
+            fmt::format("{}baseline of {:.1f} looks like {}; expected degC.", table.where(0, history.sensors.front()),
+                        *middle, *middle > 200.0 ? "kelvin" : "degrees Fahrenheit"));
     }
+    if (*middle > kColdestDecade_degC && *middle < kDecadeShop_degC && high < kDecadeHigh_degC) {
+        files::refuseUnless(accepted, table,
+                            fmt::format("{}baseline of {:.2f}, and nothing is warmer than {:.1f}; expected degC of a "
+                                        "shop, a digit too few?",
+                                        table.where(0, history.sensors.front()), *middle, high));
+    }
+}
+
+/// One sensor that stands where the others would with a digit less, the machine at rest.
+void requireSameDecade(const Table& table, const thermal::ThermalHistory& history, bool accepted) {
+    std::vector<std::pair<Eigen::Index, double>> starts;
+    std::vector<double> sorted;
+    for (Eigen::Index s = 0; s < history.temp_degC.cols(); ++s) {
+        if (const auto span = spanOf(history, s)) {
+            starts.emplace_back(s, span->start);
+            sorted.push_back(span->start);
+        }
+    }
+    if (starts.size() < kLikeSensors) {
+        return;
+    }
+    std::ranges::sort(sorted);
+    const double middle = sorted[sorted.size() / 2];
+    for (const auto& [sensor, start] : starts) {
+        if (middle > kDecadeShop_degC && std::abs(10.0 * start - middle) < kLikeStart * middle) {
+            files::refuseUnless(
+                accepted, table,
+                fmt::format("{}begins at {:.2f} where the others begin at {:.1f}; a digit too few?",
+                            table.where(0, history.sensors[static_cast<std::size_t>(sensor)]), start, middle));
+        }
+    }
+}
+
+void requireUnits(const Table& table, const thermal::ThermalHistory& history, const HistoryOptions& options) {
+    std::vector<Span> spans;
+    for (Eigen::Index s = 0; s < history.temp_degC.cols() && history.rows() > 0; ++s) {
+        if (const auto span = spanOf(history, s)) {
+            spans.push_back(*span);
+        }
+    }
+    requireMinutes(table, history, spans, options);
+    requireCelsius(table, history, spans, options.read.acceptImplausible);
+    requireSameDecade(table, history, options.read.acceptImplausible);
 }
 
 std::vector<std::size_t> knownColumns(const Table& table) {
@@ -294,7 +399,7 @@ HistoryFile historyOf(Table table, const std::string& path, const HistoryOptions
         }
         throw BadInput(table.where(row, fault->column) + cell + fault->reason.english());
     }
-    requireUnits(table, history);
+    requireUnits(table, history, options);
     file.notes = table.notes();
     return file;
 }

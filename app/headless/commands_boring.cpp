@@ -23,7 +23,6 @@ struct ReplayOptions {
     std::string file{};
     double targetDiameter_mm{0.0};
     double phi_deg{boring::kTablePhi_deg};
-    bool acceptImplausible{false};
     std::shared_ptr<files::ReadOptions> read{};
 };
 
@@ -33,12 +32,18 @@ std::string guess(double value_mm, double target_mm) {
     return slip ? fmt::format(" {}", slip->guess) : std::string();
 }
 
+const char* valueColumn(const ReplayOptions& options, const Table& table) {
+    return options.targetDiameter_mm > 0.0                                  ? "diameter_mm"
+           : table.has(kSimulatedDeflection) && !table.has("deflection_mm") ? kSimulatedDeflection
+                                                                            : "deflection_mm";
+}
+
 /// Rows of the file as the tracker takes them; the id of an entry is its row.
 std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& options, Table& table,
                                                         const boring::FeedLawParams& feed) {
     const bool diameters = options.targetDiameter_mm > 0.0;
-    const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
-    if (diameters) {
+    const char* valueName = valueColumn(options, table);
+    if (diameters || valueName == kSimulatedDeflection) {
         // A bore without a value, or of which nobody knows how it was cut; what is computed must be there.
         table.dropRowsWithGaps({valueName, "overhang_mm", "feed_mm_per_rev"});
     }
@@ -50,8 +55,9 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
     table.requireRange("overhang_mm", kSmallest, kMaxOverhang_mm);
     table.requireRange("feed_mm_per_rev", kSmallest, kMaxFeed_mmPerRev);
     if (const auto slipped = files::slippedStation(overhang_mm)) {
-        files::askAbout(table, "overhang_mm", overhang_mm[slipped->row], slipped, options.acceptImplausible);
+        files::askAbout(table, "overhang_mm", overhang_mm[slipped->row], slipped, options.read->acceptImplausible);
     }
+    requireSpindleOverhang(table, overhang_mm, feed, options.read->acceptImplausible);
     if (table.rows() == 0) {
         throw BadInput(fmt::format("{}: no measurements; expected at least one row under the header.", table.file()));
     }
@@ -93,7 +99,7 @@ std::vector<boring::LotTracker::Entry> readMeasurements(const ReplayOptions& opt
 void judgeRows(const ReplayOptions& options, const Table& table, const boring::LotTracker& tracker,
                const std::vector<boring::LotTracker::Entry>& entries) {
     const bool diameters = options.targetDiameter_mm > 0.0;
-    const char* valueName = diameters ? "diameter_mm" : "deflection_mm";
+    const char* valueName = valueColumn(options, table);
     for (std::size_t row = 0; row < entries.size(); ++row) {
         const auto verdict =
             boring::judgeEntry(tracker.stateBefore(entries[row].part), tracker.params(), entries[row].measurement);
@@ -107,10 +113,7 @@ void judgeRows(const ReplayOptions& options, const Table& table, const boring::L
                               options.targetDiameter_mm, guess(value, options.targetDiameter_mm),
                               verdict.reason.english())
                 : fmt::format("{}{} cannot be meant: {}", table.where(row, valueName), value, verdict.reason.english());
-        if (!options.acceptImplausible) {
-            throw BadInput(what + " --accept-implausible takes it all the same.");
-        }
-        table.note(what + " Taken, as was asked for.");
+        files::refuseUnless(options.read->acceptImplausible, table, what);
     }
 }
 
@@ -164,6 +167,16 @@ void replay(const ReplayOptions& options) {
 
 }  // namespace
 
+void requireSpindleOverhang(const files::Table& table, std::span<const double> overhang_mm,
+                            const boring::FeedLawParams& feed, bool accepted) {
+    if (const auto slip = files::slippedColumn(overhang_mm, feed.overhangFrom_mm, feed.overhangTo_mm)) {
+        files::refuseUnless(accepted, table,
+                            fmt::format("{}{} and all others lie outside {} to {} mm, where the spindle bores; {}",
+                                        table.where(0, "overhang_mm"), overhang_mm[0], feed.overhangFrom_mm,
+                                        feed.overhangTo_mm, slip->guess));
+    }
+}
+
 void BoringOptions::addTo(CLI::App& command) {
     command.add_option("--estimator", estimator, "perturbation (the paper) or kalman (ours)")
         ->check(CLI::IsMember({"perturbation", "kalman"}))
@@ -207,8 +220,6 @@ void addBoringReplay(CLI::App& boring) {
     command->add_option("--phi-deg", options->phi_deg, "φ of eq. 11")
         ->check(CLI::Range(0.0, 89.0))
         ->capture_default_str();
-    command->add_flag("--accept-implausible", options->acceptImplausible,
-                      "Take rows the console would ask about: |ln(d/d_predicted)| above 1.2");
     options->read = addReadOptions(*command);
     command->callback([options] { replay(*options); });
 }

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/process/boring/campaign.h"
 
 /// What the boring commands share.
+namespace kerf::files {
+class Table;
+}
+
 namespace kerf::headless {
 
 void addBoringReplay(CLI::App& boring);
@@ -28,6 +33,14 @@ struct BoringOptions {
     [[nodiscard]] boring::EstimatorKind kind() const;
     [[nodiscard]] boring::EstimatorParams params() const;
 };
+
+/// Of the rows that `kerf boring simulate --csv` writes.
+inline constexpr const char* kSimulatedDeflection = "deflection_measured_mm";
+
+/// A whole column of overhangs in inch, cm or m: all of them where no spindle bores, and all inside when read so.
+/// @throws BadInput unless accepted
+void requireSpindleOverhang(const files::Table& table, std::span<const double> overhang_mm,
+                            const boring::FeedLawParams& feed, bool accepted);
 
 /// Noise and truth files of `simulate`. Runs count from 1, or from 0 when the file's lowest run is 0.
 class NoiseFile {

@@ -12,6 +12,7 @@
 
 #include "app/files/milling_input.h"
 #include "app/files/output.h"
+#include "app/files/slip.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/commands_milling.h"
@@ -264,20 +265,21 @@ milling::CheckedAngle checkedAngle(const Table& table, const std::vector<double>
 }
 
 /// A cut that reaches no newton at all is none, or is in kN.
-void requireNewtons(const Table& table, const std::vector<std::optional<double>>& force_N) {
+void requireNewtons(const Table& table, const std::vector<std::optional<double>>& force_N, bool accepted) {
     constexpr double kLeast_N = 2.0;
     double largest_N = 0.0;
     for (const auto& force : force_N) {
         largest_N = std::max(largest_N, std::abs(force.value_or(0.0)));
     }
     if (largest_N > 0.0 && largest_N < kLeast_N) {
-        throw BadInput(fmt::format("{}the largest force is {:.3g}; expected a cut in N, not kN.",
-                                   table.where(0, "force_y_n"), largest_N));
+        files::refuseUnless(accepted, table,
+                            fmt::format("{}the largest force is {:.3g}; expected a cut in N, not kN.",
+                                        table.where(0, "force_y_n"), largest_N));
     }
 }
 
 /// mm/min where mm/s is meant.
-void requireSeconds(const Table& table, const std::vector<double>& feed_mmPerS, double highest_mmPerS) {
+void requireSeconds(const Table& table, const std::vector<double>& feed_mmPerS, double highest_mmPerS, bool accepted) {
     constexpr double kFar = 10.0;
     if (feed_mmPerS.empty()) {
         return;
@@ -286,7 +288,8 @@ void requireSeconds(const Table& table, const std::vector<double>& feed_mmPerS, 
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::ranges::nth_element(sorted, middle);
     if (*middle > kFar * highest_mmPerS) {
-        throw BadInput(
+        files::refuseUnless(
+            accepted, table,
             fmt::format("{}{:.4g} is far above the law's highest feed of {:.4g} mm/s; expected mm/s, not mm/min (a "
                         "column in mm/min is named feed_mm_min).",
                         table.where(0, "feed_mm_s"), *middle, highest_mmPerS));
@@ -313,8 +316,8 @@ void replay(const std::string& path, const LawOptions& law, const files::ReadOpt
                                        table.where(i, "force_y_n"), *force_N[i]));
         }
     }
-    requireNewtons(table, force_N);
-    requireSeconds(table, feed_mmPerS, caseOf(law).controller.range.max_mmPerS);
+    requireNewtons(table, force_N, read.acceptImplausible);
+    requireSeconds(table, feed_mmPerS, caseOf(law).controller.range.max_mmPerS, read.acceptImplausible);
     if (const auto missing = std::ranges::count_if(force_N, [](const auto& f) { return !f; }); missing > 0) {
         table.note(fmt::format("{}: column force_y_n: {} samples without a value.", table.file(), missing));
     }

@@ -33,7 +33,6 @@ struct CapabilityOptions {
     std::optional<double> upper{};
     std::optional<double> target{};
     double confidence{quality::kCapabilityConfidence};
-    bool acceptImplausible{false};
     bool json{false};
     std::shared_ptr<files::ReadOptions> read{};
 };
@@ -47,7 +46,7 @@ void put(ordered_json& report, const char* key, const std::optional<quality::Ind
 
 /// Values in another unit than the limits they are judged by.
 void requireUnitOf(const LabelledTable& table, std::size_t column, std::vector<double> values, double lower,
-                   double upper) {
+                   double upper, bool accepted) {
     const double meant = 0.5 * (lower + upper);
     const double width = upper - lower;
     if (values.empty() || width > 0.2 * std::abs(meant)) {
@@ -56,9 +55,9 @@ void requireUnitOf(const LabelledTable& table, std::size_t column, std::vector<d
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
     if (const auto slip = files::slipTo(*middle, meant, 2.0 * width / std::abs(meant))) {
-        throw BadInput(
-            fmt::format("{}values around {:.6g} do not fit a tolerance of {} to {}; {} --accept-implausible takes them "
-                        "all the same.",
+        files::refuseUnless(
+            accepted, table.table(),
+            fmt::format("{}values around {:.6g} do not fit a tolerance of {} to {}; {}",
                         table.table().where(0, table.table().names()[column]), *middle, lower, upper, slip->guess));
     }
 }
@@ -74,9 +73,9 @@ void capability(const CapabilityOptions& options) {
     const std::size_t column = table.valueColumn(options.column);
     table.dropGaps(column);
     const std::vector<double> values = table.numbers(column);
-    askAboutSlips(table, column, values, options.acceptImplausible);
-    if (options.lower && options.upper && !options.acceptImplausible) {
-        requireUnitOf(table, column, values, *options.lower, *options.upper);
+    askAboutSlips(table, column, values, options.read->acceptImplausible);
+    if (options.lower && options.upper) {
+        requireUnitOf(table, column, values, *options.lower, *options.upper, options.read->acceptImplausible);
     }
     const bool quiet = quality::isSteadySeries(values);
     const quality::Capability result =
@@ -106,7 +105,6 @@ void capability(const CapabilityOptions& options) {
 }
 
 struct StudyOptions {
-    bool acceptImplausible{false};
     std::string file{};
     std::string method{};
     std::optional<double> tolerance{};
@@ -225,16 +223,12 @@ void gaugeStudy(const StudyOptions& options) {
     if (options.method == "type1") {
         table.dropGaps(column);  // the other studies need every reading
     }
-    askAboutSlips(table, column, table.numbers(column), options.acceptImplausible);
+    askAboutSlips(table, column, table.numbers(column), options.read->acceptImplausible);
     printJson(options.method == "type1" ? typeOne(options, table) : crossed(options, table));
     tellNotes(table.table());
 }
 
 }  // namespace
-
-void addAcceptImplausible(CLI::App& command, bool& accepted) {
-    command.add_flag("--accept-implausible", accepted, "Take values that cannot be meant: a decade or an inch away");
-}
 
 void askAboutSlips(const LabelledTable& table, std::size_t column, const std::vector<double>& values, bool accepted) {
     if (const auto slipped = files::slippedAmongItsLike(values)) {
@@ -261,7 +255,6 @@ void addQualityCapability(CLI::App& quality) {
         ->check(CLI::Range(0.5, 0.9999))
         ->capture_default_str();
     command->add_flag("--json", options->json, "JSON (the only form)");
-    addAcceptImplausible(*command, options->acceptImplausible);
     command->callback([options] { capability(*options); });
 }
 
@@ -283,7 +276,6 @@ void addQualityGaugeStudy(CLI::App& quality) {
     command->add_option("--tolerance", options->tolerance, "T, width of the tolerance the gauge is for");
     command->add_option("--reference", options->reference, "type1: true size of the ring");
     command->add_flag("--json", options->json, "JSON (the only form)");
-    addAcceptImplausible(*command, options->acceptImplausible);
     command->callback([options] { gaugeStudy(*options); });
 }
 

@@ -10,8 +10,6 @@ namespace kerf::headless {
 
 class LabelledTable;
 
-/// --accept-implausible, which the console's own question would be.
-void addAcceptImplausible(CLI::App& command, bool& accepted);
 /// A value a decade or an inch away from all others. @throws BadInput unless accepted
 void askAboutSlips(const LabelledTable& table, std::size_t column, const std::vector<double>& values, bool accepted);
 

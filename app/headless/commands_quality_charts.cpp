@@ -6,6 +6,7 @@
 
 #include "app/files/labelled_table.h"
 #include "app/files/output.h"
+#include "app/files/slip.h"
 #include "app/files/table.h"
 #include "app/headless/commands_boring.h"
 #include "app/headless/commands_quality.h"
@@ -23,14 +24,13 @@ using nlohmann::ordered_json;
 struct ChartsOptions {
     std::string file{};
     std::string folder{};
-    std::string lot{};
+    std::vector<std::string> lots{};
     std::vector<std::string> rules{};
     std::string column{"value"};
     std::optional<double> target{};
     std::optional<double> sigma{};
     quality::ChartParams params{};
     bool startLimits{false};
-    bool acceptImplausible{false};
     BoringOptions boring{};
     bool json{false};
     bool csv{false};
@@ -46,6 +46,8 @@ struct Point {
     std::optional<double> tSquaredLimit{};
     std::optional<double> action{};
     bool perturbed{false};
+    bool begins{false};  ///< the charts begin anew before it: another lot, an announced change
+    std::string lot{};   ///< of several
     quality::ChartPoint chart{};
 };
 
@@ -86,12 +88,13 @@ std::string partName(const LabelledTable& table, std::size_t row) {
 }
 
 /// Bores: the law is estimated part by part as the console does, and its one-step errors are charted.
-Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
+Series ofBores(const ChartsOptions& options, const LabelledTable& table, const char* column) {
     const auto part = table.numbers("part");
     const auto overhang = table.numbers("overhang_mm");
     const auto feed = table.numbers("feed_mm_per_rev");
-    const auto deflection = table.numbers("deflection_mm");
+    const auto deflection = table.numbers(column);
     const boring::EstimatorParams params = options.boring.params();
+    requireSpindleOverhang(table.table(), overhang, boring::FeedLawParams{}, options.read->acceptImplausible);
     boring::EstimatorState state = boring::initialState(params);
     Series series{"one-step error of the bores", {}, {}, {}, {}};
     for (std::size_t row = 0; row < table.rows();) {
@@ -105,18 +108,14 @@ Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
             if (!(overhang[row] > 0.0 && feed[row] > 0.0 && deflection[row] > 0.0) || visit.count == kMaxBoreDepths) {
                 throw BadInput(
                     fmt::format("{}overhang, feed and deflection must be above 0, and a part has at most {} bores.",
-                                table.table().where(row, "deflection_mm"), kMaxBoreDepths));
+                                table.table().where(row, column), kMaxBoreDepths));
             }
             visit.rows[visit.count] = {overhang[row], feed[row], deflection[row], false};
             const auto verdict = boring::judgeEntry(state, params, visit.rows[visit.count++]);
             if (verdict.verdict != boring::GateVerdict::Accept) {
-                const std::string what =
-                    fmt::format("{}{} cannot be meant: {}", table.table().where(row, "deflection_mm"), deflection[row],
-                                verdict.reason.english());
-                if (!options.acceptImplausible) {
-                    throw BadInput(what + " --accept-implausible takes it all the same.");
-                }
-                table.table().note(what + " Taken, as was asked for.");
+                const std::string what = fmt::format("{}{} cannot be meant: {}", table.table().where(row, column),
+                                                     deflection[row], verdict.reason.english());
+                files::refuseUnless(options.read->acceptImplausible, table.table(), what);
             }
         }
         const boring::OneStepError error = boring::oneStepError(state, params, visit);
@@ -140,14 +139,18 @@ Series ofBores(const ChartsOptions& options, const LabelledTable& table) {
 Series ofFile(const ChartsOptions& options) {
     LabelledTable table = LabelledTable::read(options.file, *options.read);
     if (table.has("deflection_mm")) {
-        return ofBores(options, table);
+        return ofBores(options, table, "deflection_mm");
+    }
+    if (table.has(kSimulatedDeflection) && table.has("overhang_mm")) {
+        table.dropGaps(table.column(kSimulatedDeflection));  // where a simulated part is only looked at
+        return ofBores(options, table, kSimulatedDeflection);
     }
     const bool errors = table.has("error") && !table.has(options.column);
     const std::size_t column = errors ? table.column("error") : table.valueColumn(options.column);
     table.dropGaps(column);
     const auto values = table.numbers(column);
     if (!errors) {
-        askAboutSlips(table, column, values, options.acceptImplausible);
+        askAboutSlips(table, column, values, options.read->acceptImplausible);
     }
     Series series;
     const quality::CentreLine line = quality::centreLine(values);
@@ -168,15 +171,21 @@ Series ofFile(const ChartsOptions& options) {
     return series;
 }
 
-Series ofLot(const ChartsOptions& options) {
-    const StoredLot stored = storedLot(options.folder, options.lot);
+/// Adds the points of one lot; `several`: they name their lot.
+void addLot(const ChartsOptions& options, const std::string& name, bool several, Series& series) {
+    const StoredLot stored = storedLot(options.folder, name);
     const LotQuality quality = analyseLot(stored.history, stored.limits, stored.announced, options.params);
-    Series series;
     const bool bores = stored.history.lot.process == ProcessId::Boring;
     series.source = bores ? "one-step error of the bores" : "first judged figure";
-    series.sentence = quality.sentence.english();
+    const std::string lot = stored.history.lot.name.empty() ? name : stored.history.lot.name;
+    series.sentence += series.sentence.empty() ? "" : " ";
+    series.sentence += (several ? "Lot " + lot + ": " : std::string()) + quality.sentence.english();
+    bool first = true;
     for (const ChartedPart& part : quality.charted) {
         Point point;
+        point.begins = first || part.announced;
+        point.lot = several ? lot : std::string();
+        first = false;
         point.part = std::to_string(part.number);
         point.error = part.error;
         if (bores) {
@@ -187,12 +196,22 @@ Series ofLot(const ChartsOptions& options) {
         point.perturbed = part.perturbed;
         series.points.push_back(std::move(point));
     }
+}
+
+Series ofLots(const ChartsOptions& options) {
+    Series series;
+    for (const std::string& lot : options.lots) {
+        addLot(options, lot, options.lots.size() > 1, series);
+    }
     return series;
 }
 
 void run(const quality::ChartParams& params, Series& series) {
     quality::ChartState chart(params);
     for (Point& point : series.points) {
+        if (point.begins) {
+            chart.reset();
+        }
         const auto beyond =
             point.tSquared ? std::optional(*point.tSquared > point.tSquaredLimit.value_or(0.0)) : std::nullopt;
         point.chart = chart.push(point.error, beyond);
@@ -214,7 +233,7 @@ std::string firedText(const quality::RuleSet& fired) {
 }
 
 std::string orEmpty(const std::optional<double>& value) {
-    return value ? fmt::format("{:.17g}", *value) : std::string{};
+    return value ? fmt::format("{}", *value) : std::string{};
 }
 
 ordered_json orNull(const std::optional<double>& value) {
@@ -222,12 +241,18 @@ ordered_json orNull(const std::optional<double>& value) {
 }
 
 void printCsv(const Series& series) {
-    CsvOutput csv(
-        "part,value,error,t_squared,t_squared_limit,ewma,ewma_limit,cusum_high,cusum_low,action,perturbed,signals");
+    const bool several = !series.points.empty() && !series.points.front().lot.empty();
+    const std::string columns =
+        "part,value,error,t_squared,t_squared_limit,ewma,ewma_limit,cusum_high,cusum_low,action,perturbed,signals";
+    CsvOutput csv(columns + (several ? ",lot" : ""));
     for (const Point& point : series.points) {
-        csv.row(point.part, orEmpty(point.value), point.error, orEmpty(point.tSquared), orEmpty(point.tSquaredLimit),
-                point.chart.ewma, point.chart.ewmaLimit, point.chart.cusumHigh, point.chart.cusumLow,
-                orEmpty(point.action), point.perturbed, firedText(point.chart.fired));
+        const auto row = [&](const auto&... behind) {
+            csv.row(point.part, orEmpty(point.value), point.error, orEmpty(point.tSquared),
+                    orEmpty(point.tSquaredLimit), point.chart.ewma, point.chart.ewmaLimit, point.chart.cusumHigh,
+                    point.chart.cusumLow, orEmpty(point.action), point.perturbed, firedText(point.chart.fired),
+                    behind...);
+        };
+        several ? row(point.lot) : row();
     }
     csv.flush();
 }
@@ -271,6 +296,9 @@ void printReport(const ChartsOptions& options, const Series& series) {
         row["action"] = orNull(point.action);
         row["perturbed"] = point.perturbed;
         row["signals"] = ordered_json::array();
+        if (!point.lot.empty()) {
+            row["lot"] = point.lot;
+        }
         for (std::size_t i = 0; i < quality::kRules; ++i) {
             if (point.chart.fired[i]) {
                 const auto rule = static_cast<quality::Rule>(i);
@@ -279,6 +307,9 @@ void printReport(const ChartsOptions& options, const Series& series) {
                                  {"part", point.part},
                                  {"rule", quality::ruleKey(rule)},
                                  {"text", quality::ruleText(rule)}});
+                if (!point.lot.empty()) {
+                    fired.back()["lot"] = point.lot;
+                }
             }
         }
         points.push_back(std::move(row));
@@ -291,12 +322,12 @@ void printReport(const ChartsOptions& options, const Series& series) {
 }
 
 void charts(ChartsOptions options) {
-    if (options.file.empty() == options.lot.empty()) {
+    if (options.file.empty() == options.lots.empty()) {
         throw CLI::ValidationError("FILE or --lot", "exactly one of them must be given");
     }
     options.params.active = rulesOf(options.rules);
     options.params.ewmaSteadyState = !options.startLimits;
-    Series series = options.file.empty() ? ofLot(options) : ofFile(options);
+    Series series = options.file.empty() ? ofLots(options) : ofFile(options);
     run(options.params, series);
     options.csv ? printCsv(series) : printReport(options, series);
 }
@@ -316,7 +347,8 @@ void addQualityCharts(CLI::App& quality) {
     command->add_option("file", options->file, "CSV file");
     options->read = addReadOptions(*command);
     command->add_option("--data", options->folder, "Folder of kerf.db (default: the user's data folder)");
-    command->add_option("--lot", options->lot, "name or number of a lot");
+    command->add_option("--lot", options->lots, "name or number of a lot; repeat for several, one after the other")
+        ->allow_extra_args(false);
     command
         ->add_option("--rules", options->rules,
                      "nelson1 to nelson8, western1 to western4, ewma, cusum; nelson and western mean all of theirs; "
@@ -339,7 +371,6 @@ void addQualityCharts(CLI::App& quality) {
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
     options->boring.addTo(*command);
-    addAcceptImplausible(*command, options->acceptImplausible);
     CLI::Option* json = command->add_flag("--json", options->json, "JSON (default)");
     command->add_flag("--csv", options->csv, "CSV")->excludes(json);
     command->callback([options] { charts(*options); });

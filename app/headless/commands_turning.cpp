@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/output.h"
+#include "app/files/slip.h"
 #include "app/files/table.h"
 #include "app/headless/commands.h"
 #include "app/headless/read_options.h"
@@ -80,7 +81,7 @@ void requireConsecutive(const Table& table, const std::vector<double>& samples) 
 }
 
 /// A diamond tool takes some .01 to 10 N per µm of chip: what is a thousand away is in mN or in kN.
-void requireNewtons(const Table& table, const std::vector<double>& force_N, double largestChip_um) {
+void requireNewtons(const Table& table, const std::vector<double>& force_N, double largestChip_um, bool accepted) {
     constexpr double kLeast_NPerUm = 5e-4;
     constexpr double kMost_NPerUm = 50.0;
     const double largest_N = std::ranges::max(force_N | std::views::transform([](double f) { return std::abs(f); }));
@@ -89,9 +90,10 @@ void requireNewtons(const Table& table, const std::vector<double>& force_N, doub
     }
     const double ratio_NPerUm = largest_N / largestChip_um;
     if (ratio_NPerUm < kLeast_NPerUm || ratio_NPerUm > kMost_NPerUm) {
-        throw BadInput(fmt::format("{}the largest force is {:.4g} at chips of {:.4g} µm; expected N, not {}.",
-                                   table.where(0, "f_n"), largest_N, largestChip_um,
-                                   ratio_NPerUm < kLeast_NPerUm ? "kN" : "mN"));
+        files::refuseUnless(
+            accepted, table,
+            fmt::format("{}the largest force is {:.4g} at chips of {:.4g} µm; expected N, not {}.",
+                        table.where(0, "f_n"), largest_N, largestChip_um, ratio_NPerUm < kLeast_NPerUm ? "kN" : "mN"));
     }
 }
 
@@ -122,10 +124,11 @@ void addIdentify(CLI::App& turning) {
         requireConsecutive(table, samples);
         const auto largest_um = std::ranges::max(chip_um | std::views::transform([](double u) { return std::abs(u); }));
         if (largest_um > 0.0 && largest_um < kLeastChip_um) {
-            throw BadInput(
+            files::refuseUnless(
+                options->read->acceptImplausible, table,
                 fmt::format("{}the largest chip is {} µm; expected µm, not mm.", table.where(0, "u_um"), largest_um));
         }
-        requireNewtons(table, force_N, largest_um);
+        requireNewtons(table, force_N, largest_um, options->read->acceptImplausible);
         ProcessIdentifier identifier(options->params);
         CsvOutput csv("k,a1,b0,b1,trace");
         for (std::size_t i = 0; i < table.rows(); ++i) {

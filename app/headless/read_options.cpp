@@ -71,6 +71,9 @@ std::shared_ptr<files::ReadOptions> addReadOptions(CLI::App& command) {
         ->delimiter(',');
     command.add_option("--period-s", options->period_s, "Seconds between the rows of a file without a time column")
         ->check(CLI::Range(1e-9, 1e6));
+    command.add_flag("--accept-implausible", options->acceptImplausible,
+                     "Take values that cannot be meant: a decade, an inch, hours for minutes, what a console would ask "
+                     "about");
     return options;
 }
 
