@@ -134,16 +134,19 @@ struct LawField {
     double DayLaw::*value;
     double low;
     double high;
-    bool newer{false};  ///< may be absent: 0
+    bool newer{false};  ///< may be absent: as DayLaw begins
 };
-constexpr std::array<LawField, 8> kLawFields{{{"gain", &DayLaw::gain, 0.0, 1e3},
-                                              {"slope_um", &DayLaw::slope_um, 0.0, 1e6},
-                                              {"lever_um", &DayLaw::lever_um, 0.0, 1e6, true},
-                                              {"offset_um", &DayLaw::offset_um, 0.0, 1e6},
-                                              {"wander_um", &DayLaw::wander_um, 0.0, 1e6},
-                                              {"wander_min", &DayLaw::wander_min, 1e-3, 1e6},
-                                              {"noise_um", &DayLaw::noise_um, 1e-3, 1e4},
-                                              {"widening", &DayLaw::widening, 0.1, 1e3}}};
+constexpr std::array<LawField, 11> kLawFields{{{"gain", &DayLaw::gain, 0.0, 1e3},
+                                               {"slope_um", &DayLaw::slope_um, 0.0, 1e6},
+                                               {"lever_um", &DayLaw::lever_um, 0.0, 1e6, true},
+                                               {"trust", &DayLaw::trust, 0.0, 1.0, true},
+                                               {"usual", &DayLaw::usual, 0.0, 1e9, true},
+                                               {"doubt", &DayLaw::doubt, 0.0, 1.0, true},
+                                               {"offset_um", &DayLaw::offset_um, 0.0, 1e6},
+                                               {"wander_um", &DayLaw::wander_um, 0.0, 1e6},
+                                               {"wander_min", &DayLaw::wander_min, 1e-3, 1e6},
+                                               {"noise_um", &DayLaw::noise_um, 1e-3, 1e4},
+                                               {"widening", &DayLaw::widening, 0.1, 1e3}}};
 
 Json toJson(const DayLayer& layer) {
     Json laws = Json::array();

@@ -18,6 +18,8 @@ constexpr std::array<Hypothesis, DayPosterior::kHypotheses> kHypothesis{
     {{1.0, 1.0, 0.80}, {4.0, 1.0, 0.08}, {16.0, 1.0, 0.04}, {64.0, 4.0, 0.02}, {4.0, 4.0, 0.04}, {16.0, 16.0, 0.02}}};
 
 constexpr double kNormal = 1.96;  // σ that hold 95 % of a normal
+/// Share of the σ by which days differ that a prediction must reach to be corrected in full; below, by the square.
+constexpr double kEvidence = 0.5;
 
 }  // namespace
 
@@ -49,7 +51,8 @@ double DayPosterior::covariance(const DayInstant& a, const DayInstant& b, std::s
         linear += a.term[k] * b.term[k];
         lever += a.lever[k] * b.lever[k];
     }
-    double day = law.gain * law.gain * a.mean_um[axis] * b.mean_um[axis] + law.slope_um * law.slope_um * linear +
+    double day = law.gain * law.gain * (a.mean_um[axis] + a.doubted_um[axis]) * (b.mean_um[axis] + b.doubted_um[axis]) +
+                 a.doubted_um[axis] * b.doubted_um[axis] + law.slope_um * law.slope_um * linear +
                  law.lever_um * law.lever_um * lever;
     double wander = 0.0;
     if (a.reference == b.reference) {
@@ -103,7 +106,7 @@ void DayPosterior::condition(std::size_t axis) noexcept {
             for (std::size_t j = 0; j <= i; ++j) {
                 double sum = covariance(a.at, m_measured[m_used[axis][j]].at, axis, h);
                 if (i == j) {
-                    sum += m_law[axis].noise_um * m_law[axis].noise_um;
+                    sum += m_law[axis].noise_um * m_law[axis].noise_um + a.noise_um * a.noise_um;
                 }
                 for (std::size_t k = 0; k < j; ++k) {
                     sum -= factor.lower[i][k] * factor.lower[j][k];
@@ -150,7 +153,7 @@ void DayPosterior::setLever(DayInstant& now) const noexcept {
     }
 }
 
-double DayPosterior::coefficientSpread_um(const DayInstant& now, std::size_t axis) const noexcept {
+double DayPosterior::borneOut(const DayInstant& now, std::size_t axis, double law_um) const noexcept {
     const DayLaw& law = m_law[axis];
     double linear = 0.0;
     double lever = 0.0;
@@ -158,8 +161,12 @@ double DayPosterior::coefficientSpread_um(const DayInstant& now, std::size_t axi
         linear += now.term[k] * now.term[k];
         lever += now.lever[k] * now.lever[k];
     }
-    return std::sqrt(law.slope_um * law.slope_um * linear + law.lever_um * law.lever_um * lever +
-                     law.gain * law.gain * now.mean_um[axis] * now.mean_um[axis]);
+    const double square_um2 = law_um * law_um;
+    const double spread_um2 =
+        law.slope_um * law.slope_um * linear + law.lever_um * law.lever_um * lever + law.gain * law.gain * square_um2;
+    const double small = square_um2 / std::max({square_um2, kEvidence * kEvidence * spread_um2, 1e-12});
+    const double strange = law.usual > 0.0 && lever > law.usual ? 1.0 - std::sqrt(law.usual / lever) : 0.0;
+    return law.trust * small * (1.0 - law.doubt * strange);
 }
 
 double DayPosterior::quantile(const std::array<double, kHypotheses>& weight,

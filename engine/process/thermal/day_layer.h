@@ -13,12 +13,17 @@
 ///
 ///   drift(t) = m(t) + g·m(t) + xᵀγ + zᵀδ + b + e(t)    µm, per axis
 ///
-/// m the mean law, x its sensor terms over their training rms and √(number of terms), z = W·x the same whitened: a
-/// pattern of temperatures that the training days hardly had weighs as much as it is strange, so a sensor moved or a
-/// machine heated elsewhere widens the interval. Drawn anew each day: g ~ N(0, gain²), γ ~ N(0, slope²·I),
-/// δ ~ N(0, lever²·I), b ~ N(0, offset²). e wanders from 0 at the reference:
+/// m the mean law as far as the training days bear it out, x its sensor terms over their training rms and √(number of
+/// terms), z = W·x the same whitened: a pattern of temperatures that the training days hardly had weighs as much as it
+/// is strange, so a sensor moved or a machine heated elsewhere widens the interval. Drawn anew each day: g ~ N(0,
+/// gain²), γ ~ N(0, slope²·I), δ ~ N(0, lever²·I), b ~ N(0, offset²). e wanders from 0 at the reference:
 ///   cov(e(s), e(t)) = wander²·(exp(−|s−t|/τ) − exp(−(s+t)/τ))
 /// so that minutes a few τ apart count as independent and neighbours do not. A measurement has σ `noise`, too.
+///
+/// Borne out is trust·d·s of what the law says: trust by how much of it days left out differed by; d = min(1,
+/// (m/.5σ)²), σ what the day's coefficients may add here; s = 1 − doubt·(1 − √(usual/|z|²)) beyond the usual, which is
+/// the law at the last usual state on the way. What is left out stands in the interval, and a measurement brings it
+/// back.
 ///
 /// All of it is one Gaussian process over the day: measurements condition it, exactly, in the order made. A machine
 /// that has changed draws from a wider law: kHypotheses widths are carried beside each other, weighed by how well they
@@ -43,6 +48,9 @@ struct DayLaw {
     /// Half width of the 95 % interval over the standard deviation: what holds on days left out, Student's t for few.
     double widening{2.0};
     double lever_um{0.0};  ///< σ of zᵀδ at the training rms
+    double trust{1.0};     ///< share of the mean law that the days left out bear out, (0, 1]
+    double usual{0.0};     ///< |z|² up to which a state is like those trained on; 0: any is
+    double doubt{0.0};     ///< 0…1: how far a state less usual is not corrected for
     friend bool operator==(const DayLaw&, const DayLaw&) = default;
 };
 
@@ -58,7 +66,8 @@ struct DayLayer {
 struct DayInstant {
     double time_min{0.0};
     std::uint32_t reference{0};                       ///< rising; b and e begin anew with a reference, g and γ do not
-    std::array<double, kAxes> mean_um{};              ///< m
+    std::array<double, kAxes> mean_um{};              ///< m, as far as it is borne out: what is corrected for
+    std::array<double, kAxes> doubted_um{};           ///< the rest of what the mean law says
     std::array<double, kAxes> spread{1.0, 1.0, 1.0};  ///< × every σ but the noise: lost sensors, a warm start
     std::array<double, kMaxLayerTerms> term{};        ///< x, scaled
     std::array<double, kMaxLayerTerms> lever{};       ///< z
@@ -69,6 +78,7 @@ struct DayMeasurement {
     DayInstant at{};
     std::array<double, kAxes> drift_um{};  ///< since the reference
     std::array<bool, kAxes> known{};       ///< axes measured
+    double noise_um{0.0};                  ///< σ beyond the law's own
 };
 
 /// What a day's measurements make of the law. No allocation, lock, throw or I/O after construction.
@@ -99,8 +109,8 @@ class DayPosterior {
     [[nodiscard]] double termScale_K(std::size_t term) const noexcept { return m_scale_K[term]; }
     /// Fills z of an instant from its x.
     void setLever(DayInstant& now) const noexcept;
-    /// σ of what a day's coefficients add to the mean law at this instant, before anything is measured.
-    [[nodiscard]] double coefficientSpread_um(const DayInstant& now, std::size_t axis) const noexcept;
+    /// Share of the mean law's `law_um` at this instant that the training days bear out, 0…1.
+    [[nodiscard]] double borneOut(const DayInstant& now, std::size_t axis, double law_um) const noexcept;
 
  private:
     struct Factor {

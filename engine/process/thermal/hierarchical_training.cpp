@@ -118,6 +118,34 @@ double wideningOf(const std::vector<LawDay>& days, const DayLaw& law) {
     return std::max(ratio[static_cast<std::size_t>(rank)], 1.0) * studentOver(4.0 * static_cast<double>(days.size()));
 }
 
+/// How much of the mean law the days left out bear out (see DayLaw).
+void weighEvidence(const std::vector<LawDay>& days, DayLaw& law) {
+    constexpr double kCaution = 0.15;    // of the mean law's square that the spread of days takes off
+    constexpr double kUnforetold = 0.1;  // share of the drift's square from which strange states are doubted by half
+    constexpr double kUsualShare = 0.5;  // of the strangest state trained on
+    constexpr double kSmallest_um2 = 1e-6;
+    double spread_um2 = kSmallest_um2;
+    double law_um2 = kSmallest_um2;
+    double error_um2 = 0.0;
+    double drift_um2 = kSmallest_um2;
+    double strangest = 0.0;
+    for (const LawDay& day : days) {
+        DayLaw coefficients = law;
+        coefficients.offset_um = coefficients.wander_um = coefficients.noise_um = 0.0;
+        DayLaw silent = law;
+        silent.noise_um = 0.0;
+        spread_um2 += detail::covarianceOf(day, coefficients).diagonal().mean();
+        error_um2 += detail::covarianceOf(day, silent).diagonal().mean();
+        law_um2 += day.mean_um.squaredNorm() / static_cast<double>(day.mean_um.size());
+        drift_um2 += (day.mean_um + day.error_um).squaredNorm() / static_cast<double>(day.mean_um.size());
+        strangest = std::max(strangest, day.z.rowwise().squaredNorm().maxCoeff());
+    }
+    law.trust = law_um2 / (law_um2 + kCaution * spread_um2);
+    const double unforetold = std::min(error_um2 / drift_um2, 1.0);
+    law.doubt = unforetold * unforetold / (unforetold * unforetold + kUnforetold * kUnforetold);
+    law.usual = kUsualShare * strangest;
+}
+
 /// Covariance of whole days for the fit of the mean law, one for all axes: the mean of the axes' laws relative to their
 /// drift.
 std::vector<Eigen::MatrixXd> dayCovariances(const LawDays& days, const std::array<DayLaw, kAxes>& laws,
@@ -447,6 +475,7 @@ class HierarchicalTraining {
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
             DayLaw& law = layer.axis[axis];
             if (m_axes[axis]) {
+                weighEvidence(days[axis], law);
                 law.widening = wideningOf(days[axis], law);
             }
             double squares = 0.0;

@@ -12,8 +12,6 @@ constexpr double kAtRest_K = 0.5;        // deviation up to which the heat terms
 constexpr double kWarm_K = 1.5;          // and from which they do not count
 constexpr double kDayLasts_min = 720.0;  // without a measurement; then another day has begun
 constexpr double kSmallestHalf_um = 0.1;
-/// Share of the σ by which days differ that a prediction must reach to be corrected in full; below, by the square.
-constexpr double kDoubt = 0.5;
 /// A lost sensor is replaced by what its neighbours expect of it, which never looks strange: its doubt is added.
 constexpr double kLostDoubt = 0.2;
 constexpr double kShareLossPerMin = 0.1;  // heat terms leave slowly when the speed signal is lost
@@ -87,12 +85,20 @@ void ThermalEstimator::newDay() noexcept {
     m_measured_min.reset();
 }
 
-void ThermalEstimator::measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known) noexcept {
-    if (!m_nowKnown || !m_day.present()) {
+void ThermalEstimator::measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known,
+                                double noise_um) noexcept {
+    if (m_nowKnown) {
+        measuredAt(m_now, drift_um, known, noise_um);
+    }
+}
+
+void ThermalEstimator::measuredAt(const DayInstant& at, const PerAxis& drift_um, const std::array<bool, kAxes>& known,
+                                  double noise_um) noexcept {
+    if (!m_day.present()) {
         return;
     }
-    m_day.add({m_now, drift_um, known});
-    m_measured_min = m_now.time_min;
+    m_day.add({at, drift_um, known, noise_um});
+    m_measured_min = std::max(m_measured_min.value_or(at.time_min), at.time_min);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (known[axis] && std::isfinite(drift_um[axis])) {
             Range& range = m_measuredRange[axis];
@@ -120,13 +126,11 @@ void ThermalEstimator::applyDay(double time_min, ThermalPrediction& out) noexcep
     m_day.setLever(m_now);
     const Solved& reference = m_withSpeed ? *m_withSpeed : m_plain;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        // A correction is not larger than its evidence.
+        const double law_um = out.drift_um[axis];
+        out.drift_um[axis] *= m_day.borneOut(m_now, axis, law_um);
         m_now.mean_um[axis] = out.drift_um[axis];
-        // What days differ by may be larger than what the mean law says of today: then it is not evidence enough for a
-        // correction of that size.
-        const double doubt_um = kDoubt * m_day.coefficientSpread_um(m_now, axis);
-        const double square_um2 = out.drift_um[axis] * out.drift_um[axis];
-        out.drift_um[axis] *= square_um2 / std::max({square_um2, doubt_um * doubt_um, 1e-12});
-        m_now.mean_um[axis] = out.drift_um[axis];
+        m_now.doubted_um[axis] = law_um - out.drift_um[axis];
         m_now.spread[axis] =
             out.half_um[axis] / reference.half_um[lostSetIndex(m_count)][axis] * (1.0 + kLostDoubt * out.lostSensors);
         const DayPosterior::Correction correction = m_day.at(m_now, axis);

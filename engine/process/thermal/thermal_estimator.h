@@ -53,7 +53,13 @@ class ThermalEstimator {
 
     /// The origin was measured in the state of the last update(): `drift_um` since the reference. Used from the next
     /// update on. Without a between-day law, or before the first update, it changes nothing.
-    void measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known) noexcept;
+    /// `noise_um`: σ of this one beyond that of the measurements trained on.
+    void measured(const PerAxis& drift_um, const std::array<bool, kAxes>& known, double noise_um = 0.0) noexcept;
+    /// The state of the last update(), to be measured later: a part that is on its way to the gauge.
+    [[nodiscard]] const DayInstant& instant() const noexcept { return m_now; }
+    /// As measured(), in a state that instant() gave since the reference.
+    void measuredAt(const DayInstant& at, const PerAxis& drift_um, const std::array<bool, kAxes>& known,
+                    double noise_um) noexcept;
     /// A measurement of this day made before a new reference; its coefficients still hold, its offset does not.
     void recall(const DayMeasurement& measurement) noexcept;
     [[nodiscard]] const DayPosterior& day() const noexcept { return m_day; }

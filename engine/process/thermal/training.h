@@ -43,8 +43,9 @@ struct TrainingOptions {
 /// The mean law is the regression above, or one of the same form fitted by generalised least squares on block means,
 /// (Σ_d X_dᵀ S_d⁻¹ X_d + λ·diag)·w = Σ_d X_dᵀ S_d⁻¹ y_d, S_d the covariance of a whole day under the between-day law:
 /// minutes of a day are no independent samples, and a direction in which days differ pulls less. Terms, leaks and λ are
-/// those with the smallest error on days left out; a simpler law within .3 standard errors of it is preferred, down to
-/// no law at all, so that a correction is never larger than its evidence. The between-day law is fitted to the errors
+/// those with the smallest error on days left out; of λ within one standard error of the best (a tenth of it with three
+/// days, all of it from ten on) the largest is taken, down to no law at all. Of what the law says only the share is
+/// corrected for that days left out bear out (DayLaw::trust, usual, doubt). The between-day law is fitted to the errors
 /// on days left out and scaled until the 95 % interval holds there, wider by Student's t for few days.
 /// Needs two days.
 [[nodiscard]] Result<ThermalModel> trainHierarchical(const std::vector<ThermalHistory>& days,
