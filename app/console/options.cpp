@@ -56,8 +56,13 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Simulator: seed of its noise")->capture_default_str();
     app.add_option("--machine-seed", options.machineSeed,
-                   "Simulator: a hard machine drawn from this seed (boring, milling, tapping, turning); 0: the "
-                   "reference machine")
+                   "Simulator: a hard machine drawn from this seed (boring, milling, tapping, thermal, turning); 0: "
+                   "the reference machine")
+        ->capture_default_str();
+    app.add_option("--season", options.season,
+                   "Simulator: what differs today from the days the thermal model was trained on: none, coolant, door, "
+                   "sun, moved, nonlinear")
+        ->check(CLI::IsMember({"none", "coolant", "door", "sun", "moved", "nonlinear"}))
         ->capture_default_str();
     app.add_option("--change-at-part", options.changeAtPart,
                    "Simulator: part from which another insert cuts (the process changes); 0 = never")

@@ -21,6 +21,7 @@ struct Options {
     double simulationSpeed{20.0};    ///< simulator only
     std::uint64_t seed{1};           ///< of the simulator's noise
     std::uint64_t machineSeed{0};    ///< simulator: a hard machine drawn from this seed; 0: the reference machine
+    std::string season{"none"};      ///< simulator: what is different today (thermal::kSeasonKeys)
     std::uint32_t changeAtPart{14};  ///< simulator: from this part on another insert cuts, another process; 0: never
     std::uint32_t lotSize{30};       ///< of a lot opened by this start
     std::uint32_t preparedParts{6};  ///< simulator, empty database: parts bored and measured before the operator comes

@@ -14,6 +14,9 @@ const char* eventOf(const Command& command) {
     if (std::holds_alternative<MeasureOrigin>(command.action)) {
         return "origin measured";
     }
+    if (std::holds_alternative<MeasureByPart>(command.action)) {
+        return "origin measured by a part";
+    }
     return std::holds_alternative<AdoptMeasurement>(command.action) ? "measurement taken over" : nullptr;
 }
 

@@ -152,6 +152,16 @@ struct LoadGapZero {
 struct MeasureOrigin {
     static constexpr ProcessId kProcess = ProcessId::Thermal;
 };
+/// Thermal: the part finished last has been measured; what it is off by is a measurement of the origin made when it was
+/// finished.
+struct MeasureByPart {
+    static constexpr ProcessId kProcess = ProcessId::Thermal;
+    static constexpr double kMost_um = 200.0;  ///< |deviation|; beyond it is no drift
+    static constexpr double kNoise_um = 1.0;   ///< σ of a part and its gauge beyond that of the gap sensors
+    /// Where the surface lies against where it should, > 0 along +axis; a diameter's deviation counts half.
+    std::array<double, kAxisCount> deviation_um{};
+    std::array<bool, kAxisCount> known{};
+};
 /// Thermal: count on from the last measurement instead of the prediction.
 struct AdoptMeasurement {
     static constexpr ProcessId kProcess = ProcessId::Thermal;
@@ -172,7 +182,8 @@ struct Command {
                  LoadBoringSchedule, NameBoringLot, LoadTurningSetup, SetTurningController, LoadTappingJob,
                  LoadTapGains, AbortTap, RecoverTap, LoadMillingSetup, LoadMillingBlank, SetMillingLaw,
                  SetMillingReference, TeachMillingReference, RestoreMillingTool, NewMillingTool, LoadThermalSetup,
-                 TakeThermalReference, LoadGapZero, MeasureOrigin, AdoptMeasurement, RecordGaps, StopWarmUp>
+                 TakeThermalReference, LoadGapZero, MeasureOrigin, MeasureByPart, AdoptMeasurement, RecordGaps,
+                 StopWarmUp>
         action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

@@ -2615,6 +2615,50 @@
             <source>give a reason</source>
             <translation>give a reason</translation>
         </message>
+        <message>
+            <source>The last part as a measurement</source>
+            <translation>The last part as a measurement</translation>
+        </message>
+        <message>
+            <source>A good part carries what was left of the drift when it was finished. Enter by how much it is off, at the temperature it was cut at; leave empty what was not measured. Each part counts once.</source>
+            <translation>A good part carries what was left of the drift when it was finished. Enter by how much it is off, at the temperature it was cut at; leave empty what was not measured. Each part counts once.</translation>
+        </message>
+        <message>
+            <source>Take as a measurement</source>
+            <translation>Take as a measurement</translation>
+        </message>
+        <message>
+            <source>no part finished since the reference</source>
+            <translation>no part finished since the reference</translation>
+        </message>
+        <message>
+            <source>enter what was measured</source>
+            <translation>enter what was measured</translation>
+        </message>
+        <message>
+            <source>A part is finished that has not been measured yet.</source>
+            <translation>A part is finished that has not been measured yet.</translation>
+        </message>
+        <message>
+            <source>There is no finished part to measure: cut one, then measure it.</source>
+            <translation>There is no finished part to measure: cut one, then measure it.</translation>
+        </message>
+        <message>
+            <source>By a measured part</source>
+            <translation>By a measured part</translation>
+        </message>
+        <message>
+            <source>%1, part</source>
+            <translation>%1, part</translation>
+        </message>
+        <message>
+            <source>The shift moves only between parts</source>
+            <translation>The shift moves only between parts</translation>
+        </message>
+        <message>
+            <source>The shift follows while a part is cut</source>
+            <translation>The shift follows while a part is cut</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -6439,6 +6483,38 @@
         <message>
             <source>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</source>
             <translation>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</translation>
+        </message>
+        <message>
+            <source>A deviation of more than 200 µm is no thermal drift: look at the part.</source>
+            <translation>A deviation of more than 200 µm is no thermal drift: look at the part.</translation>
+        </message>
+        <message>
+            <source>A part is being cut: the shift waits for its end.</source>
+            <translation>A part is being cut: the shift waits for its end.</translation>
+        </message>
+        <message>
+            <source>Diameter (X), measured − nominal</source>
+            <translation>Diameter (X), measured − nominal</translation>
+        </message>
+        <message>
+            <source>Length (Z), measured − nominal</source>
+            <translation>Length (Z), measured − nominal</translation>
+        </message>
+        <message>
+            <source>No part has been finished since the reference that has not been measured yet.</source>
+            <translation>No part has been finished since the reference that has not been measured yet.</translation>
+        </message>
+        <message>
+            <source>Nothing of the part has been measured.</source>
+            <translation>Nothing of the part has been measured.</translation>
+        </message>
+        <message>
+            <source>The model has changed since that part was cut: measure the next one.</source>
+            <translation>The model has changed since that part was cut: measure the next one.</translation>
+        </message>
+        <message>
+            <source>Y, measured − nominal</source>
+            <translation>Y, measured − nominal</translation>
         </message>
     </context>
     <context>

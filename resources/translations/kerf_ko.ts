@@ -2610,6 +2610,50 @@
             <source>give a reason</source>
             <translation>사유를 입력하십시오</translation>
         </message>
+        <message>
+            <source>The last part as a measurement</source>
+            <translation>마지막 부품을 측정으로 사용</translation>
+        </message>
+        <message>
+            <source>A good part carries what was left of the drift when it was finished. Enter by how much it is off, at the temperature it was cut at; leave empty what was not measured. Each part counts once.</source>
+            <translation>양품에는 완성 시점에 남아 있던 열변위가 그대로 남습니다. 가공 당시 온도에서 얼마나 벗어났는지 입력하고, 측정하지 않은 값은 비워 두십시오. 부품 하나는 한 번만 반영됩니다.</translation>
+        </message>
+        <message>
+            <source>Take as a measurement</source>
+            <translation>측정으로 반영</translation>
+        </message>
+        <message>
+            <source>no part finished since the reference</source>
+            <translation>기준 이후 완성된 부품이 없습니다</translation>
+        </message>
+        <message>
+            <source>enter what was measured</source>
+            <translation>측정한 값을 입력하십시오</translation>
+        </message>
+        <message>
+            <source>A part is finished that has not been measured yet.</source>
+            <translation>완성된 부품이 있으며 아직 측정하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>There is no finished part to measure: cut one, then measure it.</source>
+            <translation>측정할 완성 부품이 없습니다. 하나를 가공한 뒤 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>By a measured part</source>
+            <translation>측정한 부품으로</translation>
+        </message>
+        <message>
+            <source>%1, part</source>
+            <translation>%1, 부품</translation>
+        </message>
+        <message>
+            <source>The shift moves only between parts</source>
+            <translation>부품 사이에서만 원점 보정</translation>
+        </message>
+        <message>
+            <source>The shift follows while a part is cut</source>
+            <translation>가공 중에도 원점 보정</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -6434,6 +6478,38 @@
         <message>
             <source>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</source>
             <translation>한계를 절반 넘게 올리려면 두 사람이 필요합니다. 다른 셋업 담당자나 공정 기술자가 먼저 승인해야 합니다(위쪽의 이름을 누르고 두 번째 사람).</translation>
+        </message>
+        <message>
+            <source>A deviation of more than 200 µm is no thermal drift: look at the part.</source>
+            <translation>200 µm를 넘는 편차는 열변위가 아닙니다. 부품을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>A part is being cut: the shift waits for its end.</source>
+            <translation>부품을 가공 중입니다. 보정은 끝날 때까지 기다립니다.</translation>
+        </message>
+        <message>
+            <source>Diameter (X), measured − nominal</source>
+            <translation>직경(X), 측정값 − 공칭값</translation>
+        </message>
+        <message>
+            <source>Length (Z), measured − nominal</source>
+            <translation>길이(Z), 측정값 − 공칭값</translation>
+        </message>
+        <message>
+            <source>No part has been finished since the reference that has not been measured yet.</source>
+            <translation>기준 이후 완성되어 아직 측정하지 않은 부품이 없습니다.</translation>
+        </message>
+        <message>
+            <source>Nothing of the part has been measured.</source>
+            <translation>부품에서 측정한 값이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The model has changed since that part was cut: measure the next one.</source>
+            <translation>그 부품을 가공한 뒤 모델이 바뀌었습니다. 다음 부품을 측정하십시오.</translation>
+        </message>
+        <message>
+            <source>Y, measured − nominal</source>
+            <translation>Y, 측정값 − 공칭값</translation>
         </message>
     </context>
     <context>

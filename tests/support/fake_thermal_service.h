@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,6 +110,7 @@ class FakeThermalService : public ThermalService {
     std::vector<std::string> calls{};
     std::vector<std::string> trainedDays{};
     ThermalSetup setup{};
+    std::array<std::optional<double>, kAxisCount> part{};
     Sentence failWith{};
 
     const ThermalServiceView& view() const override { return m_view; }
@@ -147,6 +149,11 @@ class FakeThermalService : public ThermalService {
     Result<void> changeSetup(const ThermalSetup& next, const std::string& author, const std::string&) override {
         setup = next;
         return called("setup " + author);
+    }
+    Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
+                               const std::string& author) override {
+        part = deviation_um;
+        return called("part " + author);
     }
     Result<void> beginSession(const std::string& author) override {
         m_view.session.recording = true;

@@ -192,6 +192,44 @@ class TestThermalPage : public QObject {
         QVERIFY(m_bench->press("thermalAdopt"));
         QVERIFY(last<AdoptMeasurement>() != nullptr);
     }
+    void aFinishedPartIsTakenAsAMeasurement() {
+        show();
+        QVERIFY(m_bench->press("thermalMeasure"));
+        QVERIFY(!m_bench->find<ActionButton>("thermalByPart")->isEnabled());
+        m_bench->engine.fake.thermal.partToMeasure = true;
+        m_bench->client.tick();
+        QVERIFY(m_bench->press("thermalByPart"));
+        QVERIFY(!m_bench->find<ActionButton>("thermalPartTake")->isEnabled());  // nothing entered
+        type("thermalPartX", QStringLiteral("500"));
+        QVERIFY(!m_bench->find<ActionButton>("thermalPartTake")->isEnabled());
+        type("thermalPartX", QStringLiteral("-12"));
+        QVERIFY(m_bench->press("thermalPartTake"));
+        QCOMPARE(m_service->calls.back(), std::string("part Kim"));
+        QVERIFY(m_service->part[0].has_value());
+        QCOMPARE(*m_service->part[0], -6.0);  // half of a diameter
+        QVERIFY(!m_service->part[1].has_value());
+        QVERIFY(!m_service->part[2].has_value());
+    }
+    void whatAPartDidNotShowIsNotShown() {
+        show();
+        QVERIFY(m_bench->press("thermalMeasure"));
+        GapMeasurement& gap = m_bench->engine.fake.thermal.gap;
+        gap = {1, GapPhase::Done, {}, 1, {2.9, 0.0, 0.0}, {2.7, -16.2, -8.9}, {0.5, 1.1, 1.9}, true};
+        gap.byPart = true;
+        gap.known = {true, false, false};
+        m_bench->client.tick();
+        QVERIFY(cell("thermalGapTable", 0, 4).contains(QStringLiteral("inside")));
+        QCOMPARE(cell("thermalGapTable", 1, 1), QStringLiteral("–"));
+        QCOMPARE(cell("thermalGapTable", 1, 4), QStringLiteral("–"));
+    }
+    void shiftingOnlyBetweenPartsIsALimit() {
+        show();
+        QVERIFY(m_bench->press("thermalLimits"));
+        QVERIFY(m_bench->press("thermalBetweenParts"));
+        m_bench->find<QLineEdit>("thermalLimitsReason")->setText(QStringLiteral("finishing passes"));
+        QVERIFY(m_bench->press("thermalLimitsUse"));
+        QVERIFY(m_service->setup.betweenParts);
+    }
     void aSessionIsRecordedAndEnded() {
         show();
         QVERIFY(m_bench->press("thermalMeasure"));
@@ -302,6 +340,11 @@ class TestThermalPage : public QObject {
     [[nodiscard]] const Action* last() {
         const auto& commands = m_bench->engine.commands;
         return commands.empty() ? nullptr : std::get_if<Action>(&commands.back().action);
+    }
+    void type(const char* name, const QString& what) {
+        auto* field = m_bench->find<ValueField>(name);
+        field->edit()->setText(what);
+        emit field->edit()->textEdited(what);
     }
     void touchDay(int row) { emit m_bench->find<QTableWidget>("thermalDays")->cellClicked(row, 0); }
 

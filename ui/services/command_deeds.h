@@ -39,6 +39,7 @@ struct DeedOf {
     DeedOrNone operator()(const TakeThermalReference&) const { return Deed::ThermalReference; }
     DeedOrNone operator()(const LoadGapZero&) const { return Deed::ThermalReference; }
     DeedOrNone operator()(const MeasureOrigin&) const { return Deed::ThermalReference; }
+    DeedOrNone operator()(const MeasureByPart&) const { return Deed::ThermalReference; }
     DeedOrNone operator()(const AdoptMeasurement&) const { return Deed::ThermalReference; }
     DeedOrNone operator()(const RecordGaps&) const { return Deed::ThermalSession; }
 };

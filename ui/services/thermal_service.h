@@ -85,6 +85,8 @@ struct ThermalGapRow {
     std::array<double, kAxisCount> predicted_um{};
     std::array<double, kAxisCount> half_um{};
     bool predictionKnown{false};
+    bool byPart{false};                                      ///< from a part, not from the gap sensors
+    std::array<bool, kAxisCount> known{{true, true, true}};  ///< axes measured
 };
 
 struct ThermalSessionView {
@@ -142,6 +144,10 @@ class ThermalService {
     [[nodiscard]] virtual Result<void> rollBack(const std::string& author) = 0;
     [[nodiscard]] virtual Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
                                                    const std::string& reason) = 0;
+    /// The part finished last has been measured: deviation of its surface along +axis; a diameter counts half. Empty:
+    /// not measured. It is a measurement of the origin made when the part was finished.
+    [[nodiscard]] virtual Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
+                                                     const std::string& author) = 0;
     /// Gap-sensor session: from a new reference on every minute is measured, until it ends and is kept as a day.
     [[nodiscard]] virtual Result<void> beginSession(const std::string& author) = 0;
     [[nodiscard]] virtual Result<void> endSession(const std::string& author) = 0;

@@ -56,7 +56,9 @@ bool ThermalRoom::fits(const std::string& machineKind) const {
 std::unique_ptr<SimulatedProcess> ThermalRoom::makePlant(const Options& options) {
     m_machineSeed =
         options.machine == "diamond-lathe" ? SimulatedThermal::kDiamondLathe : SimulatedThermal::kMachiningCentre;
-    auto plant = std::make_unique<SimulatedThermal>(SimulatedThermal::Params{m_machineSeed, options.seed});
+    auto plant = std::make_unique<SimulatedThermal>(
+        SimulatedThermal::Params{m_machineSeed, options.seed, options.machineSeed,
+                                 thermal::seasonOf(options.season).value_or(thermal::Season::None)});
     m_plant = plant.get();
     return plant;
 }
@@ -68,9 +70,11 @@ std::unique_ptr<ProcessLoop> ThermalRoom::makeLoop() {
 void ThermalRoom::open(const Context& context) {
     const QDir folder = QFileInfo(QString::fromStdString(context.databasePath)).absoluteDir();
     folder.mkpath(QStringLiteral("thermal"));
-    m_memoryFile =
-        folder.filePath(QStringLiteral("thermal/%1.json").arg(QString::fromStdString(context.options.machine)))
-            .toStdString();
+    QString machine = QString::fromStdString(context.options.machine);
+    if (m_plant != nullptr && context.options.machineSeed != 0) {  // another machine remembers something else
+        machine += QStringLiteral("-%1").arg(context.options.machineSeed);
+    }
+    m_memoryFile = folder.filePath(QStringLiteral("thermal/%1.json").arg(machine)).toStdString();
     if (m_plant != nullptr) {
         if (const auto memory = memoryFrom(QString::fromStdString(m_memoryFile))) {
             m_plant->resume(*memory);
@@ -80,6 +84,7 @@ void ThermalRoom::open(const Context& context) {
     links.rights = context.rights;
     links.dayFolder = folder.filePath(QStringLiteral("thermal")).toStdString();
     links.machineSeed = m_machineSeed;
+    links.hardSeed = context.options.machineSeed;
     links.sensors = context.temperatures;
     m_service = std::make_unique<StoredThermalService>(links, context.reader);
 }

@@ -47,19 +47,20 @@ std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text) {
 }
 
 std::string gapToJson(const ThermalGapRow& row) {
-    return json{{"utc_ms", row.utc_ms},
-                {"measured_um", row.measured_um},
-                {"predicted_um", row.predicted_um},
-                {"half_um", row.half_um},
-                {"prediction_known", row.predictionKnown}}
+    return json{{"utc_ms", row.utc_ms},   {"measured_um", row.measured_um},          {"predicted_um", row.predicted_um},
+                {"half_um", row.half_um}, {"prediction_known", row.predictionKnown}, {"by_part", row.byPart},
+                {"known", row.known}}
         .dump();
 }
 
 std::optional<ThermalGapRow> gapFromJson(const std::string& text) {
     return reading(text, [](const json& body) {
-        return std::optional(ThermalGapRow{body.at("utc_ms").get<std::int64_t>(), body.at("measured_um").get<PerAxis>(),
-                                           body.at("predicted_um").get<PerAxis>(), body.at("half_um").get<PerAxis>(),
-                                           body.at("prediction_known").get<bool>()});
+        ThermalGapRow row{body.at("utc_ms").get<std::int64_t>(), body.at("measured_um").get<PerAxis>(),
+                          body.at("predicted_um").get<PerAxis>(), body.at("half_um").get<PerAxis>(),
+                          body.at("prediction_known").get<bool>()};
+        row.byPart = body.value("by_part", false);
+        row.known = body.value("known", row.known);
+        return std::optional(row);
     });
 }
 
@@ -78,7 +79,8 @@ std::string setupToJson(const ThermalSetup& setup) {
                 {"max_shift_um", setup.maxShift_um},
                 {"max_step_um_per_min", setup.maxStep_umPerMin},
                 {"warm_up_speed_rpm", setup.warmUpSpeed_rpm},
-                {"warm_up_min", setup.warmUp_min}}
+                {"warm_up_min", setup.warmUp_min},
+                {"between_parts", setup.betweenParts}}
         .dump();
 }
 
@@ -92,17 +94,24 @@ std::optional<ThermalSetup> setupFromJson(const std::string& text) {
         setup.maxStep_umPerMin = body.at("max_step_um_per_min").get<double>();
         setup.warmUpSpeed_rpm = body.at("warm_up_speed_rpm").get<double>();
         setup.warmUp_min = body.at("warm_up_min").get<double>();
+        setup.betweenParts = body.value("between_parts", false);
         return std::optional(setup);
     });
 }
 
 std::string learntToJson(const Learnt& learnt) {
     const thermal::DayMeasurement& m = learnt.measurement;
-    return json{{"utc_ms", learnt.utc_ms}, {"fingerprint", std::to_string(learnt.fingerprint)},
-                {"t_min", m.at.time_min},  {"reference", m.at.reference},
-                {"mean_um", m.at.mean_um}, {"spread", m.at.spread},
-                {"term", m.at.term},       {"drift_um", m.drift_um},
-                {"known", m.known}}
+    return json{{"utc_ms", learnt.utc_ms},
+                {"fingerprint", std::to_string(learnt.fingerprint)},
+                {"t_min", m.at.time_min},
+                {"reference", m.at.reference},
+                {"mean_um", m.at.mean_um},
+                {"spread", m.at.spread},
+                {"term", m.at.term},
+                {"drift_um", m.drift_um},
+                {"known", m.known},
+                {"noise_um", m.noise_um},
+                {"doubted_um", m.at.doubted_um}}
         .dump();
 }
 
@@ -119,6 +128,8 @@ std::optional<Learnt> learntFromJson(const std::string& text) {
         m.at.term = body.at("term").get<std::array<double, thermal::kMaxLayerTerms>>();
         m.drift_um = body.at("drift_um").get<PerAxis>();
         m.known = body.at("known").get<std::array<bool, kAxisCount>>();
+        m.noise_um = body.value("noise_um", 0.0);
+        m.at.doubted_um = body.value("doubted_um", PerAxis{});
         return std::optional(out);
     });
 }

@@ -283,12 +283,13 @@ Result<void> StoredThermalService::train(const std::string& kind, const std::vec
     m_view.training = {};
     m_view.training.state = TrainingState::Running;
     m_trainingNotes = std::make_shared<std::vector<std::string>>();
-    m_trainer.start(kind, [files, ready, builtIn, notes = m_trainingNotes, seed = m_links.machineSeed] {
+    m_trainer.start(kind, [files, ready, builtIn, notes = m_trainingNotes, seed = m_links.machineSeed,
+                           hardSeed = m_links.hardSeed] {
         std::vector<thermal::ThermalHistory> days;
         if (!files.empty()) days = headless::readThermalHistories(files, {}, notes.get());
         days.insert(days.end(), ready.begin(), ready.end());
         for (const std::size_t k : builtIn)
-            days.push_back(thermal::trainingDay(seed, k));
+            days.push_back(thermal::trainingDay(seed, k, hardSeed));
         return days;
     });
     changed();
@@ -322,6 +323,22 @@ Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const 
     m_view.setup = next;
     keep(records::kSetup, records::setupToJson(next), author, reason);
     changed();
+    return {};
+}
+
+Result<void> StoredThermalService::measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
+                                                 const std::string& author) {
+    if (const auto may = permitted(m_links.rights, author, Deed::ThermalReference); !may) return may;
+    if (!m_links.engine.status().thermal.partToMeasure) {
+        return fail(KERF_TEXT("No part has been finished since the reference that has not been measured yet."));
+    }
+    MeasureByPart part;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        part.known[axis] = deviation_um[axis].has_value();
+        part.deviation_um[axis] = deviation_um[axis].value_or(0.0);
+    }
+    if (const auto sent = send(part); !sent) return sent;
+    m_partAuthor = author;
     return {};
 }
 
@@ -464,11 +481,13 @@ void StoredThermalService::takeMinute(const ThermalMinute& minute) {
 void StoredThermalService::takeGap(const ThermalStatus& status) {
     if (status.gap.phase == GapPhase::Done && status.gap.number != m_gapSeen) {
         m_gapSeen = status.gap.number;
-        const ThermalGapRow row{utcNow_ms(), status.gap.measured_um, status.gap.predicted_um, status.gap.half_um,
-                                status.gap.predictionKnown};
+        const ThermalGapRow row{utcNow_ms(),        status.gap.measured_um,     status.gap.predicted_um,
+                                status.gap.half_um, status.gap.predictionKnown, status.gap.byPart,
+                                status.gap.known};
         m_view.gaps.insert(m_view.gaps.begin(), row);
         m_view.gaps.resize(std::min(m_view.gaps.size(), kRowsShown));
-        keep(records::kGap, records::gapToJson(row), {}, "measured");
+        keep(records::kGap, records::gapToJson(row), row.byPart ? m_partAuthor : std::string(),
+             row.byPart ? "measured on a part" : "measured");
         changed();
     }
     if (!status.gapZeroKnown) return;

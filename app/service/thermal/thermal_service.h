@@ -31,6 +31,7 @@ class StoredThermalService final : public ThermalService {
         ThermalExchange& exchange;
         std::string dayFolder{};       ///< history files (CSV) are looked for here
         std::uint64_t machineSeed{1};  ///< of the simulated machine
+        std::uint64_t hardSeed{0};     ///< > 0: of one that bites
         std::uint64_t daysSeed{1};
         Rights rights{};
         std::vector<ThermalSensorView> sensors{};  ///< of the machine's sensor file; empty: those of the machine itself
@@ -48,6 +49,8 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
     [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
                                            const std::string& reason) override;
+    [[nodiscard]] Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
+                                             const std::string& author) override;
     [[nodiscard]] Result<void> beginSession(const std::string& author) override;
     [[nodiscard]] Result<void> endSession(const std::string& author) override;
     void poll() override;
@@ -92,6 +95,7 @@ class StoredThermalService final : public ThermalService {
     std::vector<ThermalShiftRow> m_unwritten{};
     std::int64_t m_lastWrite_ms{0};
     std::uint32_t m_gapSeen{0};
+    std::string m_partAuthor{};  ///< who measured the part the loop is being told of
     std::uint32_t m_modelNumber{0};
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};

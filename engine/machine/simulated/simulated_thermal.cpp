@@ -17,7 +17,9 @@ constexpr double kFaultNoise_K = 3.0;
 
 }  // namespace
 
-SimulatedThermal::SimulatedThermal(const Params& params) noexcept : m_plant(params.machineSeed, params.daySeed) {
+SimulatedThermal::SimulatedThermal(const Params& params) noexcept
+    : m_plant(params.machineSeed, params.daySeed,
+              thermal::hardThermal(params.hardSeed, params.season, params.daySeed)) {
     m_frame.count = static_cast<std::uint16_t>(kMaxTemperatures);
 }
 

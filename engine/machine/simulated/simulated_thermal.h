@@ -28,6 +28,8 @@ class SimulatedThermal final : public SimulatedProcess {
     struct Params {
         std::uint64_t machineSeed{kMachiningCentre};
         std::uint64_t daySeed{1};
+        std::uint64_t hardSeed{0};  ///< > 0: a machine that bites (thermal::hardThermal); 0: the reference machine
+        thermal::Season season{thermal::Season::None};
     };
     /// What the machine remembers between two runs of the program.
     struct Memory {

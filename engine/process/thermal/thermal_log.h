@@ -27,6 +27,17 @@ class ThermalLog {
     }
     void add(const ThermalMinute& minute) noexcept { m_minutes[m_end++ % kMinutes] = minute; }
 
+    /// The origin at this minute became known later. @pre begin() ≤ k < end()
+    void learn(std::size_t k, const std::array<double, kAxisCount>& drift_um, const std::array<bool, kAxisCount>& known,
+               double noise_um) noexcept {
+        ThermalMinute& minute = m_minutes[k % kMinutes];
+        minute.spot = true;
+        minute.learntKnown = known;
+        minute.learntNoise_um = static_cast<float>(noise_um);
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+            minute.learnt_um[axis] = static_cast<float>(drift_um[axis]);
+    }
+
     [[nodiscard]] bool baselineDone() const noexcept { return m_baselineCount == kBaseline; }
     [[nodiscard]] std::size_t baselineCount() const noexcept { return m_baselineCount; }
     [[nodiscard]] const ThermalMinute& baseline(std::size_t k) const noexcept { return m_baseline[k]; }

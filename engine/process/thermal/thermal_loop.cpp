@@ -8,50 +8,23 @@
 #include "engine/cycle/event_sink.h"
 #include "engine/process/thermal/compensation.h"
 #include "engine/process/thermal/thermal_alarms.h"
+#include "engine/process/thermal/thermal_words.h"
 #include "engine/process/thermal/warm_up.h"
 
 namespace kerf {
 namespace {
 
-using thermal::SensorState;
-
 constexpr double kMinute_ns = 60.0 * kNanosecondPerSecond;
 constexpr double kForecast_min = 10.0;
-constexpr double kGapPatience_s = 20.0;
 constexpr double kShiftTolerance_um = 1.0;
 constexpr int kMissesUntilAlarm = 2;
 constexpr int kTicksUntilShifted = 2;
-constexpr std::uint16_t kRepeatsUntilStuck = 20;
-constexpr double kOutsideAlarm = 0.25;
-
-static_assert(static_cast<int>(CoupleState::Disagrees) == static_cast<int>(SensorState::Disagrees));
 
 bool usable(const ThermalSetup& setup) {
     const auto inRange = [](double value, double low, double high) { return value >= low && value <= high; };
     return setup.revision > 0 && inRange(setup.period_min, 0.1, 60.0) && inRange(setup.allowed_um, 0.1, 100.0) &&
            inRange(setup.maxShift_um, 1.0, 200.0) && inRange(setup.maxStep_umPerMin, 1.0, 60.0) &&
            inRange(setup.warmUpSpeed_rpm, 100.0, 30'000.0) && inRange(setup.warmUp_min, 1.0, 120.0);
-}
-
-const char* sickSentence(CoupleState state) {
-    switch (state) {
-        case CoupleState::Open:
-            return KERF_TEXT("Thermocouple %1 is open.");
-        case CoupleState::Short:
-            return KERF_TEXT("Thermocouple %1 is shorted.");
-        case CoupleState::Stuck:
-            return KERF_TEXT("Thermocouple %1 is stuck.");
-        case CoupleState::Noisy:
-            return KERF_TEXT("Thermocouple %1 is noisy.");
-        case CoupleState::Offset:
-            return KERF_TEXT("Thermocouple %1 has jumped away from its neighbours.");
-        case CoupleState::Healthy:
-        case CoupleState::Suspect:
-        case CoupleState::Disagrees:
-        case CoupleState::Unread:
-            break;
-    }
-    return KERF_TEXT("Thermocouple %1 disagrees with its neighbours.");
 }
 
 }  // namespace
@@ -75,26 +48,17 @@ CommandResult ThermalLoop::handle(const Command& command) noexcept {
         return CommandResult::ok();
     }
     if (const auto* reference = std::get_if<TakeThermalReference>(&command.action)) {
-        m_zeroLoaded = false;
+        m_gauge.forgetZero();
         restart(reference->clearShift);
         return CommandResult::ok();
     }
     if (const auto* zero = std::get_if<LoadGapZero>(&command.action)) {
-        if (!std::ranges::all_of(zero->zero_um, [](double value) { return std::isfinite(value); })) {
-            return CommandResult::refused(Sentence(KERF_TEXT("A gap sensor's zero is not a number.")));
-        }
-        m_status.gapZero_um = zero->zero_um;
-        m_status.gapZeroKnown = true;
-        m_zeroLoaded = true;
-        return CommandResult::ok();
+        return m_gauge.loadZero(zero->zero_um, m_status);
     }
     if (std::holds_alternative<MeasureOrigin>(command.action)) return measure();
+    if (const auto* part = std::get_if<MeasureByPart>(&command.action)) return measureByPart(*part);
     if (std::holds_alternative<AdoptMeasurement>(command.action)) return adopt();
-    if (const auto* record = std::get_if<RecordGaps>(&command.action)) {
-        if (record->on && !m_gapsFitted) return CommandResult::refused(m_whyNoGaps);
-        m_status.recording = record->on;
-        return CommandResult::ok();
-    }
+    if (const auto* record = std::get_if<RecordGaps>(&command.action)) return m_gauge.record(record->on, m_status);
     if (std::holds_alternative<StartPart>(command.action)) return startWarmUp();
     if (std::holds_alternative<StopWarmUp>(command.action)) {
         m_warmUpStopWanted = m_status.warmUpRunning;
@@ -104,25 +68,56 @@ CommandResult ThermalLoop::handle(const Command& command) noexcept {
 }
 
 CommandResult ThermalLoop::measure() noexcept {
-    if (!m_gapsFitted) return CommandResult::refused(m_whyNoGaps);
-    if (!m_status.gapsReadable) {
-        return CommandResult::refused(
-            Sentence(KERF_TEXT("The gap sensors read nothing: end the program and put the test bar in the spindle.")));
+    const CommandResult begun = m_gauge.measure(m_status);
+    m_adopted = m_adopted && !begun.done;
+    return begun;
+}
+
+CommandResult ThermalLoop::measureByPart(const MeasureByPart& part) noexcept {
+    const auto stops = [](const char* why) { return CommandResult::refused(Sentence(why)); };
+    if (m_status.gap.phase == GapPhase::Measuring) return stops(KERF_TEXT("The origin is being measured."));
+    if (!m_part || m_part->reference != m_reference || m_part->minute < m_log.begin()) {
+        return stops(KERF_TEXT("No part has been finished since the reference that has not been measured yet."));
     }
-    if (!m_status.gapZeroKnown) {
-        return CommandResult::refused(Sentence(KERF_TEXT("The gap sensors have no zero yet: take a reference first.")));
+    bool any = false;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (!part.known[axis]) continue;
+        any = true;
+        if (!(std::abs(part.deviation_um[axis]) <= MeasureByPart::kMost_um)) {
+            return stops(KERF_TEXT("A deviation of more than 200 µm is no thermal drift: look at the part."));
+        }
     }
-    if (m_status.gap.phase == GapPhase::Measuring) {
-        return CommandResult::refused(Sentence(KERF_TEXT("The origin is being measured.")));
+    if (!any) return stops(KERF_TEXT("Nothing of the part has been measured."));
+    if (learns() && m_part->model != m_live->revision) {
+        return stops(KERF_TEXT("The model has changed since that part was cut: measure the next one."));
     }
     const std::uint32_t number = m_status.gap.number + 1;
-    m_status.gap = {};
-    m_status.gap.number = number;
-    m_status.gap.phase = GapPhase::Measuring;
-    m_gapSum_um = {};
-    m_gapCount = 0;
-    m_gapSince_ns = m_last_ns;
+    GapMeasurement& gap = m_status.gap;
+    gap = {};
+    gap.number = number;
+    gap.phase = GapPhase::Done;
+    gap.byPart = true;
+    gap.known = part.known;
+    gap.time_ns = m_last_ns;
+    gap.predictionKnown = true;
+    gap.predicted_um = m_part->predicted_um;
+    gap.half_um = m_part->half_um;
+    PerAxis learnt_um{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (!part.known[axis]) continue;
+        gap.measured_um[axis] = part.deviation_um[axis] - m_part->shift_um[axis];
+        learnt_um[axis] = gap.measured_um[axis] - m_carried_um[axis];
+    }
     m_adopted = false;
+    if (learns()) {
+        const std::size_t before = m_live->estimator.day().count();
+        m_live->estimator.measuredAt(m_part->at, learnt_um, part.known, MeasureByPart::kNoise_um);
+        tellLearnt(before);
+        m_log.learn(m_part->minute, learnt_um, part.known, MeasureByPart::kNoise_um);
+        m_due_ns = m_last_ns;
+    }
+    m_part.reset();
+    m_status.partToMeasure = false;
     return CommandResult::ok();
 }
 
@@ -136,6 +131,7 @@ CommandResult ThermalLoop::adopt() noexcept {
     }
     if (m_adopted) return CommandResult::refused(Sentence(KERF_TEXT("This measurement has been taken over already.")));
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        if (!gap.known[axis]) continue;
         const double difference_um = gap.measured_um[axis] - gap.predicted_um[axis];
         m_carried_um[axis] += difference_um;
         m_trusted_um[axis] += difference_um;
@@ -160,6 +156,7 @@ void ThermalLoop::restart(bool clearShift) noexcept {
     m_clearShift = clearShift;
     m_started = false;
     m_prediction = {};
+    m_part.reset();
     m_log.clear();
     m_nextBaseline = 0;
     m_nextMinute = 0;
@@ -173,11 +170,10 @@ void ThermalLoop::restart(bool clearShift) noexcept {
 LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
     const bool linked = inputs.link == LinkState::Up;
-    m_gapsFitted = capabilities.gapSensors.fitted;
-    m_whyNoGaps = capabilities.gapSensors.why;
     watchSpeed(inputs);
     m_last_ns = inputs.time_ns;
-    watchGaps(inputs);
+    if (m_gauge.watch(inputs, capabilities.gapSensors, m_status)) spotDone(inputs);
+    watchPart(inputs);
     takeModel();
     catchUp();
     const bool readable = linked && capabilities.temperatures.fitted && inputs.temperatures != nullptr &&
@@ -186,8 +182,7 @@ LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& c
         m_started = true;
         ++m_reference;
         m_due_ns = inputs.time_ns;
-        m_zeroSum_um = {};
-        m_zeroCount = 0;
+        m_gauge.beginReference();
     }
     const bool due = m_started && inputs.time_ns >= m_due_ns;
     if (due && readable) {
@@ -219,7 +214,7 @@ LoopVerdict ThermalLoop::step(const MachineInputs& inputs, const Capabilities& c
     m_status.allowed_um = m_setup.allowed_um;
     m_status.learns = learns();
     m_status.nextUpdate_s = static_cast<double>(m_due_ns - inputs.time_ns) / kNanosecondPerSecond;
-    return verdict();
+    return thermalVerdict(m_status, m_mode, m_targetKnown);
 }
 
 void ThermalLoop::takeModel() noexcept {
@@ -270,7 +265,7 @@ thermal::ThermalPrediction ThermalLoop::feed(LiveModel& model, const ThermalMinu
     if (minute.spot) {  // used from the next minute on
         PerAxis learnt_um{};
         std::ranges::copy(minute.learnt_um, learnt_um.begin());
-        model.estimator.measured(learnt_um, {true, true, true});
+        model.estimator.measured(learnt_um, minute.learntKnown, static_cast<double>(minute.learntNoise_um));
     }
     return prediction;
 }
@@ -298,35 +293,39 @@ void ThermalLoop::watchSpeed(const MachineInputs& inputs) noexcept {
     m_heat_s += dt_s;
 }
 
-void ThermalLoop::watchGaps(const MachineInputs& inputs) noexcept {
-    m_status.gapsReadable = std::ranges::all_of(inputs.gap_um, [](const Reading& gap) { return gap.good(); });
-    if (m_status.gapsReadable) {
-        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-            m_gapNow_um[axis] = inputs.gap_um[axis].value;
-    }
-    if (m_status.gap.phase != GapPhase::Measuring) return;
-    GapMeasurement& gap = m_status.gap;
-    if (static_cast<double>(inputs.time_ns - m_gapSince_ns) / kNanosecondPerSecond > kGapPatience_s) {
-        gap.phase = GapPhase::Failed;
-        gap.reason = Sentence(KERF_TEXT("The gap sensors stopped reading during the measurement."));
-        return;
-    }
-    if (!m_status.gapsReadable || inputs.gap_um[0].stamp_ns == m_gapStamp_ns) return;
-    m_gapStamp_ns = inputs.gap_um[0].stamp_ns;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-        m_gapSum_um[axis] += m_gapNow_um[axis];
-    if (++m_gapCount < kGapReadings) return;
-    const PerAxis now_um = predicted();
-    gap.phase = GapPhase::Done;
-    gap.time_ns = inputs.time_ns;
-    gap.predictionKnown = m_prediction.usable;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        gap.measured_um[axis] = m_gapSum_um[axis] / kGapReadings - m_status.gapZero_um[axis];
-        gap.predicted_um[axis] = now_um[axis];
-        gap.half_um[axis] = m_prediction.half_um[axis];
-    }
+void ThermalLoop::spotDone(const MachineInputs& inputs) noexcept {
+    m_status.gap.predictionKnown = m_prediction.usable;
+    m_status.gap.predicted_um = predicted();
+    m_status.gap.half_um = m_prediction.half_um;
     m_spotPending = true;
     if (learns() && m_log.baselineDone()) m_due_ns = inputs.time_ns;  // in the state that was measured
+}
+
+void ThermalLoop::watchPart(const MachineInputs& inputs) noexcept {
+    const PartWatch::Edge edge = m_parts.watch(inputs);
+    m_status.waitsForPart = false;
+    if (edge == PartWatch::Edge::Begun && m_setup.betweenParts && m_targetKnown && shiftReadable(inputs)) {
+        // Where a shift under way has got to, the part begins.
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+            m_status.target_um[axis] = std::round(inputs.workOffset_um[axis].value);
+    }
+    if (edge == PartWatch::Edge::Finished) {
+        m_part.reset();
+        if (m_live != nullptr && m_prediction.usable && m_log.end() > m_log.begin() && shiftReadable(inputs)) {
+            FinishedPart& part = m_part.emplace();
+            part.predicted_um = predicted();
+            part.half_um = m_prediction.half_um;
+            for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+                part.shift_um[axis] = inputs.workOffset_um[axis].value;
+            if (learns()) part.at = m_live->estimator.instant();
+            part.model = m_live->revision;
+            part.reference = m_reference;
+            part.minute = m_log.end() - 1;
+        }
+        if (m_setup.betweenParts) command(inputs);
+    }
+    m_status.partToMeasure = m_part && m_part->reference == m_reference;
+    m_status.waitsForPart = m_setup.betweenParts && m_parts.runs();
 }
 
 void ThermalLoop::runWarmUp(const MachineInputs& inputs, LoopOutputs& outputs) noexcept {
@@ -377,11 +376,7 @@ void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
         minute.minutes = -step_min * static_cast<double>(ThermalLog::kBaseline - m_log.baselineCount());
         m_log.addBaseline(minute);
         if (m_live != nullptr) (void)feed(*m_live, minute);
-        if (m_status.gapsReadable) {
-            for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-                m_zeroSum_um[axis] += m_gapNow_um[axis];
-            ++m_zeroCount;
-        }
+        m_gauge.addReference(m_status);
         if (m_log.baselineDone()) {
             for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
                 const bool known = !m_clearShift && inputs.workOffset_um[axis].good();
@@ -390,7 +385,7 @@ void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
             m_referenceEnd_ns = inputs.time_ns + static_cast<std::int64_t>(step_min * kMinute_ns);
             endBaseline();
         }
-        reportCouples(inputs);
+        m_couples.report(*inputs.temperatures, m_live, m_status);
         (void)m_exchange.minutes.tryPush(minute);
         return;
     }
@@ -419,7 +414,7 @@ void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
         minute.shift_um[axis] = static_cast<float>(inputs.workOffset_um[axis].value);
         if (measured) {
             const double drift_um =
-                m_spotPending ? m_status.gap.measured_um[axis] : m_gapNow_um[axis] - m_status.gapZero_um[axis];
+                m_spotPending ? m_status.gap.measured_um[axis] : m_gauge.now_um()[axis] - m_status.gapZero_um[axis];
             minute.measured_um[axis] = static_cast<float>(drift_um);
         }
     }
@@ -429,7 +424,7 @@ void ThermalLoop::tick(const MachineInputs& inputs, EventSink&) noexcept {
     m_status.minutes = minute.minutes;
     command(inputs);
     forecast();
-    reportCouples(inputs);
+    m_couples.report(*inputs.temperatures, m_live, m_status);
     (void)m_exchange.minutes.tryPush(minute);
 }
 
@@ -437,12 +432,7 @@ void ThermalLoop::endBaseline() noexcept {
     m_trusted_um = m_carried_um;
     m_status.updates = 0;
     m_status.warmUp = WarmUpState::Unknown;
-    if (!m_zeroLoaded && m_zeroCount > 0) {
-        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-            m_status.gapZero_um[axis] = m_zeroSum_um[axis] / static_cast<double>(m_zeroCount) - m_carried_um[axis];
-        }
-        m_status.gapZeroKnown = true;
-    }
+    m_gauge.endReference(m_carried_um, m_status);
     m_clearShift = false;
 }
 
@@ -484,12 +474,13 @@ void ThermalLoop::command(const MachineInputs& inputs) noexcept {
         }
         m_missesOfShift = missed ? m_missesOfShift + 1 : 0;
     }
+    const bool waits = m_setup.betweenParts && m_parts.runs() && m_targetKnown;
     const thermal::ShiftLimits limits{1.0, m_setup.maxShift_um,
                                       std::max(1.0, m_setup.maxStep_umPerMin * m_setup.period_min)};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const thermal::ShiftCommand shift =
             thermal::nextShift(m_trusted_um[axis], inputs.workOffset_um[axis].value, limits);
-        m_status.target_um[axis] = shift.total_um;
+        if (!waits) m_status.target_um[axis] = shift.total_um;
         m_status.sizeLimited[axis] = shift.sizeLimited;
         m_status.rateLimited[axis] = shift.rateLimited;
     }
@@ -518,37 +509,6 @@ void ThermalLoop::forecast() noexcept {
     m_status.ready_min = out.ready_min;
 }
 
-void ThermalLoop::reportCouples(const MachineInputs& inputs) noexcept {
-    const TemperatureFrame& frame = *inputs.temperatures;
-    m_status.count = std::min<std::uint16_t>(frame.count, kMaxTemperatures);
-    for (std::size_t k = 0; k < m_status.count; ++k) {
-        const Reading& reading = frame.temp_degC[k];
-        const auto value_degC = static_cast<float>(reading.value);
-        CoupleState state = CoupleState::Healthy;
-        if (!reading.good()) {
-            state = CoupleState::Unread;
-        } else {
-            m_repeats[k] =
-                value_degC == m_lastTemp_degC[k] ? static_cast<std::uint16_t>(m_repeats[k] + 1) : std::uint16_t{0};
-            if (reading.value > thermal::kHighestTemp_degC) state = CoupleState::Open;
-            if (reading.value < thermal::kLowestTemp_degC) state = CoupleState::Short;
-            if (state == CoupleState::Healthy && m_repeats[k] >= kRepeatsUntilStuck) state = CoupleState::Stuck;
-        }
-        m_lastTemp_degC[k] = value_degC;
-        m_status.temp_degC[k] = value_degC;
-        m_status.couple[k] = state;
-    }
-    m_status.inModel = 0;
-    if (m_live == nullptr) return;
-    for (std::size_t i = 0; i < m_live->estimator.sensors(); ++i) {
-        const std::uint16_t channel = m_live->channel[i];
-        if (channel >= kMaxTemperatures) continue;
-        m_status.inModel |= std::uint64_t{1} << channel;
-        const SensorState state = m_live->estimator.health().state(i);
-        m_status.couple[channel] = static_cast<CoupleState>(state);
-    }
-}
-
 void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) noexcept {
     const bool running = m_log.baselineDone();
     events.set(thermal_alarm::kNoTemperatures, running && inputs.temperatures == nullptr);
@@ -559,7 +519,7 @@ void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) no
             const auto state = static_cast<CoupleState>(m_live->estimator.health().state(i));
             if (isSick(state)) {
                 ++sick;
-                which = Sentence(sickSentence(state), m_live->name[i]);
+                which = Sentence(sickCoupleText(state), m_live->name[i]);
             }
         }
     }
@@ -576,53 +536,12 @@ void ThermalLoop::raiseAlarms(const MachineInputs& inputs, EventSink& events) no
     events.set(thermal_alarm::kShiftAtLimit, acting && any(m_status.sizeLimited));
     events.set(thermal_alarm::kShiftTooFast, acting && any(m_status.rateLimited));
     events.set(thermal_alarm::kShiftNotTaken, acting && m_missesOfShift >= kMissesUntilAlarm);
-    events.set(thermal_alarm::kOutside, following && m_prediction.outside > kOutsideAlarm);
+    events.set(thermal_alarm::kOutside, following && m_prediction.outside > kThermalOutside);
     events.set(thermal_alarm::kDayDiffers, following && m_prediction.changed >= thermal::kDayDiffers);
     const bool tooWide =
         std::ranges::any_of(m_prediction.half_um, [this](double half_um) { return half_um > m_setup.allowed_um; });
     m_status.measureNow = following && tooWide;
     events.set(thermal_alarm::kMeasureNow, m_status.measureNow);
-}
-
-LoopVerdict ThermalLoop::verdict() const noexcept {
-    const bool advises = m_mode == LoopMode::Advise;
-    const bool limited = std::ranges::any_of(m_status.sizeLimited, [](bool flag) { return flag; }) ||
-                         std::ranges::any_of(m_status.rateLimited, [](bool flag) { return flag; });
-    switch (m_status.stage) {
-        case ThermalStage::NoTemperatures:
-            return {LoopState::Held, Sentence(KERF_TEXT("The machine sends no temperatures; the last shift stays."))};
-        case ThermalStage::NoModel:
-            return {LoopState::Held, Sentence(KERF_TEXT("There is no thermal model yet: train one."))};
-        case ThermalStage::Baseline:
-            return {LoopState::Advising,
-                    Sentence(KERF_TEXT("The temperatures to count from are being taken; the shift stays."))};
-        case ThermalStage::CatchUp:
-            return {LoopState::Advising, Sentence(KERF_TEXT("The new model runs through the day so far."))};
-        case ThermalStage::Holding:
-            return {LoopState::Held,
-                    Sentence(KERF_TEXT("Nothing can be predicted: too many thermocouples are left out."))};
-        case ThermalStage::Following:
-            break;
-    }
-    if (!m_targetKnown) {
-        return {LoopState::Held,
-                Sentence(KERF_TEXT("The control does not report its work offset; nothing is shifted."))};
-    }
-    if (limited) {
-        return {LoopState::Limited, Sentence(advises ? KERF_TEXT("The shift would sit at its limit of size or rate.")
-                                                     : KERF_TEXT("The shift sits at its limit of size or rate."))};
-    }
-    if (m_status.outside > kOutsideAlarm) {
-        return {LoopState::Limited,
-                Sentence(
-                    advises ? KERF_TEXT("Outside the training range: the shift would fade to hold. Measure the origin.")
-                            : KERF_TEXT("Outside the training range: the shift fades to hold. Measure the origin."))};
-    }
-    if (m_prediction.changed >= thermal::kDayDiffers) {
-        return {LoopState::Limited, Sentence(KERF_TEXT("Today differs from the days trained on: measure."))};
-    }
-    return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The work origin would follow the predicted drift.")
-                                                     : KERF_TEXT("The work origin follows the predicted drift."))};
 }
 
 }  // namespace kerf

@@ -8,6 +8,9 @@
 #include "engine/api/status.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/cycle/program_follower.h"
+#include "engine/process/thermal/couple_watch.h"
+#include "engine/process/thermal/gap_gauge.h"
+#include "engine/process/thermal/part_watch.h"
 #include "engine/process/thermal/thermal_exchange.h"
 #include "engine/process/thermal/thermal_log.h"
 
@@ -25,6 +28,9 @@ namespace kerf {
 ///
 /// A measurement of the origin is learnt from by a model that can: its day's coefficients move, at the next minute. Its
 /// between-day law is kept over a new reference in the same day and restored after a restart by the service.
+///
+/// A part that has been finished and is then measured is a measurement of the origin made when it was finished. With
+/// `betweenParts` the shift moves only while no part is being cut.
 ///
 /// A new model first runs through the minutes since the baseline, one per cycle, beside the old one; then it takes its
 /// place between two cycles. Neither is made or destroyed here.
@@ -44,17 +50,18 @@ class ThermalLoop final : public ProcessLoop {
     void sample(Sample&) const noexcept override {}
 
  private:
-    static constexpr std::size_t kGapReadings = 5;
     using PerAxis = std::array<double, kAxisCount>;
 
     [[nodiscard]] CommandResult measure() noexcept;
+    [[nodiscard]] CommandResult measureByPart(const MeasureByPart& part) noexcept;
     [[nodiscard]] CommandResult adopt() noexcept;
     [[nodiscard]] CommandResult startWarmUp() noexcept;
     void restart(bool clearShift) noexcept;
     void takeModel() noexcept;
     void catchUp() noexcept;
     void watchSpeed(const MachineInputs& inputs) noexcept;
-    void watchGaps(const MachineInputs& inputs) noexcept;
+    void spotDone(const MachineInputs& inputs) noexcept;
+    void watchPart(const MachineInputs& inputs) noexcept;
     void runWarmUp(const MachineInputs& inputs, LoopOutputs& outputs) noexcept;
     [[nodiscard]] ThermalMinute minuteNow(const MachineInputs& inputs) noexcept;
     void tick(const MachineInputs& inputs, EventSink& events) noexcept;
@@ -63,9 +70,7 @@ class ThermalLoop final : public ProcessLoop {
     void take(const thermal::ThermalPrediction& prediction) noexcept;
     void command(const MachineInputs& inputs) noexcept;
     void forecast() noexcept;
-    void reportCouples(const MachineInputs& inputs) noexcept;
     void raiseAlarms(const MachineInputs& inputs, EventSink& events) noexcept;
-    [[nodiscard]] LoopVerdict verdict() const noexcept;
     [[nodiscard]] bool shiftReadable(const MachineInputs& inputs) const noexcept;
     [[nodiscard]] PerAxis predicted() const noexcept;
     [[nodiscard]] bool learns() const noexcept;
@@ -99,21 +104,12 @@ class ThermalLoop final : public ProcessLoop {
     double m_heat_s{0.0};
     double m_blind_s{0.0};
 
-    PerAxis m_gapSum_um{};
-    std::size_t m_gapCount{0};
-    std::int64_t m_gapStamp_ns{0};
-    std::int64_t m_gapSince_ns{0};
-    PerAxis m_zeroSum_um{};
-    std::size_t m_zeroCount{0};
-    PerAxis m_gapNow_um{};
-    bool m_zeroLoaded{false};
+    GapGauge m_gauge{};
+    CoupleWatch m_couples{};
+    PartWatch m_parts{};
+    std::optional<FinishedPart> m_part{};  ///< the last one, until it has been measured
     bool m_adopted{false};
     bool m_spotPending{false};
-    Sentence m_whyNoGaps{};
-    bool m_gapsFitted{false};
-
-    std::array<float, kMaxTemperatures> m_lastTemp_degC{};
-    std::array<std::uint16_t, kMaxTemperatures> m_repeats{};
 
     bool m_warmUpWanted{false};
     bool m_warmUpStopWanted{false};

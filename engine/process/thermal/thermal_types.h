@@ -21,6 +21,7 @@ struct ThermalSetup {
     double maxStep_umPerMin{15.0};   ///< [1, 60]
     double warmUpSpeed_rpm{3000.0};  ///< [100, 30000]
     double warmUp_min{20.0};         ///< [1, 120]
+    bool betweenParts{false};        ///< the shift moves only while no part is being cut
 };
 
 enum class ThermalStage : std::uint8_t {
@@ -56,6 +57,8 @@ struct GapMeasurement {
     std::array<double, kAxisCount> predicted_um{};
     std::array<double, kAxisCount> half_um{};
     bool predictionKnown{false};
+    bool byPart{false};                                      ///< from a finished part, not from the gap sensors
+    std::array<bool, kAxisCount> known{{true, true, true}};  ///< axes measured
 };
 
 /// Live figures of the thermal loop, part of Status.
@@ -74,8 +77,10 @@ struct ThermalStatus {
     double speedShare{0.0};  ///< 0: warm start or speed unknown, temperatures alone
     int lostSensors{0};      ///< of the model's own
     bool measureNow{false};
-    bool learns{false};   ///< the model in force learns from a measurement of the origin
-    bool differs{false};  ///< today differs from the days trained on, by today's measurements
+    bool learns{false};         ///< the model in force learns from a measurement of the origin
+    bool differs{false};        ///< today differs from the days trained on, by today's measurements
+    bool waitsForPart{false};   ///< a part is being cut and the shift moves only between parts
+    bool partToMeasure{false};  ///< a part is finished that may be measured: the origin as it was then
     double allowed_um{0.0};
     double nextUpdate_s{0.0};
     double minutes{0.0};  ///< machine time since the baseline
@@ -106,10 +111,12 @@ struct ThermalMinute {
     bool measured{false};
     std::array<float, kAxisCount> drift_um{};
     std::array<float, kAxisCount> half_um{};
-    std::array<float, kAxisCount> shift_um{};     ///< reported by the control
-    std::array<float, kAxisCount> measured_um{};  ///< gap sensors, drift
-    bool spot{false};                             ///< measured once, to learn from
-    std::array<float, kAxisCount> learnt_um{};    ///< of a spot: measured drift since the reference
+    std::array<float, kAxisCount> shift_um{};                      ///< reported by the control
+    std::array<float, kAxisCount> measured_um{};                   ///< gap sensors, drift
+    bool spot{false};                                              ///< measured once, to learn from
+    std::array<float, kAxisCount> learnt_um{};                     ///< of a spot: measured drift since the reference
+    std::array<bool, kAxisCount> learntKnown{{true, true, true}};  ///< of a spot: axes measured
+    float learntNoise_um{0.0F};                                    ///< of a spot: σ beyond the gap sensors'
     std::uint64_t present{0};
     std::array<float, kMaxTemperatures> temp_degC{};
 };

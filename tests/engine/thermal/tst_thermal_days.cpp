@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "engine/machine/simulated/simulated_thermal.h"
+#include "engine/process/thermal/plant/simulated_day.h"
 #include "engine/process/thermal/replay.h"
 #include "engine/process/thermal/training.h"
 #include "tests/engine/thermal/lathe_days.h"
@@ -123,10 +125,13 @@ class TestThermalDays : public QObject {
     void withoutARelationNothingIsCorrected();
     void aMeasurementMovesTheCoefficients();
     void aCorrectionIsNeverLargerThanItsEvidence();
+    void aStrangeStateIsCorrectedAsTheLastUsualOne();
+    void whatIsDoubtedWidensTheIntervalAndAMeasurementBringsItBack();
     void measurementsOfAnEarlierReferenceKeepTheirCoefficients();
     void theOldestMeasurementGoes();
     void oneDisplacementIsEnough();
     void oneDayIsNotEnough();
+    void aHardMachineTrainsOnItsOwnDays();
 };
 
 void TestThermalDays::daysLeftOutAreNoWorseThanByTheRegression() {
@@ -257,6 +262,44 @@ void TestThermalDays::aCorrectionIsNeverLargerThanItsEvidence() {
     QCOMPARE(day.count(), std::size_t{0});
 }
 
+void TestThermalDays::aStrangeStateIsCorrectedAsTheLastUsualOne() {
+    DayLayer layer = smallLayer();
+    layer.whiten = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    for (DayLaw& law : layer.axis) {
+        law.slope_um = 0.1;  // what the law says is far beyond what days differ by
+        law.trust = 0.9;
+        law.usual = 4.0;
+        law.doubt = 1.0;
+    }
+    const DayPosterior day(layer);
+    const auto corrected_um = [&](double times) {
+        DayInstant now = instant(60.0, 0.0, times);
+        day.setLever(now);
+        return 10.0 * times * day.borneOut(now, 0, 10.0 * times);  // the law is linear
+    };
+    QCOMPARE(corrected_um(1.0), 9.0);
+    QCOMPARE(corrected_um(2.0), 18.0);
+    for (const double times : {2.5, 4.0, 30.0}) {
+        QVERIFY2(std::abs(corrected_um(times) - 18.0) < 1e-9, shown({times, corrected_um(times)}));
+    }
+    QCOMPARE(corrected_um(0.0), 0.0);
+}
+
+void TestThermalDays::whatIsDoubtedWidensTheIntervalAndAMeasurementBringsItBack() {
+    DayPosterior day(smallLayer());
+    DayInstant whole = instant(60.0, 20.0, 1.0);
+    DayInstant half = instant(60.0, 10.0, 1.0);
+    half.doubted_um = {10.0, 10.0, 10.0};
+    QVERIFY(day.at(half, 0).half_um > day.at(whole, 0).half_um);
+    day.add({half, {20.0, 20.0, 20.0}, {true, true, true}});
+    QVERIFY(day.at(half, 0).shift_um > 7.0);
+    QVERIFY(day.at(half, 0).shift_um <= 10.0);
+    half.time_min = 120.0;  // twice as warm: what the law said all along is believed by now
+    half.mean_um = half.doubted_um = {20.0, 20.0, 20.0};
+    half.term[0] = 2.0;
+    QVERIFY2(day.at(half, 0).shift_um > 12.0, shown({day.at(half, 0).shift_um}));
+}
+
 void TestThermalDays::measurementsOfAnEarlierReferenceKeepTheirCoefficients() {
     DayPosterior same(smallLayer());
     DayPosterior earlier(smallLayer());
@@ -294,6 +337,21 @@ void TestThermalDays::oneDayIsNotEnough() {
     const auto model = trainHierarchical({days[0]}, {});
     QVERIFY(!model.has_value());
     QVERIFY(!model.error().empty());
+}
+
+void TestThermalDays::aHardMachineTrainsOnItsOwnDays() {
+    QCOMPARE(trainingDay(1, 0, 0).trueDrift_um, trainingDay(1, 0).trueDrift_um);
+    QVERIFY(trainingDay(1, 0, 7).trueDrift_um != trainingDay(1, 0).trueDrift_um);
+    const auto warm = [](const kerf::SimulatedThermal::Params& params) {
+        const kerf::SimulatedThermal machine(params);
+        ThermalPlant plant = machine.plant();
+        plant.advance(3000.0, 3600.0);
+        return plant.drift_um();
+    };
+    const auto reference = warm({1, 1, 0, Season::None});
+    QCOMPARE(warm({1, 1}), reference);
+    QVERIFY(warm({1, 1, 7, Season::None}) != reference);
+    QVERIFY(warm({1, 1, 0, Season::Door}) != reference);
 }
 
 QTEST_GUILESS_MAIN(TestThermalDays)

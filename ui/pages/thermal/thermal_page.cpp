@@ -22,7 +22,8 @@ bool hasNews(const ThermalStatus& now, const ThermalStatus& before) {
     return now.updates != before.updates || now.stage != before.stage || now.model != before.model ||
            now.gap.number != before.gap.number || now.gap.phase != before.gap.phase ||
            now.gapsReadable != before.gapsReadable || now.gapZeroKnown != before.gapZeroKnown ||
-           now.recording != before.recording || now.count != before.count || now.couple != before.couple;
+           now.partToMeasure != before.partToMeasure || now.recording != before.recording ||
+           now.count != before.count || now.couple != before.couple;
 }
 
 }  // namespace

@@ -238,8 +238,14 @@ void ThermalSheets::openMeasure() {
     QTableWidget* table = makeThermalTable(
         look, "thermalGapTable", {tr("axis"), tr("measured"), tr("predicted"), tr("difference"), tr("verdict")}, sheet);
     table->setMinimumHeight(4 * look.metrics().touch() * 2 / 3);
+    ActionButton* byPart = named(look, "thermalByPart", tr("By a measured part"));
+    byPart->setPredicate([this]() -> QString {
+        return m_status.thermal.partToMeasure ? QString() : tr("no part finished since the reference");
+    });
+    QObject::connect(byPart, &QPushButton::clicked, sheet, [this] { openPart(); });
     sheet->body()->addWidget(steps);
     sheet->body()->addWidget(table, 1);
+    sheet->body()->addWidget(byPart);
     ActionButton* reference = named(look, "thermalReference", tr("New reference"));
     ActionButton* session = named(look, "thermalSession", {});
     ActionButton* adopt = named(look, "thermalAdopt", tr("Take over"));
@@ -292,12 +298,12 @@ void ThermalSheets::openMeasure() {
             m_context.withPermission(Deed::ThermalReference, [&client] { client.sendAction(MeasureOrigin{}); });
         },
         false);
-    follow([this, steps, table, reference, session, adopt, measure] {
+    follow([this, steps, table, byPart, reference, session, adopt, measure] {
         const ThermalStatus& s = m_status.thermal;
         const UnitSystem& units = m_context.look.units();
         const ThermalSessionView& view = m_service.view().session;
         session->setText(view.recording ? tr("End the session") : tr("Record a session"));
-        for (ActionButton* button : {reference, session, adopt, measure})
+        for (ActionButton* button : {byPart, reference, session, adopt, measure})
             button->reconsider();
         QString text =
             tr("1. End the program. 2. Put the test bar in the spindle and move it between the three gap "
@@ -325,10 +331,11 @@ void ThermalSheets::openMeasure() {
         const bool done = s.gap.phase == GapPhase::Done;
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
             const double difference_um = s.gap.measured_um[axis] - s.gap.predicted_um[axis];
-            const bool known = done && s.gap.predictionKnown;
+            const bool measured = done && s.gap.known[axis];
+            const bool known = measured && s.gap.predictionKnown;
             setTableRow(table, static_cast<int>(axis),
                         {QLatin1String(kThermalAxes[axis]),
-                         done ? units.withUnit(s.gap.measured_um[axis], "um", kDriftDecimals) : QStringLiteral("–"),
+                         measured ? units.withUnit(s.gap.measured_um[axis], "um", kDriftDecimals) : QStringLiteral("–"),
                          known ? units.number(s.gap.predicted_um[axis], "um", kDriftDecimals) + QStringLiteral(" ± ") +
                                      units.withUnit(s.gap.half_um[axis], "um", kDriftDecimals)
                                : QStringLiteral("–"),
@@ -369,7 +376,8 @@ void ThermalSheets::openHistory() {
             if (row >= kShownRows) break;
             setTableRow(
                 gaps, row++,
-                {timeOf(one.utc_ms), threeText(one.measured_um, units, kDriftDecimals),
+                {one.byPart ? tr("%1, part").arg(timeOf(one.utc_ms)) : timeOf(one.utc_ms),
+                 threeText(one.measured_um, units, kDriftDecimals),
                  one.predictionKnown ? threeText(one.predicted_um, units, kDriftDecimals) : QStringLiteral("–")});
         }
         if (row == 0) setTableRow(gaps, row++, {{}, tr("Each measurement of the origin appears here."), {}});
@@ -468,6 +476,17 @@ void ThermalSheets::openLimits() {
         grid->addWidget(fields[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
     }
     sheet->body()->addLayout(grid);
+    auto* between = new ActionButton(m_context.look, sheet);
+    between->setObjectName(QStringLiteral("thermalBetweenParts"));
+    between->setCheckable(true);
+    const auto name = [between] {
+        between->setText(between->isChecked() ? tr("The shift moves only between parts")
+                                              : tr("The shift follows while a part is cut"));
+    };
+    QObject::connect(between, &QPushButton::toggled, between, name);
+    between->setChecked(now.betweenParts);
+    name();
+    sheet->body()->addWidget(between);
     auto* reason = new QLineEdit(sheet);
     reason->setObjectName(QStringLiteral("thermalLimitsReason"));
     reason->setPlaceholderText(tr("Reason for the change"));
@@ -485,8 +504,9 @@ void ThermalSheets::openLimits() {
     use->setPredicate(whyNot);
     for (ValueField* field : fields)
         QObject::connect(field, &ValueField::edited, use, [use] { use->reconsider(); });
-    sheet->addButton(use, [this, fields, now, reason] {
+    sheet->addButton(use, [this, fields, between, now, reason] {
         ThermalSetup next = now;
+        next.betweenParts = between->isChecked();
         const std::array targets{&next.allowed_um,       &next.period_min,      &next.maxShift_um,
                                  &next.maxStep_umPerMin, &next.warmUpSpeed_rpm, &next.warmUp_min};
         for (std::size_t i = 0; i < targets.size(); ++i)

@@ -20,9 +20,11 @@ namespace kerf::ui {
 ///   model: thermalCard (table), thermalTrainOpen, thermalRollBack
 ///   train: thermalDays (column 0 touched: chosen or not), thermalCompared, thermalTrainState, thermalTrainAuto,
 ///     thermalTrainCancel, thermalGoLive
-///   measure: thermalSteps, thermalGapTable, thermalMeasureNow, thermalAdopt, thermalReference, thermalSession
-///   history: thermalShiftTable, thermalGapHistory; sensors: thermalSensorTable; map: thermalErrorMapX…Z
-///   limits: thermalAllowed, thermalPeriod, thermalMaxShift, thermalMaxStep, thermalWarmSpeed, thermalWarmMinutes
+///   measure: thermalSteps, thermalGapTable, thermalMeasureNow, thermalAdopt, thermalReference, thermalSession,
+///   thermalByPart part: thermalPartX…Z, thermalPartState, thermalPartTake history: thermalShiftTable,
+///   thermalGapHistory; sensors: thermalSensorTable; map: thermalErrorMapX…Z limits: thermalAllowed, thermalPeriod,
+///   thermalMaxShift, thermalMaxStep, thermalWarmSpeed, thermalWarmMinutes,
+///     thermalBetweenParts
 ///   thermalSheetClose
 class ThermalSheets {
     Q_DECLARE_TR_FUNCTIONS(ThermalSheets)
@@ -32,6 +34,7 @@ class ThermalSheets {
     void openModel();
     void openTrain();
     void openMeasure();
+    void openPart();
     void openHistory();
     void openSensors();
     void openMap();

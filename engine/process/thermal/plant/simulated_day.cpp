@@ -67,7 +67,7 @@ const char* trainingDayLabel(std::size_t day) {
     return kLabels.at(day);
 }
 
-ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day) {
+ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day, std::uint64_t hardSeed) {
     constexpr std::array kRandom_rpm{0.0,   3000.0, 1000.0, 4500.0, 0.0,    2000.0, 6000.0, 1500.0, 3500.0,
                                      500.0, 5000.0, 0.0,    2500.0, 4000.0, 1000.0, 5500.0, 3000.0, 400.0};
     constexpr int kHold_min = 20;
@@ -84,7 +84,9 @@ ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day) {
                 return t_min < 240 ? 400.0 : 1200.0;
         }
     };
-    ThermalHistory history = simulateDay({machineSeed, kFirstSeed + day}, speed_rpm).history;
+    SimulatedDayOptions options{machineSeed, kFirstSeed + day};
+    options.hardSeed = hardSeed;
+    ThermalHistory history = simulateDay(options, speed_rpm).history;
     history.label = trainingDayLabel(day);
     // The loop knows the speed of the minute that has passed, not of the one to come.
     std::ranges::rotate(history.speed_rpm, history.speed_rpm.end() - 1);
@@ -92,10 +94,10 @@ ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day) {
     return history;
 }
 
-std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed) {
+std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed, std::uint64_t hardSeed) {
     std::vector<ThermalHistory> days;
     for (std::size_t day = 0; day < kTrainingDays; ++day) {
-        days.push_back(trainingDay(machineSeed, day));
+        days.push_back(trainingDay(machineSeed, day, hardSeed));
     }
     return days;
 }

@@ -37,7 +37,7 @@ struct SimulatedDay {
 /// work. The speed of a row is that of the minute before it, as the loop knows it.
 inline constexpr std::size_t kTrainingDays = 4;
 [[nodiscard]] const char* trainingDayLabel(std::size_t day);
-[[nodiscard]] ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day);
-[[nodiscard]] std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed);
+[[nodiscard]] ThermalHistory trainingDay(std::uint64_t machineSeed, std::size_t day, std::uint64_t hardSeed = 0);
+[[nodiscard]] std::vector<ThermalHistory> trainingDays(std::uint64_t machineSeed, std::uint64_t hardSeed = 0);
 
 }  // namespace kerf::thermal
