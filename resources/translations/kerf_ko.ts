@@ -2612,11 +2612,11 @@
         </message>
         <message>
             <source>The last part as a measurement</source>
-            <translation>마지막 부품을 측정으로 사용</translation>
+            <translation>직전 공작물을 측정으로 사용</translation>
         </message>
         <message>
             <source>A good part carries what was left of the drift when it was finished. Enter by how much it is off, at the temperature it was cut at; leave empty what was not measured. Each part counts once.</source>
-            <translation>양품에는 완성 시점에 남아 있던 열변위가 그대로 남습니다. 가공 당시 온도에서 얼마나 벗어났는지 입력하고, 측정하지 않은 값은 비워 두십시오. 부품 하나는 한 번만 반영됩니다.</translation>
+            <translation>양품에는 완성 시점에 남아 있던 열변위가 그대로 남습니다. 가공 당시 온도에서 얼마나 벗어났는지 입력하고, 측정하지 않은 값은 비워 두십시오. 공작물 하나는 한 번만 반영됩니다.</translation>
         </message>
         <message>
             <source>Take as a measurement</source>
@@ -2624,7 +2624,7 @@
         </message>
         <message>
             <source>no part finished since the reference</source>
-            <translation>기준 이후 완성된 부품이 없습니다</translation>
+            <translation>기준 이후 완성된 공작물이 없습니다</translation>
         </message>
         <message>
             <source>enter what was measured</source>
@@ -2632,23 +2632,23 @@
         </message>
         <message>
             <source>A part is finished that has not been measured yet.</source>
-            <translation>완성된 부품이 있으며 아직 측정하지 않았습니다.</translation>
+            <translation>완성된 공작물이 있으며 아직 측정하지 않았습니다.</translation>
         </message>
         <message>
             <source>There is no finished part to measure: cut one, then measure it.</source>
-            <translation>측정할 완성 부품이 없습니다. 하나를 가공한 뒤 측정하십시오.</translation>
+            <translation>측정할 완성 공작물이 없습니다. 하나를 가공한 뒤 측정하십시오.</translation>
         </message>
         <message>
             <source>By a measured part</source>
-            <translation>측정한 부품으로</translation>
+            <translation>측정한 공작물로</translation>
         </message>
         <message>
             <source>%1, part</source>
-            <translation>%1, 부품</translation>
+            <translation>%1, 공작물</translation>
         </message>
         <message>
             <source>The shift moves only between parts</source>
-            <translation>부품 사이에서만 원점 보정</translation>
+            <translation>공작물 사이에서만 원점 보정</translation>
         </message>
         <message>
             <source>The shift follows while a part is cut</source>
@@ -6481,11 +6481,11 @@
         </message>
         <message>
             <source>A deviation of more than 200 µm is no thermal drift: look at the part.</source>
-            <translation>200 µm를 넘는 편차는 열변위가 아닙니다. 부품을 확인하십시오.</translation>
+            <translation>200 µm를 넘는 편차는 열변위가 아닙니다. 공작물을 확인하십시오.</translation>
         </message>
         <message>
             <source>A part is being cut: the shift waits for its end.</source>
-            <translation>부품을 가공 중입니다. 보정은 끝날 때까지 기다립니다.</translation>
+            <translation>공작물을 가공 중입니다. 보정은 끝날 때까지 기다립니다.</translation>
         </message>
         <message>
             <source>Diameter (X), measured − nominal</source>
@@ -6497,15 +6497,15 @@
         </message>
         <message>
             <source>No part has been finished since the reference that has not been measured yet.</source>
-            <translation>기준 이후 완성되어 아직 측정하지 않은 부품이 없습니다.</translation>
+            <translation>기준 이후 완성되어 아직 측정하지 않은 공작물이 없습니다.</translation>
         </message>
         <message>
             <source>Nothing of the part has been measured.</source>
-            <translation>부품에서 측정한 값이 없습니다.</translation>
+            <translation>공작물에서 측정한 값이 없습니다.</translation>
         </message>
         <message>
             <source>The model has changed since that part was cut: measure the next one.</source>
-            <translation>그 부품을 가공한 뒤 모델이 바뀌었습니다. 다음 부품을 측정하십시오.</translation>
+            <translation>그 공작물을 가공한 뒤 모델이 바뀌었습니다. 다음 공작물을 측정하십시오.</translation>
         </message>
         <message>
             <source>Y, measured − nominal</source>
