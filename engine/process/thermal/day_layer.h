@@ -33,7 +33,7 @@
 namespace kerf::thermal {
 
 /// Probability of a changed day from which it is said: "today differs from the days trained on: measure".
-inline constexpr double kDayDiffers = 0.5;
+inline constexpr double kDayDiffers = 0.9;
 inline constexpr std::size_t kMaxLayerTerms = 42;       ///< sensor terms of the largest regression
 inline constexpr std::size_t kMaxDayMeasurements = 24;  ///< the oldest goes when one more is made
 
