@@ -44,12 +44,19 @@ ui::Services ConsoleApplication::services() {
         services.boringLots = m_lots.get();
     }
     if (m_sensors && !m_sensors->file().gauges.empty()) {
-        services.nextGaugeFrame = [this]() -> std::optional<QString> {
-            const auto frame = m_sensors->nextGaugeFrame();
-            if (frame && m_sensorService) {
-                m_sensorService->sawGaugeFrame(m_sensors->lastGauge(), *frame);
+        services.nextGaugeFrame = [this]() -> std::optional<ui::GaugeLineFrame> {
+            const auto seen = m_sensors->nextGaugeFrame();
+            if (!seen) {
+                return std::nullopt;
             }
-            return frame ? std::optional(QString::fromStdString(*frame)) : std::nullopt;
+            if (m_sensorService) {
+                m_sensorService->sawGaugeFrame(seen->gauge, seen->frame);
+            }
+            ui::GaugeLineFrame out{QString::fromStdString(seen->frame), {}};
+            if (seen->depth) {
+                out.depth = static_cast<std::uint8_t>(*seen->depth - 1);
+            }
+            return out;
         };
     }
     services.sensorService = m_sensorService.get();

@@ -54,15 +54,16 @@ ConsoleSensors::ConsoleSensors(sensors::SensorFile file, std::unique_ptr<sensors
       m_session(std::move(session)),
       m_port(std::make_unique<SensorPort>(machine, portParams(m_file, *m_session))) {}
 
-std::optional<std::string> ConsoleSensors::nextGaugeFrame() {
+std::optional<ConsoleSensors::GaugeFrame> ConsoleSensors::nextGaugeFrame() {
     sensors::GaugeEvent event;
     while (m_session->nextGauge(event)) {
         if (!event.understood || event.gauge >= m_file.gauges.size()) {
             spdlog::warn("gauge {}: '{}' is no reading", event.gauge, event.frame.data());
             continue;
         }
-        m_lastGauge = event.gauge;
-        return sensors::wedgeFrame(m_file.gauges[event.gauge], event.channel.data(), event.value, event.inch);
+        const sensors::Gauge& gauge = m_file.gauges[event.gauge];
+        return GaugeFrame{event.gauge, sensors::wedgeFrame(gauge, event.channel.data(), event.value, event.inch),
+                          sensors::depthOf(gauge, event.channel.data())};
     }
     return std::nullopt;
 }

@@ -27,10 +27,13 @@ class ConsoleSensors {
     [[nodiscard]] sensors::SensorSession& session() noexcept { return *m_session; }
     /// Names and places of the temperatures, in the order of the port's.
     [[nodiscard]] std::vector<ThermalSensorView> thermalSensors() const;
-    /// The next reading of a gauge on a serial line, as its keyboard wedge would type it.
-    [[nodiscard]] std::optional<std::string> nextGaugeFrame();
-    /// Of which gauge nextGaugeFrame() last told.
-    [[nodiscard]] std::size_t lastGauge() const noexcept { return m_lastGauge; }
+    struct GaugeFrame {
+        std::size_t gauge{0};
+        std::string frame{};         ///< as its keyboard wedge would type it
+        std::optional<int> depth{};  ///< number of the measured depth, from 1, where the sensor file says it
+    };
+    /// The next reading of a gauge on a serial line.
+    [[nodiscard]] std::optional<GaugeFrame> nextGaugeFrame();
     /// From now on every minute goes into a day file of this folder, named after the time.
     void record(const std::string& folder);
     /// A few times per second.
@@ -44,7 +47,6 @@ class ConsoleSensors {
     std::unique_ptr<SensorPort> m_port;
     std::unique_ptr<sensors::DayRecorder> m_recorder;
     std::int64_t m_recordSince_ns{0};
-    std::size_t m_lastGauge{0};
 };
 
 /// Temperatures by name that nobody has placed on a drawing yet: in rows over it.

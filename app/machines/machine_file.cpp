@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -18,6 +19,7 @@ using sensors::JsonKeys;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr double kFarthest_mm = 100'000.0;
+constexpr double kLargestForce_N = 1e6;
 constexpr std::size_t kLargest_B = 1 << 20;
 
 /// One limit of the outputs: key, place, lowest, highest.
@@ -124,9 +126,40 @@ void spindleFrom(const Json& json, MachineDescription& machine) {
     }
 }
 
+DescribedForce forceFrom(const Json& json) {
+    const JsonKeys keys(json, "force");
+    keys.only({"bandwidth_hz", "scale_n_per_unit", "range_n", "zero_in_air", "drift_n_per_s", "reset_ms"},
+              "of the force");
+    DescribedForce force;
+    if (keys.has("bandwidth_hz")) {
+        force.bandwidth_Hz = keys.number("bandwidth_hz", 0.1, 100'000.0, 0.0);
+    }
+    force.scale_NPerUnit = keys.number("scale_n_per_unit", -kLargestForce_N, kLargestForce_N, force.scale_NPerUnit);
+    if (force.scale_NPerUnit == 0.0) {
+        throw MachineFileFault("force.scale_n_per_unit: 0 makes every force 0; expected another number.");
+    }
+    if (keys.has("range_n")) {
+        force.range_N = keys.number("range_n", 0.001, kLargestForce_N, 0.0);
+    }
+    force.zeroInAir = keys.flag("zero_in_air", force.zeroInAir);
+    if (keys.has("drift_n_per_s")) {
+        force.drift_NPerS = keys.number("drift_n_per_s", 0.0, 1000.0, 0.0);
+    }
+    force.reset_s = keys.number("reset_ms", 1.0, 5000.0, force.reset_s * 1000.0) / 1000.0;
+    return force;
+}
+
+Json forceJson(const DescribedForce& force) {
+    const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+    return {{"bandwidth_hz", orNull(force.bandwidth_Hz)}, {"scale_n_per_unit", force.scale_NPerUnit},
+            {"range_n", orNull(force.range_N)},           {"zero_in_air", force.zeroInAir},
+            {"drift_n_per_s", orNull(force.drift_NPerS)}, {"reset_ms", std::round(force.reset_s * 1e6) / 1e3}};
+}
+
 MachineFile machineFrom(const Json& json) {
     const JsonKeys keys(json, "");
-    keys.only({"machine", "name", "units", "spindle", "axes", "outputs", "hosts", "commands"}, "of a machine file");
+    keys.only({"machine", "name", "units", "spindle", "axes", "outputs", "force", "hosts", "commands"},
+              "of a machine file");
     MachineFile file;
     file.machine = keys.choice<std::string>(
         "machine", {{"linuxcnc", "linuxcnc"}, {"simulator", "simulator"}, {"diamond-lathe", "diamond-lathe"}});
@@ -150,6 +183,9 @@ MachineFile machineFrom(const Json& json) {
     }
     if (keys.has("outputs")) {
         machine.limits = outputsFrom(keys.value("outputs"));
+    }
+    if (keys.has("force")) {
+        machine.force = forceFrom(keys.value("force"));
     }
     if (keys.has("hosts")) {
         machine.hosts = hostsFrom(keys);
@@ -216,6 +252,7 @@ nlohmann::ordered_json machineFileJson(const MachineFile& file) {
     for (const LimitField& field : kLimits) {
         json["outputs"][field.key] = machine.limits.*field.place;
     }
+    json["force"] = forceJson(machine.force);
     json["hosts"] = nlohmann::ordered_json::array();
     for (const ProcessId id : kAllProcesses) {
         if (machine.hosts[static_cast<std::size_t>(id)]) {

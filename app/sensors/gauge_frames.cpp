@@ -89,13 +89,15 @@ std::optional<GaugeFrame> parseGaugeFrame(const Gauge& gauge, const std::string&
     return parseByPattern(gauge, line);
 }
 
-std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch) {
+std::optional<int> depthOf(const Gauge& gauge, const std::string& channel) {
     const auto known = std::ranges::find(gauge.depths, channel, &std::pair<std::string, int>::first);
+    return known != gauge.depths.end() ? std::optional(known->second) : std::nullopt;
+}
+
+std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch) {
     const bool numbered = !channel.empty() && channel.size() <= 2 &&
                           std::ranges::all_of(channel, [](char c) { return c >= '0' && c <= '9'; });
-    const std::string sent = known != gauge.depths.end() ? fmt::format("{:02}A", known->second)
-                             : numbered                  ? channel + 'A'
-                                                         : std::string{};
+    const std::string sent = numbered && !depthOf(gauge, channel) ? channel + 'A' : std::string{};
     return fmt::format("{}{:+.5f}{}", sent, value, inch ? "in" : "mm");
 }
 

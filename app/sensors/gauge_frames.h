@@ -23,8 +23,10 @@ struct GaugeFrame {
 ///   pattern     the file's regular expression: group 1 the value, group 2 the channel
 [[nodiscard]] std::optional<GaugeFrame> parseGaugeFrame(const Gauge& gauge, const std::string& line);
 
-/// The same reading as a keyboard wedge would type it, channel first ("02A+50.01200mm"). A channel that the file gives
-/// a depth has that depth's number, another its own; one that is neither is left out.
+/// Number of the measured depth that the file gives this channel, from 1; empty: none, the page learns it.
+[[nodiscard]] std::optional<int> depthOf(const Gauge& gauge, const std::string& channel);
+/// The same reading as a keyboard wedge would type it, channel first ("02A+50.01200mm"): the number of a channel that
+/// is one and has no depth in the file.
 [[nodiscard]] std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch);
 
 /// Reason against a pattern; empty: it can be used.

@@ -148,6 +148,17 @@ double JsonKeys::number(const std::string& key, double low, double high, double 
     return number;
 }
 
+bool JsonKeys::flag(const std::string& key, bool otherwise) const {
+    if (!has(key)) {
+        return otherwise;
+    }
+    const Json& found = value(key);
+    if (!found.is_boolean()) {
+        throw SensorFileFault(fmt::format("{}: {} is neither; expected true or false.", path(key), shown(found)));
+    }
+    return found.get<bool>();
+}
+
 std::vector<double> JsonKeys::numbers(const std::string& key, double low, double high, bool whole) const {
     std::vector<double> out;
     for (std::size_t i = 0; const Json& one : list(key)) {

@@ -37,6 +37,8 @@ class JsonKeys {
         return has(key) ? integer(key, low, high) : otherwise;
     }
     [[nodiscard]] double number(const std::string& key, double low, double high, double otherwise) const;
+    /// true or false.
+    [[nodiscard]] bool flag(const std::string& key, bool otherwise) const;
     [[nodiscard]] std::vector<double> numbers(const std::string& key, double low, double high, bool whole) const;
     [[nodiscard]] const Json& list(const std::string& key) const;
 

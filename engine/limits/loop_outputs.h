@@ -26,6 +26,7 @@ struct LoopOutputs {
     StopWish stop{};
     bool outOfWork{false};  ///< what stood in the work has been turned out
     std::array<std::optional<double>, kAxisCount> workOffset_um{};
+    bool forceReset{false};  ///< the force amplifier's reset line, while the loop's own program runs
     std::optional<double> toolTrim_um{};
     std::optional<double> zTrim_um{};
     /// Numbered by the loop: process index in the top byte, then a counter, so that replies find their way back. A

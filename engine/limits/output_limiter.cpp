@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kStartPatience_s = 30.0;  // a control that has been asked may begin this much later
 constexpr double kSameScale = 1e-9;
+constexpr double kLongestReset_s = 5.0;
 
 constexpr std::size_t indexOf(ProcessId id) {
     return static_cast<std::size_t>(id);
@@ -61,6 +62,7 @@ void OutputLimiter::fit(const Capabilities& capabilities) noexcept {
         std::max(m_limits.feedScaleMin, std::min(m_limits.feedScaleMax, std::max(capabilities.maxFeedScale, 0.0)));
     m_feedScaleFitted = capabilities.feedScale.fitted;
     m_workOffsetFitted = capabilities.workOffset.fitted;
+    m_forceResetFitted = capabilities.forceReset.fitted;
     m_toolTrimFitted = capabilities.toolTrim.fitted;
     m_zTrimFitted = capabilities.zTrim.fitted;
 }
@@ -138,6 +140,12 @@ void OutputLimiter::limitTrims(const LoopOutputs& turning, const LoopOutputs& ta
     const double zTrimStep = (wished ? m_limits.zTrimRate_umPerS : m_limits.zTrimReturn_umPerS) * step_s;
     m_last.zTrim_um = stepped(m_last.zTrim_um, zTrimTarget, zTrimStep, zTrimStep);
     report.zTrim = m_last.zTrim_um != zTrimWanted;
+}
+
+/// A reset that lasts has no force behind it: after its longest time the line falls, whatever is wished.
+void OutputLimiter::limitReset(bool wished, double step_s) noexcept {
+    m_reset_s = wished ? m_reset_s + step_s : 0.0;
+    m_last.forceReset = wished && m_forceResetFitted && m_reset_s <= kLongestReset_s;
 }
 
 bool OutputLimiter::admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept {
@@ -262,6 +270,7 @@ MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessCount>
         limitFeedScale(feedOwner, inputs, running, step_s, report);
     }
     m_last.feedHold = anyStopOf(m_stops.all(), StopKind::FeedHold) || (running && wishes[indexOf(owner)].feedHold);
+    limitReset(running && wishes[indexOf(owner)].forceReset, step_s);
     limitOffsets(wishes[indexOf(ProcessId::Thermal)], inputs, step_s, frozen, report);
     if (!frozen) {
         limitTrims(wishes[indexOf(ProcessId::Turning)], wishes[indexOf(ProcessId::Tapping)],

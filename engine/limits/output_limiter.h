@@ -73,6 +73,7 @@ class OutputLimiter {
                       LimitReport& report) noexcept;
     void limitTrims(const LoopOutputs& turning, const LoopOutputs& tapping, bool tapRuns, double step_s,
                     LimitReport& report) noexcept;
+    void limitReset(bool wished, double step_s) noexcept;
     [[nodiscard]] bool admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept;
     void takeRequest(ProcessId process, PortRequest request, LimitReport& report) noexcept;
     void callOffStart(ProcessId process, LimitReport& report) noexcept;
@@ -86,6 +87,8 @@ class OutputLimiter {
     bool m_workOffsetFitted{false};
     bool m_toolTrimFitted{false};
     bool m_zTrimFitted{false};
+    bool m_forceResetFitted{false};
+    double m_reset_s{0.0};                         ///< the reset has been wished for so long
     std::array<bool, kAxisCount> m_offsetKnown{};  ///< a control that has zeroed its offsets is taken over again
     bool m_scaled{false};                          ///< a loop has scaled the feed of the running program
     std::optional<double> m_startScale{};          ///< of the program that is about to begin

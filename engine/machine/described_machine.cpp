@@ -22,6 +22,9 @@ void describe(Capabilities& capabilities, const MachineDescription& machine) noe
                     capabilities.machineName.begin());
     }
     capabilities.limits = machine.limits;
+    if (machine.force.bandwidth_Hz && capabilities.force.bandwidth_Hz > 0.0) {
+        capabilities.force.bandwidth_Hz = std::min(capabilities.force.bandwidth_Hz, *machine.force.bandwidth_Hz);
+    }
     for (std::size_t i = 0; i < kProcessCount; ++i) {
         if (!machine.hosts[i] && capabilities.process[i].fitted) {
             capabilities.process[i] = {false,

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "engine/core/force_signal.h"
 #include "engine/core/process.h"
 #include "engine/core/reading.h"
 #include "engine/core/result.h"
@@ -38,6 +39,8 @@ struct Capabilities {
     double maxFeedScale{1.0};  ///< largest factor on the programmed feed the control accepts; 1 = slow-down only
     Capability feedScale{};    ///< live scaling of the programmed feed
     Capability forceSensor{};
+    ForceSignal force{};      ///< counts where forceSensor is fitted
+    Capability forceReset{};  ///< a line that brings the force sensor's amplifier to zero
     Capability temperatures{};
     std::uint16_t temperatureCount{0};
     Capability workOffset{};  ///< work-origin shift that reads back
@@ -164,6 +167,7 @@ struct MachineOutputs {
     bool feedHold{false};  ///< stays in force when the console is heard no more
     StopSlots stops{};     ///< joined by the machine with those it keeps; an active FeedHold holds the feed
     std::array<double, kAxisCount> workOffset_um{};
+    bool forceReset{false};  ///< the force amplifier's reset line is held; the force is none meanwhile
     double toolTrim_um{0.0};
     double zTrim_um{0.0};  ///< added to the Z position command while tapping, positive into the hole
     std::uint32_t heartbeat{0};

@@ -76,6 +76,33 @@
         </message>
     </context>
     <context>
+        <name>ForceText</name>
+        <message>
+            <source>zero being taken</source>
+            <translation>zero being taken</translation>
+        </message>
+        <message>
+            <source>zero %1</source>
+            <translation>zero %1</translation>
+        </message>
+        <message>
+            <source>no zero</source>
+            <translation>no zero</translation>
+        </message>
+        <message>
+            <source>zero doubtful by %1</source>
+            <translation>zero doubtful by %1</translation>
+        </message>
+        <message>
+            <source>bandwidth %1</source>
+            <translation>bandwidth %1</translation>
+        </message>
+        <message>
+            <source>bandwidth not stated</source>
+            <translation>bandwidth not stated</translation>
+        </message>
+    </context>
+    <context>
         <name>Help</name>
         <message>
             <source>HOLD ALL</source>
@@ -6516,6 +6543,86 @@
             <source>Y, measured − nominal</source>
             <translation>Y, measured − nominal</translation>
         </message>
+        <message>
+            <source>At %1 rpm this force signal brings %2 values per revolution; 8 are needed.</source>
+            <translation>At %1 rpm this force signal brings %2 values per revolution; 8 are needed.</translation>
+        </message>
+        <message>
+            <source>Behind the last cut the sensor's zero was not where it was before.</source>
+            <translation>Behind the last cut the sensor's zero was not where it was before.</translation>
+        </message>
+        <message>
+            <source>Check cable and insulation of the sensor: moisture lets its charge leak.</source>
+            <translation>Check cable and insulation of the sensor: moisture lets its charge leak.</translation>
+        </message>
+        <message>
+            <source>Force feedback needs a force of %1 Hz bandwidth; this one has %2 Hz: no trim.</source>
+            <translation>Force feedback needs a force of %1 Hz bandwidth; this one has %2 Hz: no trim.</translation>
+        </message>
+        <message>
+            <source>In air: the zero of the force is taken.</source>
+            <translation>In air: the zero of the force is taken.</translation>
+        </message>
+        <message>
+            <source>It may be wrong by %1 N.</source>
+            <translation>It may be wrong by %1 N.</translation>
+        </message>
+        <message>
+            <source>Let the path begin in the air. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
+            <translation>Let the path begin in the air. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</translation>
+        </message>
+        <message>
+            <source>Let the tool stand in the air before it touches. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
+            <translation>Let the tool stand in the air before it touches. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</translation>
+        </message>
+        <message>
+            <source>The bandwidth of the force signal is not stated: set kerf.force-bandwidth, or force.bandwidth_hz in the machine file.</source>
+            <translation>The bandwidth of the force signal is not stated: set kerf.force-bandwidth, or force.bandwidth_hz in the machine file.</translation>
+        </message>
+        <message>
+            <source>The force counts as unknown: the feed stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</source>
+            <translation>The force counts as unknown: the feed stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</translation>
+        </message>
+        <message>
+            <source>The force of that cut was wrong by as much at its end. The next cut trusts the zero for a shorter time.</source>
+            <translation>The force of that cut was wrong by as much at its end. The next cut trusts the zero for a shorter time.</translation>
+        </message>
+        <message>
+            <source>The force sensor does not keep its zero, and it was not taken before this cut, or is too old for its drift.</source>
+            <translation>The force sensor does not keep its zero, and it was not taken before this cut, or is too old for its drift.</translation>
+        </message>
+        <message>
+            <source>The tool was not in the air for long enough before the cut.</source>
+            <translation>The tool was not in the air for long enough before the cut.</translation>
+        </message>
+        <message>
+            <source>The zero has moved by %1 N in the last cut.</source>
+            <translation>The zero has moved by %1 N in the last cut.</translation>
+        </message>
+        <message>
+            <source>The zero of the force has drifted</source>
+            <translation>The zero of the force has drifted</translation>
+        </message>
+        <message>
+            <source>The zero of the force may have drifted: no trim in the rest of this part.</source>
+            <translation>The zero of the force may have drifted: no trim in the rest of this part.</translation>
+        </message>
+        <message>
+            <source>There is no trim in this part, or in the rest of it.</source>
+            <translation>There is no trim in this part, or in the rest of it.</translation>
+        </message>
+        <message>
+            <source>Zero of the force unknown</source>
+            <translation>Zero of the force unknown</translation>
+        </message>
+        <message>
+            <source>kerf.force is linked, but sampler.0.pin.6 is not linked to the same signal: take kerf.hal of this version and kerf-force.hal.</source>
+            <translation>kerf.force is linked, but sampler.0.pin.6 is not linked to the same signal: take kerf.hal of this version and kerf-force.hal.</translation>
+        </message>
+        <message>
+            <source>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</source>
+            <translation>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -7220,6 +7327,10 @@
         <message>
             <source>%1 is kept here and is stored as soon as there is room: %2</source>
             <translation>%1 is kept here and is stored as soon as there is room: %2</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</source>
+            <translation>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</translation>
         </message>
     </context>
     <context>
@@ -8535,6 +8646,14 @@
         <message>
             <source>limit</source>
             <translation>limit</translation>
+        </message>
+        <message>
+            <source>loop %1 Hz</source>
+            <translation>loop %1 Hz</translation>
+        </message>
+        <message>
+            <source>breakage not seen</source>
+            <translation>breakage not seen</translation>
         </message>
     </context>
     <context>

@@ -76,6 +76,33 @@
         </message>
     </context>
     <context>
+        <name>ForceText</name>
+        <message>
+            <source>zero being taken</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>zero %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>no zero</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>zero doubtful by %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>bandwidth %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>bandwidth not stated</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Help</name>
         <message>
             <source>HOLD ALL</source>
@@ -6511,6 +6538,86 @@
             <source>Y, measured − nominal</source>
             <translation>Y, 측정값 − 공칭값</translation>
         </message>
+        <message>
+            <source>At %1 rpm this force signal brings %2 values per revolution; 8 are needed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Behind the last cut the sensor's zero was not where it was before.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Check cable and insulation of the sensor: moisture lets its charge leak.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Force feedback needs a force of %1 Hz bandwidth; this one has %2 Hz: no trim.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>In air: the zero of the force is taken.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>It may be wrong by %1 N.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Let the path begin in the air. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Let the tool stand in the air before it touches. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The bandwidth of the force signal is not stated: set kerf.force-bandwidth, or force.bandwidth_hz in the machine file.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The force counts as unknown: the feed stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The force of that cut was wrong by as much at its end. The next cut trusts the zero for a shorter time.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The force sensor does not keep its zero, and it was not taken before this cut, or is too old for its drift.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The tool was not in the air for long enough before the cut.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The zero has moved by %1 N in the last cut.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The zero of the force has drifted</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The zero of the force may have drifted: no trim in the rest of this part.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>There is no trim in this part, or in the rest of it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Zero of the force unknown</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>kerf.force is linked, but sampler.0.pin.6 is not linked to the same signal: take kerf.hal of this version and kerf-force.hal.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</source>
+            <translation type="unfinished" />
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -7214,6 +7321,10 @@
         <message>
             <source>%1 is kept here and is stored as soon as there is room: %2</source>
             <translation>%1: 여기에 보관하며 자리가 나면 저장합니다: %2</translation>
+        </message>
+        <message>
+            <source>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</source>
+            <translation type="unfinished" />
         </message>
     </context>
     <context>
@@ -8525,6 +8636,14 @@
         <message>
             <source>limit</source>
             <translation>한계</translation>
+        </message>
+        <message>
+            <source>loop %1 Hz</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>breakage not seen</source>
+            <translation type="unfinished" />
         </message>
     </context>
     <context>

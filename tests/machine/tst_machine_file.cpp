@@ -16,6 +16,7 @@ Json whole() {
         "spindle": {"overhang_at_z0_mm": 55.5, "highest_speed_rpm": 6000},
         "axes": {"x": {"low_mm": -200, "high_mm": 400}, "z": {"low_mm": -100, "high_mm": 20}},
         "outputs": {"feed_scale_min": 0.1, "work_offset_max_um": 50},
+        "force": {"bandwidth_hz": 300, "scale_n_per_unit": -200, "range_n": 1900, "drift_n_per_s": 0.02, "reset_ms": 150},
         "hosts": ["boring", "tapping"],
         "commands": {"host": "127.0.0.1", "port": 5008, "password_file": "/etc/kerf/words"}})");
 }
@@ -80,6 +81,13 @@ class TestMachineFile : public QObject {
         QVERIFY(!machine.hosts[static_cast<std::size_t>(ProcessId::Milling)]);
         QCOMPARE(machine.commandPort, std::uint16_t{5008});
         QCOMPARE(machine.passwordFile, std::string("/etc/kerf/words"));
+        QCOMPARE(*machine.force.bandwidth_Hz, 300.0);
+        QCOMPARE(machine.force.scale_NPerUnit, -200.0);
+        QCOMPARE(*machine.force.range_N, 1900.0);
+        QVERIFY(machine.force.zeroInAir);
+        QCOMPARE(*machine.force.drift_NPerS, 0.02);
+        QCOMPARE(machine.force.reset_s, 0.15);
+        QCOMPARE(machineFileJson(file)["force"]["reset_ms"].get<double>(), 150.0);
         QCOMPARE(machineFileJson(file)["commands"]["port"].get<int>(), 5008);
         QCOMPARE(machineFileJson(file)["hosts"].dump(), std::string(R"(["boring","tapping"])"));
     }
@@ -111,6 +119,12 @@ class TestMachineFile : public QObject {
         row("faster", "/outputs/feed_scale_max", "3", "outputs.feed_scale_max: 3 is out of range");
         row("negative", "/outputs/work_offset_max_um", "-1", "outputs.work_offset_max_um: -1 is out of range");
         row("gains", "/outputs/servo_gain_min_per_s", "300", "outputs.servo_gain_min_per_s: 300 is above");
+        row("force, unknown", "/force/band", "300", "force.band: unknown key of the force");
+        row("force, no bandwidth", "/force/bandwidth_hz", "0", "force.bandwidth_hz: 0 is out of range");
+        row("force, no scale", "/force/scale_n_per_unit", "0", "force.scale_n_per_unit: 0 makes every force 0");
+        row("force, zero", "/force/zero_in_air", "1", "force.zero_in_air: 1 is neither; expected true or false");
+        row("force, drift", "/force/drift_n_per_s", "-0.1", "force.drift_n_per_s: -0.1 is out of range");
+        row("force, reset", "/force/reset_ms", "0", "force.reset_ms: 0 is out of range");
         row("host", "/hosts", "[\"boring\", \"drilling\"]", "hosts[1]: 'drilling' is no process");
         row("far", "/commands/host", "\"192.168.0.7\"", "commands.host: '192.168.0.7' is another computer");
         row("port", "/commands/port", "70000", "commands.port: 70000 is out of range");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <thread>
 
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
+#include "engine/machine/linuxcnc/period_clock.h"
 #include "engine/machine/linuxcnc/programs.h"
 #include "tests/support/scripted_control.h"
 
@@ -56,12 +59,31 @@ class TestScriptedControl : public QObject {
         QVERIFY(m_machine->connect().has_value());
         QVERIFY(until([this] { return m_machine->commandsReady(); }));
     }
+    /// A force sensor on its pin, as the machine file describes it.
+    void makeMachineWithForce(const DescribedForce& described) {
+        m_bridge->seen.fitted.simulator = false;
+        m_bridge->seen.fitted.force = m_bridge->seen.fitted.forceLinked = true;
+        LinuxCncMachine::Params params;
+        params.rsh = this->params();
+        params.described.force = described;
+        m_machine = std::make_unique<LinuxCncMachine>(params);
+        QVERIFY(m_machine->connect().has_value());
+        cycles(3);
+    }
+    static DescribedForce piezo() {
+        DescribedForce described;
+        described.bandwidth_Hz = 300.0;
+        described.scale_NPerUnit = -200.0;
+        described.range_N = 1900.0;
+        return described;
+    }
     /// One millisecond of the machine's time.
     void cycle(bool bridge = true, bool servo = true) {
+        m_now_ns += kCycle_ns;
+        m_bridge->now_ns = m_now_ns;
         if (bridge) {
             m_bridge->beat(servo);
         }
-        m_now_ns += kCycle_ns;
         m_machine->read(m_now_ns, m_inputs);
         m_outputs.heartbeat += 1;
         m_machine->write(m_outputs);
@@ -391,6 +413,127 @@ class TestScriptedControl : public QObject {
         // A living process, but not with that start time: the program that claimed has died.
         QVERIFY(m_machine->commands());
     }
+    // The force on its pin.
+    void theForceOfEveryPeriodArrivesHoweverLateTheCycle() {
+        makeMachineWithForce(piezo());
+        QVERIFY(m_machine->capabilities().forceSensor.fitted);
+        QVERIFY(m_machine->capabilities().process[static_cast<std::size_t>(ProcessId::Milling)].fitted);
+        QCOMPARE(m_machine->capabilities().force.bandwidth_Hz, 300.0);
+        QCOMPARE(m_machine->capabilities().force.rate_Hz, 1000.0);
+        constexpr int kPeriods = 200;  // the engine's cycle stands still for .2 s, the servo thread does not
+        const std::int64_t from_ns = m_now_ns;
+        for (int i = 1; i <= kPeriods; ++i) {
+            m_bridge->now_ns = m_now_ns += kCycle_ns;
+            m_bridge->force = -0.01 * i;
+            m_bridge->seen.spindleAngle_rev = 0.01 * i;
+            m_bridge->beat();
+        }
+        int seen = 0;
+        for (int late = 0; late < 8 && seen < kPeriods; ++late) {
+            m_machine->read(m_now_ns, m_inputs);
+            QVERIFY(m_inputs.fastCount <= kMaxFastSamples);
+            for (std::size_t i = 0; i < m_inputs.fastCount; ++i) {
+                const FastSample& sample = m_inputs.fast[i];
+                ++seen;
+                QVERIFY(sample.quality == Quality::Good);
+                QVERIFY(std::abs(sample.force_N - 2.0 * seen) < 1e-9);  // newtons, into the work positive
+                QVERIFY(std::abs(sample.spindleAngle_rev - 0.01 * seen) < 1e-12);
+                QCOMPARE(sample.stamp_ns, from_ns + seen * kCycle_ns);
+            }
+        }
+        QCOMPARE(seen, kPeriods);
+        m_machine->read(m_now_ns, m_inputs);
+        QCOMPARE(m_inputs.fastCount, std::uint16_t{0});
+    }
+    void whatIsNoForceIsNoNumber() {
+        makeMachineWithForce(piezo());
+        const auto next = [this](double pin) {
+            m_bridge->force = pin;
+            cycle();
+            return m_inputs.fastCount == 1 ? m_inputs.fast[0] : FastSample{};
+        };
+        QVERIFY(next(-1.0).quality == Quality::Good);
+        m_bridge->forceFault = true;  // the amplifier's own status
+        QVERIFY(next(-1.1).quality == Quality::Bad);
+        m_bridge->forceFault = false;
+        QVERIFY(next(-1.2).quality == Quality::Good);
+        const FastSample none = next(std::numeric_limits<double>::quiet_NaN());
+        QVERIFY(none.quality == Quality::Bad && none.force_N == 0.0);
+        QVERIFY(next(-9.5).quality == Quality::Saturated);
+        QVERIFY(next(9.6).quality == Quality::Saturated);
+        FastSample still = next(-2.0);
+        int good = 0;
+        for (int i = 0; i < 300; ++i) {  // a frozen driver: .1 s and no longer
+            good += still.quality == Quality::Good ? 1 : 0;
+            still = next(-2.0);
+        }
+        QCOMPARE(good, 100);
+        QVERIFY(still.quality == Quality::Bad && still.force_N == 0.0);
+        QVERIFY(next(-2.1).quality == Quality::Good);
+        cycles(200, true, false);  // no periods: no samples, and at last no link
+        QCOMPARE(m_inputs.fastCount, std::uint16_t{0});
+        QCOMPARE(m_inputs.link, LinkState::Down);
+    }
+    void aForceIsUsedOnlyWithItsBandwidth_data() {
+        QTest::addColumn<bool>("sampled");
+        QTest::addColumn<double>("inHal_Hz");
+        QTest::addColumn<double>("described_Hz");
+        QTest::addColumn<double>("counts_Hz");
+        QTest::newRow("nobody says it") << true << 0.0 << 0.0 << 0.0;
+        QTest::newRow("HAL") << true << 120.0 << 0.0 << 120.0;
+        QTest::newRow("machine file") << true << 0.0 << 80.0 << 80.0;
+        QTest::newRow("the lower one") << true << 120.0 << 80.0 << 80.0;
+        QTest::newRow("half the rate at most") << true << 5000.0 << 0.0 << 500.0;
+        QTest::newRow("linked but not sampled") << false << 120.0 << 80.0 << 0.0;
+    }
+    void aForceIsUsedOnlyWithItsBandwidth() {
+        QFETCH(bool, sampled);
+        QFETCH(double, inHal_Hz);
+        QFETCH(double, described_Hz);
+        QFETCH(double, counts_Hz);
+        DescribedForce described;
+        if (described_Hz > 0.0) {
+            described.bandwidth_Hz = described_Hz;
+        }
+        m_bridge->seen.fitted.forceBandwidth_Hz = inHal_Hz;
+        makeMachineWithForce(described);
+        m_bridge->seen.fitted.force = sampled;
+        cycles(3);
+        const Capabilities& capabilities = m_machine->capabilities();
+        QCOMPARE(capabilities.forceSensor.fitted, counts_Hz > 0.0);
+        QVERIFY(capabilities.forceSensor.fitted || !capabilities.forceSensor.why.empty());
+        QCOMPARE(m_inputs.fastCount > 0, sampled);
+        if (counts_Hz > 0.0) {
+            QCOMPARE(capabilities.force.bandwidth_Hz, counts_Hz);
+        }
+    }
+    void theResetLineGoesOut() {
+        m_bridge->seen.fitted.forceReset = true;
+        makeMachineWithForce(piezo());
+        QVERIFY(m_machine->capabilities().forceReset.fitted);
+        QVERIFY(!m_bridge->wish().forceReset);
+        m_outputs.forceReset = true;
+        cycle();
+        QVERIFY(m_bridge->wish().forceReset);
+    }
+    void servoPeriodsKeepTheirTimes() {
+        PeriodClock clock(0.001);
+        std::int64_t now_ns = 5'000'000'000;
+        std::int64_t last_ns = clock.next(10, 0, now_ns);
+        QCOMPARE(last_ns, now_ns);
+        for (std::uint32_t number = 11; number < 50; ++number) {  // read late all at once: 1 ms apart all the same
+            const std::int64_t stamp_ns = clock.next(number, 0, now_ns + 39'000'000);
+            QCOMPARE(stamp_ns - last_ns, 1'000'000);
+            last_ns = stamp_ns;
+        }
+        now_ns += 39'000'000;
+        clock.drained(now_ns);
+        QCOMPARE(clock.next(52, 250'000, now_ns + 3'300'000) - last_ns, 3'250'000);  // two are missing, one was late
+        QCOMPARE(clock.next(53, 0, now_ns + 3'400'000), now_ns + 3'400'000);         // never in the future
+        clock.drained(now_ns + 100'000'000);                                         // the thread stood still
+        QCOMPARE(clock.next(54, 0, now_ns + 101'000'000), now_ns + 101'000'000);
+    }
+
     void offsetsOfAnotherEpochAreNotOverwritten() {
         makeMachine();
         m_bridge->seen.externalOffset_mm = {0.0, 0.0, 0.020};

@@ -202,8 +202,11 @@ class TestSensorFile : public QObject {
     void aChannelWithADepthIsSentUnderTheDepthsNumber() {
         Gauge gauge;
         gauge.depths = {{"07", 1}, {"B", 2}};
-        QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "07", 50.012, false)), QStringLiteral("01A+50.01200mm"));
-        QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "B", -0.003, false)), QStringLiteral("02A-0.00300mm"));
+        QCOMPARE(depthOf(gauge, "07").value_or(0), 1);
+        QCOMPARE(depthOf(gauge, "B").value_or(0), 2);
+        QVERIFY(!depthOf(gauge, "03"));
+        QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "07", 50.012, false)), QStringLiteral("+50.01200mm"));
+        QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "B", -0.003, false)), QStringLiteral("-0.00300mm"));
         QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "03", 1.969, true)), QStringLiteral("03A+1.96900in"));
         QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "", 50.0, false)), QStringLiteral("+50.00000mm"));
         QCOMPARE(QString::fromStdString(wedgeFrame(gauge, "top", 50.0, false)), QStringLiteral("+50.00000mm"));

@@ -178,6 +178,10 @@ class ScriptedBridge {
             period.cutting = seen.cutting;
             period.finished = seen.finished;
             period.z_mm = seen.position_mm[2];
+            period.spindle_rev = seen.spindleAngle_rev;
+            period.stamp_ns = now_ns;
+            period.force = force;
+            period.forceFault = forceFault;
             memory->servo.push(period);
         }
         memory->fromControl.push(seen);
@@ -190,6 +194,9 @@ class ScriptedBridge {
 
     linuxcnc::LinkMemory* memory{nullptr};
     linuxcnc::FromControl seen{};  ///< what the next beat shows
+    std::int64_t now_ns{0};        ///< when it is
+    double force{0.0};             ///< on its pin, in the pin's unit
+    bool forceFault{false};
 };
 
 }  // namespace kerf::test

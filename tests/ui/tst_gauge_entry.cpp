@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <deque>
 
 #include "tests/support/fake_boring_service.h"
 #include "tests/support/page_bench.h"
@@ -58,6 +59,31 @@ class TestGaugeEntry : public QObject {
         QVERIFY(kept.contains(QStringLiteral("gauge.channels 1=1,2=0")));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the sheet before it
         QVERIFY(m_bench->press("boringChannelsClose"));
+    }
+    void aDepthOfTheSensorFileIsWhereItGoes() {
+        m_service->cutPart();
+        m_service->cutPart();
+        std::deque<GaugeLineFrame> line{{QStringLiteral("+49.99800mm"), std::uint8_t{1}},  // the second depth first
+                                        {QStringLiteral("+50.01100mm"), std::uint8_t{0}},
+                                        {QStringLiteral("+50.01400mm"), std::uint8_t{7}}};
+        m_bench->services.nextGaugeFrame = [&line]() -> std::optional<GaugeLineFrame> {
+            if (line.empty()) {
+                return std::nullopt;
+            }
+            const GaugeLineFrame next = line.front();
+            line.pop_front();
+            return next;
+        };
+        show();
+        m_bench->client.tick();
+        QTRY_VERIFY((m_bench->client.tick(), line.empty()));
+        QCOMPARE(m_service->entries.size(), std::size_t{2});
+        QCOMPARE(m_service->entries[0].depth, std::uint8_t{1});
+        QCOMPARE(m_service->entries[0].diameter_mm, 49.998);
+        QCOMPARE(m_service->entries[1].depth, std::uint8_t{0});
+        QCOMPARE(m_service->entries[1].part, m_service->entries[0].part);
+        QVERIFY(text("boringEntryMessage").contains(QStringLiteral("depth 8 of the sensor file")));
+        QVERIFY(!visible("boringChannels"));  // nothing was learnt
     }
     void aFrameTooManyIsSaid() {
         m_service->cutPart();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <optional>
 
 #include "ui/units/unit_system.h"
@@ -14,6 +15,8 @@ struct GaugeReading {
     std::optional<LengthUnit> unit{};  ///< empty: the frame carries none
     QString frame{};                   ///< what was sent, without the end key
     std::optional<int> channel{};      ///< of a multiplexer, 1 …; empty: the frame carries none
+    std::optional<std::uint8_t>
+        depth{};  ///< where it was measured, from 0, as the sensor file says; goes before channel
 };
 
 /// Reads the frames in use. Anything else, and anything without a decimal mark, is no gauge frame: whole numbers are

@@ -32,6 +32,12 @@ namespace kerf::ui {
 struct Preferences;
 struct ShopView;
 
+/// A reading of a gauge on a serial line.
+struct GaugeLineFrame {
+    QString frame{};                      ///< as a keyboard wedge would type it
+    std::optional<std::uint8_t> depth{};  ///< measured depth, from 0, where the sensor file says which; else learnt
+};
+
 /// Everything the console's face may use, handed to it by the application. Only `engine` must be there; a page says
 /// what is missing when a pointer it needs is null. All of them outlive the main window and are used on the GUI thread.
 struct Services {
@@ -52,8 +58,8 @@ struct Services {
     SettingsReader* settings{nullptr};
     SignOnSettings signOn{};  ///< who is known, as stored
 
-    /// Readings of gauges on serial lines as frames a wedge would type, one by one; empty: no such gauge.
-    std::function<std::optional<QString>()> nextGaugeFrame{};
+    /// Readings of gauges on serial lines, one by one; empty: no such gauge.
+    std::function<std::optional<GaugeLineFrame>()> nextGaugeFrame{};
     /// A part reader of its own for a worker thread (export), called on that thread; empty: no export.
     std::function<std::unique_ptr<PartReader>()> openParts{};
 

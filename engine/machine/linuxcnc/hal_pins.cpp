@@ -49,6 +49,9 @@ bool Pins::make(int component) {
     pin(offsetRatio, HAL_IN, "kerf.offset-ratio");
     pin(maxFeedOverride, HAL_IN, "kerf.max-feed-override");
     pin(programProcess, HAL_IN, "kerf.program-process");
+    pin(force, HAL_IN, "kerf.force");
+    pin(forceBandwidth, HAL_IN, "kerf.force-bandwidth");
+    pin(forceReset, HAL_OUT, "kerf.force-reset");
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string axis = axes[i];
         pin(position[i], HAL_IN, "kerf.position-" + axis);

@@ -26,6 +26,8 @@ class Pin {
     [[nodiscard]] volatile Value& operator*() const noexcept { return **m_slot; }
     /// A signal is linked to it.
     [[nodiscard]] bool linked() const noexcept { return *m_slot != m_own; }
+    /// … which is the one whose value stands there.
+    [[nodiscard]] bool linkedTo(const volatile void* value) const noexcept { return linked() && *m_slot == value; }
     /// `slot` is HAL's memory and has just been filled by hal_pin_…_newf.
     void take(volatile Value** slot) noexcept {
         m_slot = slot;
@@ -43,7 +45,7 @@ using IntPin = Pin<std::int32_t>;
 struct Pins {
     // from the control
     FloatPin currentVelocity, requestedVelocity, spindleSpeed, spindleRevs, feedOverride, driveBandwidth, offsetRatio,
-        maxFeedOverride, programProcess;
+        maxFeedOverride, programProcess, force, forceBandwidth;
     std::array<FloatPin, 3> position, offsetActual, originShift;
     BitPin machineOn, emergencyStop, programRunning, programPaused, cutting, finished, softLimit, simulator,
         originKnown;
@@ -51,6 +53,7 @@ struct Pins {
     std::array<FloatPin, 64> temperature;     ///< kerf.temperature-0 …, °C, from mb2hal or a driver
     std::array<BitPin, 64> temperatureFault;  ///< kerf.temperature-fault-0 …
     // to the control
+    BitPin forceReset;
     FloatPin feedScale;
     BitPin feedHold;
     std::array<IntPin, 3> offsetCounts;  ///< 1 count = 1 µm: set axis.N.eoffset-scale to .001

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace kerf::linuxcnc {
 
@@ -46,6 +49,17 @@ enum class MachineUnits : unsigned char { Unknown, Millimetre, Inch };
     const auto value = iniValue(ini, "TRAJ", "LINEAR_UNITS");
     if (value == "mm" || value == "metric" || value == "1" || value == "1.0") return MachineUnits::Millimetre;
     return value == "inch" || value == "in" || value == "imperial" ? MachineUnits::Inch : MachineUnits::Unknown;
+}
+
+/// Period of the servo thread from [EMCMOT]SERVO_PERIOD (ns); 1 ms where it is not said or no period of a servo thread.
+[[nodiscard]] inline double servoPeriodOf_s(std::string_view ini) {
+    constexpr double kUsual_s = 0.001;
+    const auto value = iniValue(ini, "EMCMOT", "SERVO_PERIOD");
+    std::int64_t period_ns = 0;
+    if (!value || std::from_chars(value->data(), value->data() + value->size(), period_ns).ec != std::errc{}) {
+        return kUsual_s;
+    }
+    return period_ns >= 20'000 && period_ns <= 20'000'000 ? static_cast<double>(period_ns) * 1e-9 : kUsual_s;
 }
 
 }  // namespace kerf::linuxcnc

@@ -23,6 +23,7 @@
 #include "engine/machine/linuxcnc/control_commands.h"
 #include "engine/machine/linuxcnc/hal_pins.h"
 #include "engine/machine/linuxcnc/ini_text.h"
+#include "engine/machine/linuxcnc/period_clock.h"
 
 namespace {
 
@@ -85,17 +86,21 @@ bool adaptiveFeedMayRise() {
            (major > 2 || (major == 2 && minor >= 10));
 }
 
-/// HAL's sampler, read without waiting.
+/// HAL's sampler, read without waiting: spindle, Z, its command, lateness, cutting, finished, and on controls with a
+/// kerf.hal of today the force and its fault.
 class Sampler {
  public:
-    explicit Sampler(int component) {
-        char kinds[] = "fffsbb";
-        m_attached = hal_stream_attach(&m_stream, component, kSamplerKey, kinds) == 0;
+    explicit Sampler(int component, double period_s) : m_clock(period_s) {
+        char kinds[] = "fffsbbfb";
+        char without[] = "fffsbb";
+        m_hasForce = hal_stream_attach(&m_stream, component, kSamplerKey, kinds) == 0;
+        m_attached = m_hasForce || hal_stream_attach(&m_stream, component, kSamplerKey, without) == 0;
     }
     [[nodiscard]] bool attached() const { return m_attached; }
+    [[nodiscard]] bool hasForce() const { return m_hasForce; }
     /// Hands every period to the link; returns how many there were.
-    std::uint64_t drainInto(LinkMemory& link) {
-        hal_stream_data values[6];
+    std::uint64_t drainInto(LinkMemory& link, std::int64_t now_ns) {
+        hal_stream_data values[8] = {};
         unsigned number = 0;
         std::uint64_t count = 0;
         while (m_attached && hal_stream_readable(&m_stream) && hal_stream_read(&m_stream, values, &number) == 0) {
@@ -107,16 +112,32 @@ class Sampler {
             period.late_ns = values[3].s;
             period.cutting = values[4].b;
             period.finished = values[5].b;
+            period.stamp_ns = m_clock.next(number, period.late_ns, now_ns);
+            if (m_hasForce) {
+                period.force = values[6].f;
+                period.forceFault = values[7].b;
+            }
             link.servo.push(period);
             ++count;
         }
+        m_clock.drained(now_ns);
         return count;
     }
 
  private:
     hal_stream_t m_stream{};
+    kerf::linuxcnc::PeriodClock m_clock;
+    bool m_hasForce{false};
     bool m_attached{false};
 };
+
+/// Where the signal stands that this pin is linked to; null: to none.
+const volatile void* signalOf(const char* pin) {
+    hal_type_t type{};
+    hal_data_u* value = nullptr;
+    bool connected = false;
+    return hal_get_pin_value_by_name(pin, &type, &value, &connected) == 0 && connected ? value : nullptr;
+}
 
 class Bridge {
  public:
@@ -126,6 +147,7 @@ class Bridge {
         if (kept != nullptr && kept->magic == KeptStops::kMagic) {
             m_stops = kept->stops;
         }
+        m_fitted.servoPeriod_s = kerf::linuxcnc::servoPeriodOf_s(kerf::linuxcnc::iniText());
         *pins.timeout_s = kDefaultTimeout_s;
         *pins.driveBandwidth = kDefaultBandwidth_perS;
         *pins.consoleLost = true;
@@ -133,7 +155,7 @@ class Bridge {
         letGo();
     }
 
-    void round(std::int64_t passed_ns) {
+    void round(std::int64_t now_ns, std::int64_t passed_ns) {
         *m_pins.heartbeat = !*m_pins.heartbeat;
         if (*m_pins.machineOn && !m_wasOn) {
             zeroOffsets();
@@ -161,7 +183,7 @@ class Bridge {
             m_link.temperatures.push(lookAtTemperatures());
         }
         if (m_sampler) {
-            m_servoPeriods += m_sampler->drainInto(m_link);
+            m_servoPeriods += m_sampler->drainInto(m_link, now_ns);
         }
         m_link.fromControl.push(look());
     }
@@ -170,7 +192,7 @@ class Bridge {
     /// Pins are linked while the HAL files are read, which goes on after this component is ready.
     void findFitted() {
         if (!m_sampler && ++m_samplerTries <= 10) {
-            Sampler sampler(m_component);
+            Sampler sampler(m_component, m_fitted.servoPeriod_s);
             if (sampler.attached()) {
                 m_sampler = sampler;
             }
@@ -179,6 +201,11 @@ class Bridge {
         m_fitted.originShift = m_pins.originShift[2].linked();
         m_fitted.servoGains = m_pins.pGain.linked();
         m_fitted.servoRecord = m_sampler.has_value();
+        // A force that is not sampled would be 0 for ever, and nothing would tell it from air.
+        m_fitted.forceLinked = m_pins.force.linked();
+        m_fitted.force = m_sampler && m_sampler->hasForce() && m_pins.force.linkedTo(signalOf("sampler.0.pin.6"));
+        m_fitted.forceReset = m_pins.forceReset.linked();
+        m_fitted.forceBandwidth_Hz = *m_pins.forceBandwidth;
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
         m_fitted.programDeclared = m_pins.programProcess.linked();
@@ -268,6 +295,7 @@ class Bridge {
             *m_pins.ff1 = wish.gains.ff1;
             *m_pins.ff2 = wish.gains.ff2_s;
         }
+        *m_pins.forceReset = wish.forceReset;
         for (std::size_t i = 0; i < m_pins.word.size(); ++i) {
             *m_pins.word[i] = ((wish.shiftWord >> i) & 1U) != 0;
         }
@@ -298,6 +326,7 @@ class Bridge {
         *m_pins.feedScale = *m_pins.programRunning ? scale : 1.0;
         *m_pins.feedHold = *m_pins.holdOnLoss || held || stopHolds() || (*m_pins.programRunning && scale <= 0.0);
         *m_pins.word[kAliveBit] = false;
+        *m_pins.forceReset = false;
     }
 
     Pins& m_pins;
@@ -354,7 +383,7 @@ int main() {
         const timespec next{next_ns / 1'000'000'000, next_ns % 1'000'000'000};
         clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
         const std::int64_t now_ns = monotonic_ns();
-        bridge.round(now_ns - last_ns);
+        bridge.round(now_ns, now_ns - last_ns);
         last_ns = now_ns;
     }
     link->magic.store(0, std::memory_order_release);

@@ -19,13 +19,18 @@ namespace kerf::linuxcnc {
 /// What the bridge found fitted: pins that are linked or set in HAL, the version. Constant while the bridge runs but
 /// for pins that are linked later.
 struct Fitted {
-    bool externalOffsets{false};  ///< kerf.offset-counts-z is linked and kerf.offset-ratio is above 0
-    bool originShift{false};      ///< kerf.origin-shift-z is linked: the shift goes by G10 L2 (kerf_shift.ngc)
-    bool servoGains{false};       ///< kerf.z-pgain is linked
-    bool servoRecord{false};      ///< a sampler brings every servo period
-    bool shiftWord{false};        ///< kerf.word-15 is linked: the paper's digital word
-    bool programDeclared{false};  ///< kerf.program-process is linked: a program says whose it is
-    bool simulator{false};        ///< kerf.simulator is set: drives and cutting forces are simulated
+    bool externalOffsets{false};    ///< kerf.offset-counts-z is linked and kerf.offset-ratio is above 0
+    bool originShift{false};        ///< kerf.origin-shift-z is linked: the shift goes by G10 L2 (kerf_shift.ngc)
+    bool servoGains{false};         ///< kerf.z-pgain is linked
+    bool servoRecord{false};        ///< a sampler brings every servo period
+    bool shiftWord{false};          ///< kerf.word-15 is linked: the paper's digital word
+    bool programDeclared{false};    ///< kerf.program-process is linked: a program says whose it is
+    bool forceLinked{false};        ///< kerf.force is linked
+    bool force{false};              ///< … and the sampler's pin 6 to the same signal
+    bool forceReset{false};         ///< kerf.force-reset is linked
+    double forceBandwidth_Hz{0.0};  ///< as kerf.force-bandwidth says; 0: it does not
+    double servoPeriod_s{0.001};    ///< [EMCMOT]SERVO_PERIOD of the ini
+    bool simulator{false};          ///< kerf.simulator is set: drives and cutting forces are simulated
     MachineUnits units{MachineUnits::Unknown};  ///< [TRAJ]LINEAR_UNITS of the control's ini file
     double maxFeedScale{1.0};  ///< 2.9 clips motion.adaptive-feed to 1; later versions allow [DISPLAY]MAX_FEED_OVERRIDE
     friend bool operator==(const Fitted&, const Fitted&) = default;
@@ -84,6 +89,7 @@ struct ToControl {
     std::uint32_t gainsRevision{0};  ///< a new one: set `gains`; 0: leave the machine's own
     ZGains gains{};
     std::uint16_t shiftWord{0};  ///< PC → CNC of the digital word
+    bool forceReset{false};      ///< the force amplifier's reset line
     std::uint64_t beatAgain{0};  ///< equals beat in a whole value: a console killed in mid-write leaves a torn one
 };
 
@@ -91,9 +97,12 @@ struct ToControl {
 struct ServoPeriod {
     std::uint32_t number{0};  ///< counts every period, also those the sampler had no room for
     double spindle_rev{0.0};
-    double z_mm{0.0};         ///< where the axis is
-    double zCommand_mm{0.0};  ///< where motion wants it
-    std::int32_t late_ns{0};  ///< time since the period before, less the nominal period
+    double z_mm{0.0};          ///< where the axis is
+    double zCommand_mm{0.0};   ///< where motion wants it
+    std::int32_t late_ns{0};   ///< time since the period before, less the nominal period
+    std::int64_t stamp_ns{0};  ///< when it was, on CLOCK_MONOTONIC (period_clock.h)
+    double force{0.0};         ///< in the pin's own unit; counts where Fitted::force says so
+    bool forceFault{false};    ///< the amplifier's own status: overload, not ready
     bool cutting{false};
     bool finished{false};
 };
@@ -118,7 +127,7 @@ struct CommandAnswer {
 };
 
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524635;  // "KRF5": layout 5
+    static constexpr std::uint32_t kMagic = 0x4B524636;  // "KRF6": layout 6
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads

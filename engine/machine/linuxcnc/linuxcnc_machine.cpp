@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::int64_t kSilence_ns = 100'000'000;
 constexpr std::int64_t kGainsPatience_ns = 500'000'000;
+constexpr std::int64_t kOldForce_ns = 1'000'000'000;  // of a link that was down: nobody looks at it any more
 constexpr std::int64_t kShiftEvery_ns = 1'000'000'000;
 constexpr std::int64_t kStartPatience_ns = 5'000'000'000;  // from the acknowledgement until something runs
 constexpr std::int64_t kStartOver_ns = 1'000'000'000;      // it ran and ended, and no part has begun
@@ -41,8 +42,8 @@ std::optional<Sentence> otherUnits(DescribedUnits described, MachineUnits contro
 
 }  // namespace
 
-LinuxCncMachine::LinuxCncMachine(const Params& params) : m_params(params) {
-    m_capabilities[0] = capabilitiesOf(std::nullopt);
+LinuxCncMachine::LinuxCncMachine(const Params& params) : m_params(params), m_forcePin(params.described.force) {
+    m_capabilities[0] = capabilitiesOf(std::nullopt, params.described.force);
     describe(m_capabilities[0], params.described);
 }
 
@@ -106,7 +107,8 @@ void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
     }
     m_shared = shared;
     if (current + 1 < kMachinesSeen) {  // one who still reads the old ones may go on
-        m_capabilities[current + 1] = capabilitiesOf(fitted);
+        m_capabilities[current + 1] = capabilitiesOf(fitted, m_params.described.force);
+        m_forcePin.fit(fitted.servoPeriod_s, m_capabilities[current + 1].force.bandwidth_Hz);
         if (shared) {
             refuseAll(m_capabilities[current + 1], ownedByAnother());
         }
@@ -185,11 +187,14 @@ void LinuxCncMachine::begin(ProgramState state) noexcept {
     m_force.begin(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_now_ns);
 }
 
-void LinuxCncMachine::followProgram() noexcept {
+void LinuxCncMachine::followProgram(MachineInputs& inputs) noexcept {
     const bool cutting = m_seen.cutting && m_seen.programRunning;
     ServoPeriod period;
-    while (m_memory->servo.read(m_nextPeriod, period)) {
+    while (inputs.fastCount < kMaxFastSamples && m_memory->servo.read(m_nextPeriod, period)) {
         m_outputFell = m_outputFell || !period.cutting;  // an aborted program leaves it on, the next one puts it off
+        if (m_fitted.force && m_now_ns - period.stamp_ns < kOldForce_ns) {
+            inputs.fast[inputs.fastCount++] = m_forcePin.next(period, m_now_ns);
+        }
     }
     m_outputFell = m_outputFell || !m_seen.cutting;
     if (cutting && m_outputFell && !running()) {
@@ -333,7 +338,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
         if (m_process == ProcessId::Tapping) {
             followTap(inputs);
         } else {
-            followProgram();
+            followProgram(inputs);
         }
         takeReplies(now_ns);
         watchStart(now_ns);
@@ -369,7 +374,7 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.overhang_mm = overhang_mm(quality);
     inputs.temperatures = nullptr;
     fillGains(inputs, quality);
-    if (up && m_fitted.simulator && m_process == ProcessId::Milling) {
+    if (up && m_fitted.simulator && !m_fitted.forceLinked && m_process == ProcessId::Milling) {
         m_force.step(m_seen.position_mm[kX], m_seen.spindleAngle_rev, m_program == ProgramState::Running, now_ns,
                      inputs);
     }
@@ -480,6 +485,7 @@ void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     wish.offsetEpoch = m_wishEpoch;
     wish.gainsRevision = m_gainsRevision;
     wish.gains = m_gains;
+    wish.forceReset = outputs.forceReset;
     wish.shiftWord = m_word.answer(m_seen.requestWord, outputs.workOffset_um);
     m_memory->toControl.publish(wish);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/machine/linuxcnc/force_samples.h"
 #include "engine/machine/linuxcnc/link_memory.h"
 #include "engine/machine/linuxcnc/rsh_link.h"
 #include "engine/machine/linuxcnc/shared_link.h"
@@ -27,7 +28,8 @@ namespace kerf::linuxcnc {
 /// jumps.
 ///
 /// The part program tells where it is: M62 P0 while it cuts, M62 P1 when it has reached its end (docs/linuxcnc.md).
-/// Tapping is recorded in every servo period; a cycle that came late loses none of them.
+/// Tapping and the force are recorded in every servo period; a cycle that came late loses none of them: what does not
+/// fit into one cycle comes with the next.
 class LinuxCncMachine final : public MachinePort {
  public:
     struct Params {
@@ -67,7 +69,7 @@ class LinuxCncMachine final : public MachinePort {
     void watchStart(std::int64_t now_ns) noexcept;
     void followDeclaration() noexcept;
     [[nodiscard]] Reading overhang_mm(Quality quality) const noexcept;
-    void followProgram() noexcept;
+    void followProgram(MachineInputs& inputs) noexcept;
     void begin(ProgramState state) noexcept;
     void followTap(MachineInputs& inputs) noexcept;
     void takeReplies(std::int64_t now_ns) noexcept;
@@ -126,7 +128,8 @@ class LinuxCncMachine final : public MachinePort {
     double m_plannedScale{0.0};  ///< of the running one; 0: not declared
     bool m_tapEnds{false};
     bool m_tapFinished{false};
-    // milling, on a simulator
+    // milling: from the pin, or on a simulator without one
+    ForceSamples m_forcePin;
     SimulatedForce m_force{};
     // thermal
     std::uint32_t m_offsetEpoch{0};

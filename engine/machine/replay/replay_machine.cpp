@@ -19,9 +19,9 @@ ReplayMachine::ReplayMachine(std::vector<ReplayRow> rows, std::uint16_t count) :
     std::ranges::copy(kName, m_capabilities.machineName.begin());
     m_capabilities.simulated = true;  // it runs at any speed
     const Sentence recorded(KERF_TEXT("A recorded day is played: nothing can be commanded."));
-    for (Capability* capability : {&m_capabilities.feedScale, &m_capabilities.forceSensor, &m_capabilities.toolMotion,
-                                   &m_capabilities.servoGains, &m_capabilities.zTrim, &m_capabilities.toolTrim,
-                                   &m_capabilities.gauge, &m_capabilities.cycleStart}) {
+    for (Capability* capability : {&m_capabilities.feedScale, &m_capabilities.forceSensor, &m_capabilities.forceReset,
+                                   &m_capabilities.toolMotion, &m_capabilities.servoGains, &m_capabilities.zTrim,
+                                   &m_capabilities.toolTrim, &m_capabilities.gauge, &m_capabilities.cycleStart}) {
         *capability = {false, recorded};
     }
     m_capabilities.temperatures = {true, {}};

@@ -82,9 +82,10 @@ SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique
         }
     }
     const Sentence notFitted(KERF_TEXT("This simulated machine does not have it."));
-    for (Capability* capability : {&m_capabilities.forceSensor, &m_capabilities.temperatures,
-                                   &m_capabilities.gapSensors, &m_capabilities.toolMotion, &m_capabilities.servoGains,
-                                   &m_capabilities.zTrim, &m_capabilities.toolTrim, &m_capabilities.gauge}) {
+    for (Capability* capability :
+         {&m_capabilities.forceSensor, &m_capabilities.forceReset, &m_capabilities.temperatures,
+          &m_capabilities.gapSensors, &m_capabilities.toolMotion, &m_capabilities.servoGains, &m_capabilities.zTrim,
+          &m_capabilities.toolTrim, &m_capabilities.gauge}) {
         capability->why = notFitted;
     }
     for (const auto& process : m_processes) {

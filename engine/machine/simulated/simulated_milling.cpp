@@ -10,7 +10,8 @@
 
 namespace kerf {
 
-SimulatedMilling::SimulatedMilling(const Params& params) : m_params(params), m_noise(params.seed) {
+SimulatedMilling::SimulatedMilling(const Params& params)
+    : m_params(params), m_noise(params.seed), m_zero_N(params.zero_N) {
     assert(!m_params.blanks.empty());
     for (milling::BlankProfile& blank : m_params.blanks) {
         blank = blank.inAir(true, true);
@@ -20,6 +21,14 @@ SimulatedMilling::SimulatedMilling(const Params& params) : m_params(params), m_n
 void SimulatedMilling::fit(Capabilities& capabilities) const {
     capabilities.forceSensor.fitted = true;
     capabilities.forceSensor.why = Sentence{};
+    capabilities.force.rate_Hz = m_params.sampleRate_Hz;
+    capabilities.force.bandwidth_Hz = m_params.corner_Hz > 0.0
+                                          ? std::min(0.5 * m_params.sampleRate_Hz, m_params.corner_Hz)
+                                          : 0.5 * m_params.sampleRate_Hz;
+    capabilities.force.zeroInAir = m_params.piezo;
+    capabilities.force.drift_NPerS = m_params.statedDrift_NPerS;
+    capabilities.force.reset_s = 0.1;
+    capabilities.forceReset.fitted = m_params.resetLine;
 }
 
 Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t /*partSequence*/) noexcept {
@@ -37,7 +46,7 @@ Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t 
     m_feed_mmPerS = 0.0;
     m_chatter_N = 0.0;
     m_time_s = 0.0;
-    m_zero_N = 0.0;  // the amplifier is reset before each cut
+    m_zero_N = m_params.piezo ? m_zero_N : 0.0;  // the amplifier is reset before each cut
     m_toldForce_N = 0.0;
     m_pastCount = 0;
     m_running = true;
@@ -54,6 +63,9 @@ void SimulatedMilling::cut(const SimulationStep& step, double speed_rpm) noexcep
 void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
                                    MachineInputs& inputs) noexcept {
     m_samplesOwed += step.dt_s * m_params.sampleRate_Hz;
+    if (m_params.resetLine && step.outputs->forceReset) {  // what pulls at the sensor now is its zero
+        m_zero_N = -m_cut.force_N();
+    }
     const double owed = std::floor(m_samplesOwed);
     m_samplesOwed -= owed;
     const auto count = static_cast<std::size_t>(std::min(owed, static_cast<double>(kMaxFastSamples)));

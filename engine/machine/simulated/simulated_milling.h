@@ -25,13 +25,17 @@ class SimulatedMilling final : public SimulatedProcess {
         double sampleRate_Hz{5000.0};
         double sampleNoise_N{5.0};     ///< standard deviation of one sample
         double sensorRange_N{5000.0};  ///< beyond: saturated
-        double wearPerPart{0.0};       ///< rise of ln C with every part of the tool
+        bool piezo{false};  ///< nobody resets the amplifier before a cut: the machine says that the zero is to be taken
+        double zero_N{0.0};             ///< of a piezo, when the machine is made
+        double statedDrift_NPerS{0.0};  ///< … and its drift, as its maker says
+        bool resetLine{false};          ///< the amplifier can be brought to zero
+        double wearPerPart{0.0};        ///< rise of ln C with every part of the tool
         double driveLag_s{0.02};
         double revolutionNoise_N{0.0};  ///< standard deviation of a revolution's mean, drawn anew at every mark
         bool late{false};               ///< force and feed are told one revolution late, as if they were of now
-        double drift_NPerS{0.0};        ///< of the sensor's zero, from 0 at the begin of each program
-        double corner_Hz{0.0};          ///< of the dynamometer, first order; 0: passes all
-        double chattersFrom_mm{0.0};    ///< engaged depth above which the cut chatters; 0: never
+        double drift_NPerS{0.0};  ///< of the sensor's zero, from 0 at the begin of each program unless it is a piezo
+        double corner_Hz{0.0};    ///< of the dynamometer, first order; 0: passes all
+        double chattersFrom_mm{0.0};  ///< engaged depth above which the cut chatters; 0: never
         double chatter_Hz{637.0};
         std::uint64_t seed{1};
     };
@@ -48,6 +52,7 @@ class SimulatedMilling final : public SimulatedProcess {
 
     /// True normal force, for tests: what the sensor would average without noise and ripple.
     [[nodiscard]] double trueForce_N() const noexcept { return m_cut.force_N(); }
+    [[nodiscard]] double zero_N() const noexcept { return m_zero_N; }
     [[nodiscard]] double tip_mm() const noexcept { return m_cut.tip_mm(); }
 
  private:
@@ -64,13 +69,13 @@ class SimulatedMilling final : public SimulatedProcess {
 
     Params m_params;
     Random m_noise;
+    double m_zero_N{0.0};  ///< of the sensor
     StartProgram m_program{};
     milling::MovingCut m_cut{};
     double m_feed_mmPerS{0.0};
     double m_samplesOwed{0.0};
     double m_revolution{0.0};
     double m_offset_N{0.0};   ///< of this revolution's mean
-    double m_zero_N{0.0};     ///< of the sensor
     double m_passed_N{0.0};   ///< by the dynamometer
     double m_chatter_N{0.0};  ///< amplitude
     double m_time_s{0.0};     ///< of this program

@@ -28,6 +28,10 @@ SimulatedTurning::SimulatedTurning(const Params& params) noexcept
 
 void SimulatedTurning::fit(Capabilities& capabilities) const {
     capabilities.forceSensor = {true, Sentence{}};
+    capabilities.force.rate_Hz = 1.0 / kSample_s;
+    capabilities.force.bandwidth_Hz = 0.5 / kSample_s;
+    capabilities.force.zeroInAir = true;
+    capabilities.force.drift_NPerS = std::abs(m_params.drift_NPerS);
     capabilities.toolTrim = {true, Sentence{}};
     if (m_params.motionSensorNoise_um > 0.0) {
         capabilities.toolMotion = {true, Sentence{}};

@@ -16,6 +16,8 @@ inline constexpr AlarmCode kFeedUnknown = 204;
 inline constexpr AlarmCode kToolWorn = 205;
 inline constexpr AlarmCode kReferenceOutOfReach = 206;
 inline constexpr AlarmCode kChatter = 207;
+inline constexpr AlarmCode kZeroUnknown = 208;
+inline constexpr AlarmCode kZeroDrifted = 209;
 
 inline constexpr std::array kSpecs{
     AlarmSpec{
@@ -67,6 +69,21 @@ inline constexpr std::array kSpecs{
         KERF_TEXT("The wall gets marks, the tool wears fast and may break. The feed goes on holding the mean force: "
                   "it does not cure chatter."),
         KERF_TEXT("Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.")},
+    AlarmSpec{
+        kZeroUnknown, 2, KERF_TEXT("Zero of the force unknown"),
+        KERF_TEXT(
+            "The force sensor does not keep its zero, and it was not taken before this cut, or is too old for its "
+            "drift."),
+        KERF_TEXT(
+            "The force counts as unknown: the feed stays, or falls to the planned feed if it was faster. Overload "
+            "and breakage are not noticed."),
+        KERF_TEXT("Let the path begin in the air. If it comes back in a long cut: check the sensor's insulation, or "
+                  "divide the cut.")},
+    AlarmSpec{kZeroDrifted, 3, KERF_TEXT("The zero of the force has drifted"),
+              KERF_TEXT("Behind the last cut the sensor's zero was not where it was before."),
+              KERF_TEXT("The force of that cut was wrong by as much at its end. The next cut trusts the zero for a "
+                        "shorter time."),
+              KERF_TEXT("Check cable and insulation of the sensor: moisture lets its charge leak.")},
 };
 
 }  // namespace kerf::milling_alarm

@@ -6,6 +6,7 @@
 
 #include "engine/core/units.h"
 #include "engine/cycle/event_sink.h"
+#include "engine/process/milling/force_bounds.h"
 #include "engine/process/milling/milling_alarms.h"
 #include "engine/process/milling/milling_setup.h"
 
@@ -14,30 +15,14 @@ namespace {
 
 using milling::FeedController;
 
-constexpr double kStanding = 0.02;          // share of the planned feed below which the axis counts as standing
-constexpr double kSpindleSlow = 0.5;        // share of the programmed speed
-constexpr double kRunUp_s = 0.3;            // the axis may go on before the spindle has been up to speed
-constexpr double kKnobAtRest = 0.005;       // deviation of the feed knob from 100 % that does not count
-constexpr double kPatience_s = 2.0;         // at a feed limit before the operator is told
-constexpr double kShortestPeriod_s = 0.06;  // of the law: three times the lag of a usual drive
-constexpr double kInWork = 0.5;             // share of the reference from which a collapse can be told
+constexpr double kStanding = 0.02;     // share of the planned feed below which the axis counts as standing
+constexpr double kSpindleSlow = 0.5;   // share of the programmed speed
+constexpr double kRunUp_s = 0.3;       // the axis may go on before the spindle has been up to speed
+constexpr double kKnobAtRest = 0.005;  // deviation of the feed knob from 100 % that does not count
+constexpr double kPatience_s = 2.0;    // at a feed limit before the operator is told
+constexpr double kInWork = 0.5;        // share of the reference from which a collapse can be told
 constexpr double kSpeedTolerance = 0.3;
 constexpr double kPeakOverLimit = 2.0;  // a single sample this far over the limit stops at once
-
-Sentence forceDetail(Quality quality) {
-    switch (quality) {
-        case Quality::Missing:
-            return Sentence(KERF_TEXT("The force sensor is not plugged in."));
-        case Quality::Stale:
-            return Sentence(KERF_TEXT("The force signal is old."));
-        case Quality::Saturated:
-            return Sentence(KERF_TEXT("The force signal is at the end of its range."));
-        case Quality::Bad:
-        case Quality::Good:
-            break;
-    }
-    return Sentence(KERF_TEXT("The force signal is stuck or not a number."));
-}
 
 }  // namespace
 
@@ -142,6 +127,10 @@ Sentence MillingLoop::whyUnavailable(MillingLaw law) const noexcept {
     if (law != MillingLaw::Constant && !m_forceFitted) {
         return Sentence(KERF_TEXT("This machine has no force sensor."));
     }
+    if (const Sentence why = milling::whyTooSlow(m_signal, m_setup.spindleSpeed_rpm);
+        law != MillingLaw::Constant && !why.empty()) {
+        return why;
+    }
     if (law == MillingLaw::Preview && m_blank.count == 0) {
         return Sentence(KERF_TEXT("No blank profile is loaded: enter or import one."));
     }
@@ -204,6 +193,7 @@ void MillingLoop::requestStart(const Capabilities& capabilities, LoopOutputs& ou
 LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
     m_forceFitted = capabilities.forceSensor.fitted;
+    m_signal = capabilities.force;
     followStop(inputs.stops[static_cast<std::size_t>(ProcessId::Milling)]);
     if (m_startWanted) {
         m_startWanted = false;
@@ -214,7 +204,7 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
         endPart(inputs, false, events);
     }
     if (turn.begins) {
-        beginPart(inputs);
+        beginPart(inputs, capabilities);
     }
     if (turn.ends) {
         endPart(inputs, turn.finished, events);
@@ -222,7 +212,7 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
     m_status.cutting = turn.running;
     if (!m_status.cutting) {
         for (const AlarmSpec& alarm : milling_alarm::kSpecs) {
-            if (alarm.code != milling_alarm::kToolWorn) {
+            if (alarm.code != milling_alarm::kToolWorn && alarm.code != milling_alarm::kZeroDrifted) {
                 events.clear(alarm.code);
             }
         }
@@ -238,7 +228,8 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
     return control(inputs, outputs, events);
 }
 
-void MillingLoop::beginPart(const MachineInputs& inputs) noexcept {
+void MillingLoop::beginPart(const MachineInputs& inputs, const Capabilities& capabilities) noexcept {
+    m_zero.begin(milling::zeroParams(capabilities, m_setup));
     m_part = PartRecord{};
     m_part.process = ProcessId::Milling;
     m_part.partSequence = inputs.partSequence;
@@ -275,6 +266,10 @@ void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     m_part.forceMean_N = m_part.milling.meanForce_N;
     m_part.forcePeak_N = m_part.milling.peakForce_N;
     events.finishPart(m_part);
+    m_zero.end(complete);
+    const double moved_N = m_zero.moved_N().value_or(0.0);
+    events.set(milling_alarm::kZeroDrifted, std::abs(moved_N) > m_zero.trust_N(),
+               Sentence(KERF_TEXT("The zero has moved by %1 N in the last cut."), SentenceArg(moved_N, 1)));
     m_status.partsCut += complete ? 1U : 0U;
     if (complete && m_part.milling.stiffnessMean != 0.0) {
         m_wear.addPart(m_part.milling.stiffnessMean);
@@ -284,7 +279,12 @@ void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
 void MillingLoop::takeSamples(const MachineInputs& inputs) noexcept {
     m_cyclePeak_N = 0.0;
     for (std::size_t i = 0; i < inputs.fastCount && i < kMaxFastSamples; ++i) {
-        const FastSample& sample = inputs.fast[i];
+        const bool waited = m_zero.state() == ForceZeroState::Taking;
+        const FastSample sample = m_zero.take(inputs.fast[i]);
+        if (m_zero.state() == ForceZeroState::Taking) {
+            continue;  // no force yet, and nothing wrong with it
+        }
+        m_markTravel_mm = waited ? m_travel_mm : m_markTravel_mm;
         m_watch.add(sample);
         m_chatter.add(sample);
         if (sample.quality == Quality::Good && std::isfinite(sample.force_N)) {
@@ -333,7 +333,8 @@ void MillingLoop::takeRevolution(const milling::RevolutionForce& revolution, con
     takePeriod(feed_mm, inputs);
     beginGroup();
     // Faster than drive and control can follow there is nothing to gain: average over more whole revolutions.
-    m_controller.setPeriod(std::max(1, static_cast<int>(std::ceil(kShortestPeriod_s / m_revolution_s - 1e-6))));
+    m_controller.setPeriod(
+        std::max(1, static_cast<int>(std::ceil(milling::shortestPeriod_s(m_signal) / m_revolution_s - 1e-6))));
 }
 
 void MillingLoop::beginGroup() noexcept {
@@ -452,8 +453,15 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
     }
     // With the constant law nothing is controlled, but breakage and overload are watched: that must not end in silence.
     const bool watched = m_law != MillingLaw::Constant || m_forceFitted;
-    const bool forceBlind = blind && m_feedKnown && watched && !m_paused;
-    events.set(milling_alarm::kForceUnknown, forceBlind, forceDetail(m_watch.quality()));
+    const ForceZeroState zero = m_zero.state();
+    const bool zeroUnknown = zero == ForceZeroState::Missed || zero == ForceZeroState::Doubtful;
+    const bool zeroWaits = zero == ForceZeroState::Taking;
+    const bool forceBlind = blind && m_feedKnown && watched && !m_paused && !zeroWaits;
+    const Sentence slow = milling::whyTooSlow(m_signal, m_setup.spindleSpeed_rpm);
+    events.set(milling_alarm::kForceUnknown, forceBlind && !zeroUnknown,
+               slow.empty() ? milling::forceDetail(m_watch.quality()) : slow);
+    events.set(milling_alarm::kZeroUnknown, zeroUnknown && watched, milling::zeroDetail(m_zero));
+    outputs.forceReset = m_zero.wantsReset();
     events.set(milling_alarm::kFeedUnknown, !m_feedKnown);
     events.set(milling_alarm::kChatter, m_chatter.chatters(),
                Sentence(KERF_TEXT("The force swings by %1 N at about %2 Hz."), {m_chatter.amplitude_N(), 0},
@@ -483,6 +491,9 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
         return {LoopState::Limited,
                 Sentence(advises ? KERF_TEXT("Cutting force unknown: control would go no faster than planned.")
                                  : KERF_TEXT("Cutting force unknown: no faster than planned."))};
+    }
+    if (zeroWaits && watched) {
+        return {LoopState::Controlling, Sentence(KERF_TEXT("In air: the zero of the force is taken."))};
     }
     if (m_paused) {
         return {LoopState::Controlling, Sentence(advises ? KERF_TEXT("The feed stands; control would go on with it.")
@@ -550,6 +561,12 @@ void MillingLoop::report(Status& status) const noexcept {
     out.kx_NPerMm = stiffness.kx_NPerMm;
     out.waviness_um = m_record.cut().waviness_um;
     out.gainMargin = gainMargin();
+    out.signal = m_signal;
+    out.decisions_Hz = 1.0 / (m_revolution_s * m_controller.period());
+    out.teethSeen = milling::teethSeen(m_signal, m_setup.spindleSpeed_rpm, m_setup.flutes);
+    out.zero = m_zero.state();
+    out.zero_N = m_zero.zero_N();
+    out.zeroDoubt_N = m_zero.doubt_N();
     out.wear = m_wear.rise();
     out.wearPerPart = m_wear.perPart();
     out.partsWithTool = m_wear.parts();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/api/status.h"
+#include "engine/cycle/force_zero.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
@@ -40,7 +41,7 @@ class MillingLoop final : public ProcessLoop {
     [[nodiscard]] Sentence whyUnavailable(MillingLaw law) const noexcept;
 
     void requestStart(const Capabilities& capabilities, LoopOutputs& outputs) noexcept;
-    void beginPart(const MachineInputs& inputs) noexcept;
+    void beginPart(const MachineInputs& inputs, const Capabilities& capabilities) noexcept;
     void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     [[nodiscard]] LoopVerdict control(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
     void takeSamples(const MachineInputs& inputs) noexcept;
@@ -70,6 +71,8 @@ class MillingLoop final : public ProcessLoop {
     milling::FeedDecision m_decision{};
 
     bool m_forceFitted{true};
+    ForceSignal m_signal{};
+    ForceZero m_zero{};
     bool m_startWanted{false};
     bool m_paused{true};  ///< the axis stands: pause, hold, or a stop of ours
     bool m_releaseWanted{false};

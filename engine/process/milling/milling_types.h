@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/core/force_signal.h"
 #include "engine/core/reading.h"
 #include "engine/core/sentence.h"
 
@@ -97,6 +98,12 @@ struct MillingStatus {
     Reading force_N{};                                        ///< averaged over the last revolution
     double forceLow_N{0.0};                                   ///< raw force within it
     double forceHigh_N{0.0};
+    ForceSignal signal{};      ///< what the machine brings
+    double decisions_Hz{0.0};  ///< how often the loop decides: whole revolutions, never faster than the signal
+    bool teethSeen{false};     ///< the signal shows single teeth: breakage is watched
+    ForceZeroState zero{ForceZeroState::Own};
+    double zero_N{0.0};       ///< subtracted from the signal
+    double zeroDoubt_N{0.0};  ///< how wrong it may be by now
     double reference_N{0.0};
     double overload_N{0.0};
     double wantedFeed_mmPerS{0.0};

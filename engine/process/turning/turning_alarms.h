@@ -15,6 +15,7 @@ inline constexpr AlarmCode kZeroDrifted = 303;
 inline constexpr AlarmCode kMeanForceOff = 304;
 inline constexpr AlarmCode kTrimAtLimit = 305;
 inline constexpr AlarmCode kBlindTone = 306;
+inline constexpr AlarmCode kZeroUnknown = 307;
 
 inline constexpr std::array kSpecs{
     AlarmSpec{
@@ -51,6 +52,12 @@ inline constexpr std::array kSpecs{
               KERF_TEXT("A vibration repeats with every revolution, so the force does not change with it."),
               KERF_TEXT("The tone is held only for about a minute; then it comes back on the surface."),
               KERF_TEXT("Choose the spindle speed that the page suggests.")},
+    AlarmSpec{kZeroUnknown, 2, KERF_TEXT("Zero of the force unknown"),
+              KERF_TEXT("The force sensor does not keep its zero, and it was not taken before this cut, or is too old "
+                        "for its drift."),
+              KERF_TEXT("There is no trim in this part, or in the rest of it."),
+              KERF_TEXT("Let the tool stand in the air before it touches. If it comes back in a long cut: check the "
+                        "sensor's insulation, or divide the cut.")},
 };
 
 }  // namespace kerf::turning_alarm

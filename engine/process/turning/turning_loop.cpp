@@ -17,6 +17,8 @@ static_assert(kTurningFilters == turning::BroadbandPredictor::kFilters);
 
 constexpr std::int64_t kCycle_ns = 200'000;
 constexpr double kDriftAlarm_N = 0.05;
+constexpr double kTrustShare = 0.05;  // of the target force: error of the zero that can be borne
+constexpr double kLeastBandwidth_Hz = 800.0;
 constexpr double kTouchShare = 0.10;  // of the target force
 constexpr int kTouchSamples = 4;
 constexpr double kExitShare = 0.30;
@@ -149,7 +151,9 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     }
     if (turn.begins) {
         beginPart(inputs);
+        m_zero.begin(zeroParams(capabilities));
     }
+    m_status.signal = capabilities.force;
     if (turn.ends) {
         endPart(inputs, turn.finished, events);
     }
@@ -174,12 +178,26 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
                          SentenceArg(static_cast<double>(capabilities.cycle_ns) / 1e6, 2))};
     }
 
+    if (capabilities.force.bandwidth_Hz < kLeastBandwidth_Hz) {
+        return {LoopState::Limited,
+                Sentence(KERF_TEXT("Force feedback needs a force of %1 Hz bandwidth; this one has %2 Hz: no trim."),
+                         {kLeastBandwidth_Hz, 0}, {capabilities.force.bandwidth_Hz, 0})};
+    }
+
     const FastSample none{};
     const FastSample& fast = inputs.fastCount > 0 ? inputs.fast[inputs.fastCount - 1U] : none;
-    const turning::ForceState force = m_health.judge(fast);
+    // While its amplifier is reset the signal stands still, and that is no fault.
+    const turning::ForceState force = m_zero.resetting() ? turning::ForceState::Good : m_health.judge(fast);
+    if (inputs.fastCount > 0) {
+        (void)m_zero.take(fast);
+    }
+    noteZero(events);
+    outputs.forceReset = m_zero.wantsReset();
+    const bool zeroKnown = m_zero.state() == ForceZeroState::Known || m_zero.state() == ForceZeroState::Own;
     events.set(turning_alarm::kForceLost, force == turning::ForceState::Lost);
     events.set(turning_alarm::kForceSaturated, force == turning::ForceState::Saturated);
-    m_status.force_N = {fast.force_N - m_health.zero_N(), fast.stamp_ns, fast.quality};
+    m_status.force_N = {fast.force_N - m_zero.zero_N(), fast.stamp_ns,
+                        m_status.zero == ForceZeroState::Doubtful ? Quality::Bad : fast.quality};
     const double span_mm = m_setup.faceTo_mm - m_setup.faceFrom_mm;
     m_status.progress = std::clamp((inputs.position_mm[0].value - m_setup.faceFrom_mm) / span_mm, 0.0, 1.0);
     if (inputs.toolTrim_um.good()) {
@@ -194,15 +212,15 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
         leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), turning_alarm::kForceLost);
     } else if (force == turning::ForceState::Saturated && inLoop) {
         leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), 0);
+    } else if (inLoop && m_status.stage != TurningStage::Air && m_zero.state() == ForceZeroState::Doubtful) {
+        leave(Sentence(KERF_TEXT("The zero of the force may have drifted: no trim in the rest of this part.")), 0);
     } else if (inLoop && force == turning::ForceState::Good) {
-        const double zeroed_N = fast.force_N - m_health.zero_N();
+        const double zeroed_N = fast.force_N - m_zero.zero_N();
         if (m_status.stage == TurningStage::Air) {
             m_control.idle(zeroed_N);
-            m_above = m_health.zeroKnown() && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
+            m_above = zeroKnown && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
             if (m_above >= kTouchSamples) {
                 touch(inputs);
-            } else if (m_above == 0) {
-                takeZero(fast.force_N, events);
             }
         }
         noteForce(zeroed_N);
@@ -248,12 +266,29 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
     return {LoopState::Controlling, Sentence(KERF_TEXT("Out of the cut: the sensor's zero is taken."))};
 }
 
-void TurningLoop::takeZero(double raw_N, EventSink& events) noexcept {
-    const std::optional<double> moved_N = m_health.takeZero_N(raw_N);
-    m_status.forceZero_N = m_health.zero_N();
-    if (moved_N) {
-        events.set(turning_alarm::kZeroDrifted, std::abs(*moved_N) > kDriftAlarm_N,
-                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(*moved_N, 3)));
+/// The touch is told from a tenth of the target; the laws leave the mean of the force alone, so its zero may be 5 %
+/// off.
+ForceZeroParams TurningLoop::zeroParams(const Capabilities& capabilities) const noexcept {
+    return {capabilities.force, capabilities.forceReset.fitted, kTouchShare * m_status.forceTarget_N,
+            kTrustShare * m_status.forceTarget_N};
+}
+
+void TurningLoop::noteZero(EventSink& events) noexcept {
+    const ForceZeroState zero = m_zero.state();
+    m_status.zero = zero;
+    m_status.forceZero_N = m_zero.zero_N();
+    m_status.zeroDoubt_N = m_zero.doubt_N();
+    const bool missed = zero == ForceZeroState::Missed;
+    events.set(turning_alarm::kZeroUnknown, missed || (zero == ForceZeroState::Doubtful),
+               missed ? Sentence(KERF_TEXT("The tool was not in the air for long enough before the cut."))
+                      : Sentence(KERF_TEXT("It may be wrong by %1 N."), SentenceArg(m_zero.doubt_N(), 3)));
+    if (zero == ForceZeroState::Taking) {
+        m_zeroNoted = false;
+    } else if (!m_zeroNoted && zero == ForceZeroState::Known) {
+        m_zeroNoted = true;
+        const double moved_N = m_zero.moved_N().value_or(0.0);
+        events.set(turning_alarm::kZeroDrifted, std::abs(moved_N) > kDriftAlarm_N,
+                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(moved_N, 3)));
     }
 }
 
@@ -261,7 +296,7 @@ void TurningLoop::touch(const MachineInputs& inputs) noexcept {
     m_status.stage = TurningStage::Entry;
     m_status.touchOff_mm = inputs.position_mm[0];
     m_part.turning.touchOff_mm = inputs.position_mm[0].value;
-    m_part.turning.forceZero_N = m_health.zero_N();
+    m_part.turning.forceZero_N = m_zero.zero_N();
     m_part.turning.controlled = true;
     m_control.beginCut();
     m_motion.clear();
@@ -296,7 +331,7 @@ void TurningLoop::cut(double force_N, const MachineInputs& inputs, EventSink& ev
     if (m_below >= kExitSamples) {
         m_status.stage = TurningStage::Air;  // the end of the cut; the zero is taken again
         m_status.acting = false;
-        m_health.leaveCut();
+        m_zero.leave();
         m_above = 0;
         return;
     }
@@ -495,7 +530,6 @@ void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_status.nextSetup = m_next.revision;
     m_status.depth_um = m_setup.depth_um;
     m_status.forceTarget_N = m_process.dcGain() * m_setup.depth_um;
-    m_status.forceZero_N = m_health.zero_N();
     m_status.overlap =
         turning::overlapFactor(m_setup.toolRadius_um, m_setup.depth_um, m_setup.feed_umPerRev).value_or(0.0);
     m_part = PartRecord{};
@@ -529,9 +563,9 @@ void TurningLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     record.forceTarget_N = m_status.forceTarget_N;
     m_trace.endPart();
     events.finishPart(m_part);
-    for (const AlarmCode code :
-         {turning_alarm::kForceSaturated, turning_alarm::kToolChipped, turning_alarm::kMeanForceOff,
-          turning_alarm::kTrimAtLimit, turning_alarm::kBlindTone, turning_alarm::kForceLost}) {
+    for (const AlarmCode code : {turning_alarm::kForceSaturated, turning_alarm::kToolChipped,
+                                 turning_alarm::kMeanForceOff, turning_alarm::kTrimAtLimit, turning_alarm::kBlindTone,
+                                 turning_alarm::kForceLost, turning_alarm::kZeroUnknown}) {
         events.clear(code);
     }
     m_status.partsCut += complete ? 1U : 0U;

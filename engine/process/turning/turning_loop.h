@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/api/status.h"
+#include "engine/cycle/force_zero.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/cycle/program_follower.h"
 #include "engine/limits/stop_latch.h"
@@ -17,17 +18,17 @@ namespace kerf {
 /// Force feedback of the diamond turning slide, at 5 kHz: takes the sensor's zero in the air, finds the touch, and
 /// trims the tool against the disturbance while it cuts, by the controller the operator has chosen.
 ///
-///   Air      zero of the force = its slow mean; a touch is four samples in a row above zero + 10 % of the target
-///   Entry    the first revolution after the touch
-///   Cutting  DepthControl; the trim stays within the setup's authority and the machine's limits
-///   Out      left the loop in this part: trim to zero within 2 ms, ramped
+///   Air      the zero of the force is taken (ForceZero); a touch is four samples in a row above zero + 10 % of the
+///   target Entry    the first revolution after the touch Cutting  DepthControl; the trim stays within the setup's
+///   authority and the machine's limits Out      left the loop in this part: trim to zero within 2 ms, ramped
 ///
 /// Out of the loop within 5 ms of the fault: a lost, stuck or saturated force, a force gain that jumps by a quarter
 /// (chipped tool). Later: a trim that leans to one side or a mean force that falls by a quarter (mean-force check: no
 /// law may take the cut away). Lost signal and chipped tool fault the loop until a person releases it. The exit of the
-/// cut ends the trim the same way without an alarm. The cycle has to be .2 ms; on a slower machine the loop advises
-/// only. With a sensor of the tool's motion (toolMotion_um) the cutting process is identified as it cuts, and the law
-/// is tuned anew when it has moved by more than 5 % and the identification is sure of it.
+/// cut ends the trim the same way without an alarm. The cycle has to be .2 ms and the force's bandwidth 800 Hz, twice
+/// the highest tone; on a slower machine the loop advises only. With a sensor of the tool's motion (toolMotion_um) the
+/// cutting process is identified as it cuts, and the law is tuned anew when it has moved by more than 5 % and the
+/// identification is sure of it.
 class TurningLoop final : public ProcessLoop {
  public:
     /// @param exchange what the service wants to see of the surface and the force; may be null. Outlives the loop.
@@ -49,7 +50,8 @@ class TurningLoop final : public ProcessLoop {
     void beginPart(const MachineInputs& inputs) noexcept;
     void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     void touch(const MachineInputs& inputs) noexcept;
-    void takeZero(double raw_N, EventSink& events) noexcept;
+    [[nodiscard]] ForceZeroParams zeroParams(const Capabilities& capabilities) const noexcept;
+    void noteZero(EventSink& events) noexcept;
     void cut(double force_N, const MachineInputs& inputs, EventSink& events) noexcept;
     void startCount() noexcept;
     [[nodiscard]] bool chipped(double force_N, EventSink& events) noexcept;
@@ -85,6 +87,8 @@ class TurningLoop final : public ProcessLoop {
     bool m_startWanted{false};
 
     turning::ForceHealth m_health{};
+    ForceZero m_zero{};
+    bool m_zeroNoted{false};  ///< of this stay in the air
     turning::SurfaceRecord m_surface{};
     int m_above{0};
     int m_below{0};

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/core/force_signal.h"
 #include "engine/core/reading.h"
 
 /// What the turning page sets and sees. Plain values that the rings can carry.
@@ -84,6 +85,9 @@ struct TurningStatus {
     double forceTarget_N{0.0};  ///< P's gain at rest times d0
     double forcePeak_N{0.0};
     double forceZero_N{0.0};       ///< taken out of the cut
+    ForceSignal signal{};          ///< what the machine brings
+    ForceZeroState zero{ForceZeroState::Own};
+    double zeroDoubt_N{0.0};  ///< how wrong the zero may be by now
     double depth_um{0.0};          ///< d0
     double depthEstimate_um{0.0};  ///< û, mean of ~.1 s
     double trim_um{0.0};           ///< wanted

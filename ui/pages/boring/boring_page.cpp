@@ -200,8 +200,9 @@ void BoringPage::onServiceChanged() {
 
 void BoringPage::onStatus(const Status& status) {
     if (const auto& nextFrame = context().services.nextGaugeFrame) {
-        while (const std::optional<QString> frame = nextFrame()) {
-            if (const std::optional<GaugeReading> reading = parseGaugeFrame(*frame)) {
+        while (const std::optional<GaugeLineFrame> frame = nextFrame()) {
+            if (std::optional<GaugeReading> reading = parseGaugeFrame(frame->frame)) {
+                reading->depth = frame->depth;
                 onGauge(*reading);
             }
         }

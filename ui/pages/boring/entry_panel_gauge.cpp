@@ -50,7 +50,16 @@ std::optional<EntryPanel::Target> EntryPanel::targetOf(const GaugeReading& readi
         why = tr("The gauge sent %1, but no part waits for a diameter: left out.").arg(reading.frame);
         return std::nullopt;
     }
-    if (reading.channel) {
+    if (reading.depth) {
+        if (*reading.depth >= view.depths.size()) {
+            why = tr("The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.")
+                      .arg(reading.frame)
+                      .arg(*reading.depth + 1)
+                      .arg(view.depths.size());
+            return std::nullopt;
+        }
+        target->depth = *reading.depth;
+    } else if (reading.channel) {
         const bool known = m_channels.depthOf(*reading.channel).has_value();
         const auto depth =
             known ? m_channels.depthOf(*reading.channel) : m_channels.learn(*reading.channel, view.depths.size());
@@ -67,7 +76,7 @@ std::optional<EntryPanel::Target> EntryPanel::targetOf(const GaugeReading& readi
         target->depth = *depth;
     }
     if (inBurst() && m_burstPart) {
-        target->part = reading.channel ? *m_burstPart : target->part;
+        target->part = reading.channel || reading.depth ? *m_burstPart : target->part;
         if (target->part != *m_burstPart) {
             why = tr("The gauge sent %1 at once behind the others: one too many, left out. For the next part send it "
                      "again.")
@@ -95,8 +104,10 @@ void EntryPanel::takeNextWaiting() {
 
 void EntryPanel::takeGauge(const GaugeReading& reading) {
     constexpr std::size_t kMostWaiting = 16;
-    const bool otherPlace = m_question && (inBurst() || (reading.channel && m_channels.depthOf(*reading.channel) &&
-                                                         *m_channels.depthOf(*reading.channel) != m_question->depth));
+    const auto where = reading.depth     ? reading.depth
+                       : reading.channel ? m_channels.depthOf(*reading.channel)
+                                         : std::nullopt;
+    const bool otherPlace = m_question && (inBurst() || (where && *where != m_question->depth));
     if (m_pending || otherPlace) {
         if (m_waiting.size() < kMostWaiting) {
             m_waiting.push_back(reading);

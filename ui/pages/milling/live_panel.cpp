@@ -3,9 +3,12 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QLabel>
 #include <QPushButton>
 
+#include "ui/link/force_text.h"
 #include "ui/pages/milling/milling_texts.h"
+#include "ui/widgets/label.h"
 
 namespace kerf::ui {
 namespace {
@@ -26,6 +29,7 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
       m_forceNow(new NumberDisplay(look, "N", kForceDecimals, TextSize::Page, this)),
       m_feedNow(new NumberDisplay(look, "mm/s", kFeedRateDecimals, TextSize::Page, this)),
       m_raw(new QPushButton(this)),
+      m_signal(makeLabel(TextRole::Dim, this)),
       m_rawCurve(m_force->addCurve({Token::Past, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Thin})),
       m_average(m_force->addCurve({Token::Measured, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Normal})),
       m_wanted(m_feed->addCurve({Token::Wanted, Chart::Kind::Dashed, Chart::Marker::Disc, Stroke::Normal})),
@@ -36,6 +40,8 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
     m_forceNow->setObjectName(QStringLiteral("millingForce"));
     m_feedNow->setObjectName(QStringLiteral("millingFeed"));
     m_raw->setObjectName(QStringLiteral("millingRawForce"));
+    m_signal->setObjectName(QStringLiteral("millingForceSignal"));
+    header()->addWidget(m_signal);
     m_raw->setCheckable(true);
     m_raw->setFocusPolicy(Qt::TabFocus);
     m_forceNow->setWidest(kWidestForce_N);
@@ -120,6 +126,7 @@ void MillingLivePanel::setStatus(const Status& status) {
     if (milling.setup != 0 && (milling.reference_N != m_reference_N || milling.overload_N != m_overload_N)) {
         showLimits(milling.reference_N, milling.overload_N);
     }
+    showSignal(milling);
     if (milling.cutting) {
         m_forceNow->setReading(milling.force_N, status.machineTime_ns);
         m_feedNow->setReading(status.actualFeed_mmPerS, status.machineTime_ns);
@@ -139,6 +146,18 @@ void MillingLivePanel::setStatus(const Status& status) {
         }
     }
     m_feedNow->setLimited(milling.cutting && status.feedScaleLimited);
+}
+
+void MillingLivePanel::showSignal(const MillingStatus& milling) {
+    QString text = forceSignalText({milling.signal, milling.zero, milling.zero_N, milling.zeroDoubt_N}, m_look.units(),
+                                   kForceDecimals);
+    if (!text.isEmpty() && milling.decisions_Hz > 0.0) {
+        text += QStringLiteral(", ") + tr("loop %1 Hz").arg(milling.decisions_Hz, 0, 'f', 1);
+    }
+    if (!text.isEmpty() && !milling.teethSeen) {
+        text += QStringLiteral(", ") + tr("breakage not seen");
+    }
+    m_signal->setText(text);
 }
 
 void MillingLivePanel::addSamples(std::span<const Sample> samples, bool blind) {

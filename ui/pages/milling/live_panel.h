@@ -11,6 +11,7 @@
 #include "ui/widgets/number_display.h"
 
 class QGridLayout;
+class QLabel;
 class QPushButton;
 
 namespace kerf::ui {
@@ -35,6 +36,7 @@ class MillingLivePanel : public Card {
 
  private:
     void retranslate();
+    void showSignal(const MillingStatus& milling);
     void showLimits(double reference_N, double overload_N);
 
     Look& m_look;
@@ -44,6 +46,7 @@ class MillingLivePanel : public Card {
     NumberDisplay* m_forceNow;
     NumberDisplay* m_feedNow;
     QPushButton* m_raw;
+    QLabel* m_signal;
     Chart::CurveId m_rawCurve;
     Chart::CurveId m_average;
     Chart::CurveId m_wanted;

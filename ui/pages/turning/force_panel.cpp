@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/core/units.h"
+#include "ui/link/force_text.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/widgets/label.h"
 
@@ -109,8 +110,11 @@ void ForcePanel::setStatus(const Status& status) {
     if (m_lastText_s < 0.0 || std::abs(now_s - m_lastText_s) >= kTextPeriod_s) {
         m_lastText_s = now_s;
         const UnitSystem& units = m_look.units();
-        m_forceNow->setText(inCut ? tr("mean %1").arg(units.withUnit(turning.forceMean_N, "N", kForceDecimals))
-                                  : stageName(turning.stage));
+        const QString now = inCut ? tr("mean %1").arg(units.withUnit(turning.forceMean_N, "N", kForceDecimals))
+                                  : stageName(turning.stage);
+        const QString signal = forceSignalText({turning.signal, turning.zero, turning.forceZero_N, turning.zeroDoubt_N},
+                                               units, kForceDecimals);
+        m_forceNow->setText(signal.isEmpty() ? now : signal + QStringLiteral("; ") + now);
         m_depthNow->setText(inCut ? units.withUnit(turning.depthEstimate_um, "um", kDepthDecimals) : QString());
     }
 }
