@@ -122,6 +122,13 @@ Json capabilitiesJson(const Capabilities& c) {
     json["feed_scale"] = capabilityJson(c.feedScale);
     json["work_offset"] = capabilityJson(c.workOffset);
     json["force_sensor"] = capabilityJson(c.forceSensor);
+    if (c.forceSensor.fitted) {
+        json["force_sensor"]["rate_hz"] = c.force.rate_Hz;
+        json["force_sensor"]["bandwidth_hz"] = c.force.bandwidth_Hz;
+        json["force_sensor"]["zero_in_air"] = c.force.zeroInAir;
+        json["force_sensor"]["drift_n_per_s"] = c.force.drift_NPerS;
+    }
+    json["force_reset"] = capabilityJson(c.forceReset);
     json["servo_gains"] = capabilityJson(c.servoGains);
     json["z_trim"] = capabilityJson(c.zTrim);
     json["temperatures"] = capabilityJson(c.temperatures);

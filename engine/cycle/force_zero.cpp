@@ -37,7 +37,7 @@ void ForceZero::begin(const ForceZeroParams& params) noexcept {
     m_params = params;
     m_moved_N.reset();
     m_anySample = false;
-    m_known = false;
+    m_known = m_taken = false;
     m_doubt_N = 0.0;
     if (!params.signal.zeroInAir) {
         m_state = ForceZeroState::Own;
@@ -53,9 +53,11 @@ void ForceZero::leave() noexcept {
         return;
     }
     keepBefore(true);
-    m_known = false;
-    m_anySample = false;
-    m_state = ForceZeroState::Taking;
+    m_taken = false;
+    if (!m_known) {
+        m_anySample = false;
+        m_state = ForceZeroState::Taking;
+    }
     enter(Phase::Taking, 0);
 }
 
@@ -201,14 +203,14 @@ void ForceZero::takeZero() noexcept {
     const Mean mean = meanOf(kHeldBack, std::min(m_quiet - kHeldBack, kMost));
     const double bound_N =
         kMoveShare * m_params.trust_N + m_params.signal.drift_NPerS * seconds(mean.middle_ns - m_first_ns);
-    if (m_known && std::abs(mean.value_N - m_first_N) > bound_N) {
+    if (m_taken && std::abs(mean.value_N - m_first_N) > bound_N) {
         bite(m_blockTo_ns);
         return;
     }
-    if (!m_known && rises()) {
+    if (!m_taken && rises()) {
         return;
     }
-    if (!m_known) {
+    if (!m_taken) {
         m_first_N = mean.value_N;
         m_first_ns = mean.middle_ns;
         if (m_before && m_before->sameCut) {
@@ -217,7 +219,7 @@ void ForceZero::takeZero() noexcept {
             m_moved_N = mean.value_N - m_before->zero_N;
         }
     }
-    m_known = true;
+    m_known = m_taken = true;
     m_zero_N = mean.value_N;
     m_error_N = mean.error_N;
     m_air_N = mean.deviation_N;

@@ -41,7 +41,7 @@ class ForceZero {
     void begin(const ForceZeroParams& params) noexcept;
     /// Next raw sample in time order.
     [[nodiscard]] FastSample take(const FastSample& raw) noexcept;
-    /// The tool has left the work, as the process knows it: from here on the zero is taken anew.
+    /// The tool has left the work, as the process knows it: the zero is taken anew, until then the old one counts.
     void leave() noexcept;
     /// The cut is over. `inAir`: it ended as programmed, so that the last samples are of a tool in the air.
     void end(bool inAir) noexcept;
@@ -112,6 +112,7 @@ class ForceZero {
     std::int64_t m_blockFrom_ns{0};
     std::int64_t m_blockTo_ns{0};
     bool m_known{false};
+    bool m_taken{false};  ///< … in this stay in the air
     double m_zero_N{0.0};
     double m_first_N{0.0};  ///< the first of this stay in the air
     std::int64_t m_first_ns{0};

@@ -79,27 +79,27 @@
         <name>ForceText</name>
         <message>
             <source>zero being taken</source>
-            <translation type="unfinished" />
+            <translation>영점 잡는 중</translation>
         </message>
         <message>
             <source>zero %1</source>
-            <translation type="unfinished" />
+            <translation>영점 %1</translation>
         </message>
         <message>
             <source>no zero</source>
-            <translation type="unfinished" />
+            <translation>영점 없음</translation>
         </message>
         <message>
             <source>zero doubtful by %1</source>
-            <translation type="unfinished" />
+            <translation>영점 의심 ±%1</translation>
         </message>
         <message>
             <source>bandwidth %1</source>
-            <translation type="unfinished" />
+            <translation>대역폭 %1</translation>
         </message>
         <message>
             <source>bandwidth not stated</source>
-            <translation type="unfinished" />
+            <translation>대역폭 알 수 없음</translation>
         </message>
     </context>
     <context>
@@ -6540,83 +6540,83 @@
         </message>
         <message>
             <source>At %1 rpm this force signal brings %2 values per revolution; 8 are needed.</source>
-            <translation type="unfinished" />
+            <translation>%1 rpm에서 이 힘 신호는 회전당 값이 %2개입니다. 8개가 필요합니다.</translation>
         </message>
         <message>
             <source>Behind the last cut the sensor's zero was not where it was before.</source>
-            <translation type="unfinished" />
+            <translation>지난 절삭 뒤 센서의 영점이 전과 다릅니다.</translation>
         </message>
         <message>
             <source>Check cable and insulation of the sensor: moisture lets its charge leak.</source>
-            <translation type="unfinished" />
+            <translation>센서의 케이블과 절연을 점검하십시오. 습기가 있으면 전하가 샙니다.</translation>
         </message>
         <message>
             <source>Force feedback needs a force of %1 Hz bandwidth; this one has %2 Hz: no trim.</source>
-            <translation type="unfinished" />
+            <translation>힘 피드백에는 대역폭 %1 Hz의 힘 신호가 필요합니다. 이 신호는 %2 Hz이므로 보정하지 않습니다.</translation>
         </message>
         <message>
             <source>In air: the zero of the force is taken.</source>
-            <translation type="unfinished" />
+            <translation>공중: 힘의 영점을 잡습니다.</translation>
         </message>
         <message>
             <source>It may be wrong by %1 N.</source>
-            <translation type="unfinished" />
+            <translation>%1 N까지 틀릴 수 있습니다.</translation>
         </message>
         <message>
             <source>Let the path begin in the air. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
-            <translation type="unfinished" />
+            <translation>경로를 공중에서 시작하십시오. 긴 절삭에서 되풀이되면 센서의 절연을 점검하거나 절삭을 나누십시오.</translation>
         </message>
         <message>
             <source>Let the tool stand in the air before it touches. If it comes back in a long cut: check the sensor's insulation, or divide the cut.</source>
-            <translation type="unfinished" />
+            <translation>공구가 닿기 전에 공중에 두십시오. 긴 절삭에서 되풀이되면 센서의 절연을 점검하거나 절삭을 나누십시오.</translation>
         </message>
         <message>
             <source>The bandwidth of the force signal is not stated: set kerf.force-bandwidth, or force.bandwidth_hz in the machine file.</source>
-            <translation type="unfinished" />
+            <translation>힘 신호의 대역폭이 없습니다. kerf.force-bandwidth 또는 기계 파일의 force.bandwidth_hz를 설정하십시오.</translation>
         </message>
         <message>
             <source>The force counts as unknown: the feed stays, or falls to the planned feed if it was faster. Overload and breakage are not noticed.</source>
-            <translation type="unfinished" />
+            <translation>힘을 모르는 것으로 봅니다. 이송은 그대로이거나, 더 빨랐으면 계획 이송으로 내려갑니다. 과부하와 파손은 알아채지 못합니다.</translation>
         </message>
         <message>
             <source>The force of that cut was wrong by as much at its end. The next cut trusts the zero for a shorter time.</source>
-            <translation type="unfinished" />
+            <translation>그 절삭의 힘은 끝에서 그만큼 틀렸습니다. 다음 절삭은 영점을 더 짧게 믿습니다.</translation>
         </message>
         <message>
             <source>The force sensor does not keep its zero, and it was not taken before this cut, or is too old for its drift.</source>
-            <translation type="unfinished" />
+            <translation>힘 센서가 영점을 유지하지 못하는데, 이 절삭 전에 영점을 잡지 못했거나 드리프트에 비해 너무 오래되었습니다.</translation>
         </message>
         <message>
             <source>The tool was not in the air for long enough before the cut.</source>
-            <translation type="unfinished" />
+            <translation>절삭 전에 공구가 공중에 충분히 오래 있지 않았습니다.</translation>
         </message>
         <message>
             <source>The zero has moved by %1 N in the last cut.</source>
-            <translation type="unfinished" />
+            <translation>지난 절삭에서 영점이 %1 N 이동했습니다.</translation>
         </message>
         <message>
             <source>The zero of the force has drifted</source>
-            <translation type="unfinished" />
+            <translation>힘의 영점이 이동함</translation>
         </message>
         <message>
             <source>The zero of the force may have drifted: no trim in the rest of this part.</source>
-            <translation type="unfinished" />
+            <translation>힘의 영점이 이동했을 수 있어 이 공작물의 나머지는 보정하지 않습니다.</translation>
         </message>
         <message>
             <source>There is no trim in this part, or in the rest of it.</source>
-            <translation type="unfinished" />
+            <translation>이 공작물, 또는 그 나머지에서 보정하지 않습니다.</translation>
         </message>
         <message>
             <source>Zero of the force unknown</source>
-            <translation type="unfinished" />
+            <translation>힘의 영점을 알 수 없음</translation>
         </message>
         <message>
             <source>kerf.force is linked, but sampler.0.pin.6 is not linked to the same signal: take kerf.hal of this version and kerf-force.hal.</source>
-            <translation type="unfinished" />
+            <translation>kerf.force는 연결되었지만 sampler.0.pin.6이 같은 신호에 연결되지 않았습니다. 이 버전의 kerf.hal과 kerf-force.hal을 쓰십시오.</translation>
         </message>
         <message>
             <source>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</source>
-            <translation type="unfinished" />
+            <translation>kerf.force-reset이 연결되지 않아 Kerf가 증폭기를 리셋하지 않습니다.</translation>
         </message>
     </context>
     <context>
@@ -7324,7 +7324,7 @@
         </message>
         <message>
             <source>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</source>
-            <translation type="unfinished" />
+            <translation>게이지가 센서 파일의 깊이 %2에 %1을(를) 보냈지만 이 품종의 깊이는 %3개입니다. 받지 않았습니다.</translation>
         </message>
     </context>
     <context>
@@ -8639,11 +8639,11 @@
         </message>
         <message>
             <source>loop %1 Hz</source>
-            <translation type="unfinished" />
+            <translation>루프 %1 Hz</translation>
         </message>
         <message>
             <source>breakage not seen</source>
-            <translation type="unfinished" />
+            <translation>파손 감지 안 됨</translation>
         </message>
     </context>
     <context>

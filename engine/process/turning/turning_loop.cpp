@@ -282,13 +282,9 @@ void TurningLoop::noteZero(EventSink& events) noexcept {
     events.set(turning_alarm::kZeroUnknown, missed || (zero == ForceZeroState::Doubtful),
                missed ? Sentence(KERF_TEXT("The tool was not in the air for long enough before the cut."))
                       : Sentence(KERF_TEXT("It may be wrong by %1 N."), SentenceArg(m_zero.doubt_N(), 3)));
-    if (zero == ForceZeroState::Taking) {
-        m_zeroNoted = false;
-    } else if (!m_zeroNoted && zero == ForceZeroState::Known) {
-        m_zeroNoted = true;
-        const double moved_N = m_zero.moved_N().value_or(0.0);
-        events.set(turning_alarm::kZeroDrifted, std::abs(moved_N) > kDriftAlarm_N,
-                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(moved_N, 3)));
+    if (const std::optional<double> moved = m_zero.moved_N()) {
+        events.set(turning_alarm::kZeroDrifted, std::abs(*moved) > kDriftAlarm_N,
+                   Sentence(KERF_TEXT("The zero has moved by %1 N."), SentenceArg(*moved, 3)));
     }
 }
 

@@ -88,7 +88,6 @@ class TurningLoop final : public ProcessLoop {
 
     turning::ForceHealth m_health{};
     ForceZero m_zero{};
-    bool m_zeroNoted{false};  ///< of this stay in the air
     turning::SurfaceRecord m_surface{};
     int m_above{0};
     int m_below{0};
