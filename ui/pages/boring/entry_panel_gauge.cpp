@@ -104,10 +104,13 @@ void EntryPanel::takeNextWaiting() {
 
 void EntryPanel::takeGauge(const GaugeReading& reading) {
     constexpr std::size_t kMostWaiting = 16;
-    const auto where = reading.depth     ? reading.depth
-                       : reading.channel ? m_channels.depthOf(*reading.channel)
-                                         : std::nullopt;
-    const bool otherPlace = m_question && (inBurst() || (where && *where != m_question->depth));
+    const auto isElsewhere = [&](std::uint8_t asked) {
+        if (reading.depth) {
+            return *reading.depth != asked;
+        }
+        return reading.channel && m_channels.depthOf(*reading.channel).value_or(asked) != asked;
+    };
+    const bool otherPlace = m_question && (inBurst() || isElsewhere(m_question->depth));
     if (m_pending || otherPlace) {
         if (m_waiting.size() < kMostWaiting) {
             m_waiting.push_back(reading);
