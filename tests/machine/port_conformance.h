@@ -77,8 +77,8 @@ class PortConformance : public QObject {
     void capabilitiesExplainWhatIsMissing() {
         const Capabilities& c = machine().capabilities();
         for (const Capability* capability :
-             {&c.feedScale, &c.forceSensor, &c.forceReset, &c.temperatures, &c.workOffset, &c.gapSensors, &c.toolMotion, &c.servoGains,
-              &c.toolTrim, &c.gauge, &c.cycleStart}) {
+             {&c.feedScale, &c.forceSensor, &c.forceReset, &c.temperatures, &c.workOffset, &c.gapSensors, &c.toolMotion,
+              &c.servoGains, &c.toolTrim, &c.gauge, &c.cycleStart}) {
             QVERIFY(capability->fitted || !capability->why.empty());
         }
         for (const Capability& process : c.process) {

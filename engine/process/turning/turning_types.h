@@ -84,10 +84,10 @@ struct TurningStatus {
     double forceMean_N{0.0};    ///< over the last ~.1 s
     double forceTarget_N{0.0};  ///< P's gain at rest times d0
     double forcePeak_N{0.0};
-    double forceZero_N{0.0};       ///< taken out of the cut
-    ForceSignal signal{};          ///< what the machine brings
+    double forceZero_N{0.0};  ///< taken out of the cut
+    ForceSignal signal{};     ///< what the machine brings
     ForceZeroState zero{ForceZeroState::Own};
-    double zeroDoubt_N{0.0};  ///< how wrong the zero may be by now
+    double zeroDoubt_N{0.0};       ///< how wrong the zero may be by now
     double depth_um{0.0};          ///< d0
     double depthEstimate_um{0.0};  ///< û, mean of ~.1 s
     double trim_um{0.0};           ///< wanted
