@@ -52,8 +52,6 @@ class ConsoleApplication : public QObject {
     /// Null before ready().
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
-    /// Null without a sensor file.
-    [[nodiscard]] const StoredSensorService* sensorService() const noexcept { return m_sensorService.get(); }
     /// @pre the machine bores
     [[nodiscard]] StoredBoringService& boringService() noexcept { return m_lots->service().stored(); }
     /// @pre the machine bores

@@ -29,7 +29,7 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
       m_forceNow(new NumberDisplay(look, "N", kForceDecimals, TextSize::Page, this)),
       m_feedNow(new NumberDisplay(look, "mm/s", kFeedRateDecimals, TextSize::Page, this)),
       m_raw(new QPushButton(this)),
-      m_signal(makeLabel(TextRole::Dim, this)),
+      m_signal(makeLabel(TextRole::Dim, this, true)),
       m_rawCurve(m_force->addCurve({Token::Past, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Thin})),
       m_average(m_force->addCurve({Token::Measured, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Normal})),
       m_wanted(m_feed->addCurve({Token::Wanted, Chart::Kind::Dashed, Chart::Marker::Disc, Stroke::Normal})),
@@ -41,7 +41,6 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
     m_feedNow->setObjectName(QStringLiteral("millingFeed"));
     m_raw->setObjectName(QStringLiteral("millingRawForce"));
     m_signal->setObjectName(QStringLiteral("millingForceSignal"));
-    header()->addWidget(m_signal);
     m_raw->setCheckable(true);
     m_raw->setFocusPolicy(Qt::TabFocus);
     m_forceNow->setWidest(kWidestForce_N);
@@ -65,6 +64,8 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
     m_grid->setRowStretch(0, 3);
     m_grid->setRowStretch(1, 2);
     body()->addLayout(m_grid, 1);
+    body()->addWidget(m_signal);
+    m_signal->hide();
     connect(m_raw, &QPushButton::toggled, this, [this](bool on) {
         if (!on) {
             m_force->setPoints(m_rawCurve, {});
@@ -158,6 +159,7 @@ void MillingLivePanel::showSignal(const MillingStatus& milling) {
         text += QStringLiteral(", ") + tr("breakage not seen");
     }
     m_signal->setText(text);
+    m_signal->setVisible(!text.isEmpty());
 }
 
 void MillingLivePanel::addSamples(std::span<const Sample> samples, bool blind) {

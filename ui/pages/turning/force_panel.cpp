@@ -28,6 +28,7 @@ ForcePanel::ForcePanel(Look& look, QWidget* parent)
       m_depth(new LivePlot(look, kWindow_s, m_depthCard)),
       m_forceNow(makeLabel(TextRole::Body, m_forceCard)),
       m_depthNow(makeLabel(TextRole::Body, m_depthCard)),
+      m_signal(makeLabel(TextRole::Dim, m_forceCard, true)),
       m_swing(m_force->addCurve({Token::Past, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Normal})),
       m_mean(m_force->addCurve({Token::Measured, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Bold})),
       m_estimate(m_depth->addCurve({Token::Predicted, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Bold})) {
@@ -45,6 +46,9 @@ ForcePanel::ForcePanel(Look& look, QWidget* parent)
         plot->setLowTitles(true);
         card->body()->addWidget(plot, 1);
     }
+    m_signal->setObjectName(QStringLiteral("turningForceSignal"));
+    m_forceCard->body()->addWidget(m_signal);
+    m_signal->hide();
     retranslate();
 }
 
@@ -110,11 +114,12 @@ void ForcePanel::setStatus(const Status& status) {
     if (m_lastText_s < 0.0 || std::abs(now_s - m_lastText_s) >= kTextPeriod_s) {
         m_lastText_s = now_s;
         const UnitSystem& units = m_look.units();
-        const QString now = inCut ? tr("mean %1").arg(units.withUnit(turning.forceMean_N, "N", kForceDecimals))
-                                  : stageName(turning.stage);
+        m_forceNow->setText(inCut ? tr("mean %1").arg(units.withUnit(turning.forceMean_N, "N", kForceDecimals))
+                                  : stageName(turning.stage));
         const QString signal = forceSignalText({turning.signal, turning.zero, turning.forceZero_N, turning.zeroDoubt_N},
                                                units, kForceDecimals);
-        m_forceNow->setText(signal.isEmpty() ? now : signal + QStringLiteral("; ") + now);
+        m_signal->setText(signal);
+        m_signal->setVisible(!signal.isEmpty());
         m_depthNow->setText(inCut ? units.withUnit(turning.depthEstimate_um, "um", kDepthDecimals) : QString());
     }
 }

@@ -30,6 +30,7 @@ class ForcePanel : public QWidget {
     LivePlot* m_depth;
     QLabel* m_forceNow;
     QLabel* m_depthNow;
+    QLabel* m_signal;
     Chart::CurveId m_swing;
     Chart::CurveId m_mean;
     Chart::CurveId m_estimate;
