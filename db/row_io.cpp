@@ -21,10 +21,6 @@ const char* kindKey(MeasurementKind kind) {
     return "void";
 }
 
-const char* sourceKey(MeasurementSource source) {
-    return source == MeasurementSource::Gauge ? "gauge" : "keypad";
-}
-
 ProcessId processOfKey(const std::string& key) {
     for (const ProcessId id : kAllProcesses) {
         if (key == processKey(id)) {
@@ -46,7 +42,12 @@ MeasurementRow readMeasurement(const Statement& row) {
     m.station = static_cast<std::uint8_t>(row.integer(4));
     m.position_mm = row.real(5);
     m.diameter_mm = row.maybeReal(6);
-    m.source = row.text(7) == "gauge" ? MeasurementSource::Gauge : MeasurementSource::Keypad;
+    // Before the sources had a table of their own only keypad or gauge was kept.
+    const std::string source = row.isNull(12) ? row.text(7) : row.text(12);
+    m.source = source == "gauge"  ? MeasurementSource::Gauge
+               : source == "file" ? MeasurementSource::File
+                                  : MeasurementSource::Keypad;
+    m.sourceName = row.text(13);
     m.confirmed = row.integer(8) != 0;
     m.author = row.text(9);
     m.reason = row.text(10);

@@ -12,12 +12,15 @@
 namespace kerf::db {
 
 [[nodiscard]] const char* kindKey(MeasurementKind kind);
-[[nodiscard]] const char* sourceKey(MeasurementSource source);
 [[nodiscard]] ProcessId processOfKey(const std::string& key);
 
 inline constexpr const char* kMeasurementColumns =
     "m.id, m.part_id, m.kind, m.replaces_id, m.station, m.position_mm, m.diameter_mm, m.source, m.confirmed, m.author, "
-    "m.reason, m.accepted_utc_ms";
+    "m.reason, m.accepted_utc_ms, "
+    "(SELECT w.source FROM measurement_sources w WHERE w.measurement_id = m.id), "
+    "(SELECT w.name FROM measurement_sources w WHERE w.measurement_id = m.id)";
+/// How many they are: what a query asks for behind them begins there.
+inline constexpr int kMeasurementColumnCount = 14;
 [[nodiscard]] MeasurementRow readMeasurement(const Statement& row);
 
 inline constexpr const char* kStateColumns =

@@ -5,11 +5,14 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QStorageInfo>
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #include "app/console/logging.h"
 #include "app/console/part_report.h"
@@ -17,6 +20,7 @@
 #include "app/files/replay_file.h"
 #include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
+#include "app/service/boring/bore_file.h"
 #include "app/service/quality/part_judge.h"
 #include "db/migrator.h"
 #include "engine/cycle/machine_alarms.h"
@@ -124,7 +128,7 @@ ui::Services ConsoleApplication::services() {
         m_quality = std::make_unique<QualityDesk>(
             QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
                                [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
-                               [this](AlarmCode code) { return m_engine->alarmSpec(code); }});
+                               [this](AlarmCode code) { return m_engine->alarmSpec(code); }, rights()});
     }
     services.qualityService = &m_quality->service();
     services.shop = [this]() -> std::optional<ui::ShopView> { return m_shop ? m_shop->view() : std::nullopt; };
@@ -152,6 +156,40 @@ void ConsoleApplication::serveShift(ui::Services& services) {
     }
     services.shiftService = m_shiftDesk.get();
 }
+
+namespace {
+
+/// On removable drives, also those that cannot be written, among the documents and in `also`; one folder deep, newest
+/// first.
+QStringList filesOf(const QString& ending, const QString& also) {
+    QStringList roots{QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                      QStandardPaths::writableLocation(QStandardPaths::DownloadLocation), also};
+    for (const QStorageInfo& drive : QStorageInfo::mountedVolumes()) {
+        const QString root = drive.rootPath();
+        if (drive.isReady() && (root.startsWith(QLatin1String("/media/")) || root.startsWith(QLatin1String("/mnt/")) ||
+                                root.startsWith(QLatin1String("/run/media/")))) {
+            roots.prepend(root);
+        }
+    }
+    roots.removeDuplicates();
+    QFileInfoList found;
+    const QStringList names{QStringLiteral("*.") + ending};
+    for (const QString& root : roots) {
+        const QDir folder(root);
+        found << folder.entryInfoList(names, QDir::Files | QDir::Readable, QDir::Time);
+        for (const QString& inside : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name).mid(0, 50)) {
+            found << QDir(folder.filePath(inside)).entryInfoList(names, QDir::Files | QDir::Readable, QDir::Time);
+        }
+    }
+    std::ranges::stable_sort(found, std::greater{}, [](const QFileInfo& info) { return info.lastModified(); });
+    QStringList files;
+    for (const QFileInfo& info : found.mid(0, 50)) {
+        files << info.absoluteFilePath();
+    }
+    return files;
+}
+
+}  // namespace
 
 void ConsoleApplication::serveFiles(ui::Services& services) {
     using Done = ui::Services::Done;
@@ -192,23 +230,22 @@ void ConsoleApplication::serveFiles(ui::Services& services) {
         folders << QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         return folders;
     };
-    services.filesThere = [this, folders = services.backupFolders](const QString& ending) {
-        QFileInfoList found;
-        QStringList places = folders();
-        places << QFileInfo(QString::fromStdString(m_databasePath)).absoluteDir().filePath(QStringLiteral("backups"));
-        for (const QString& folder : places) {
-            found += QDir(folder).entryInfoList({QStringLiteral("*.") + ending}, QDir::Files);
-        }
-        std::ranges::sort(found,
-                          [](const QFileInfo& a, const QFileInfo& b) { return a.lastModified() > b.lastModified(); });
-        QStringList names;
-        for (const QFileInfo& info : found) {
-            names << info.absoluteFilePath();
-        }
-        return names;
+    services.filesThere = [data =
+                               QFileInfo(QString::fromStdString(m_databasePath)).absoluteDir()](const QString& ending) {
+        return filesOf(ending, data.filePath(QStringLiteral("backups")));
     };
     services.restore = [this](const QString& file, const QString& who, const QString& reason, const Done& done) {
         m_keeper->restore(file.toStdString(), who.toStdString(), reason.toStdString(), done);
+    };
+    services.readBores = [this](const QString& file, const std::function<void(const ReadBores&)>& done) {
+        const auto read = std::make_shared<ReadBores>();
+        m_background.run(
+            [file, read]() -> Result<void> {
+                *read = readBores(QFile::encodeName(file).toStdString());
+                read->file = QFileInfo(file).fileName().toStdString();
+                return {};
+            },
+            [read, done](const Result<void>&) { done(*read); });
     };
     services.backUp = [this](const QString& file, const Done& done) {
         m_background.run(

@@ -332,6 +332,19 @@ void drawGauges(ReportSheet& sheet, const QualityLot& lot, const LotPapers& pape
                        (gauge.sigma_mm ? QStringLiteral(", σ ") + units.withUnit(*gauge.sigma_mm, "mm", 4) : QString()),
                    5.0);
     }
+    QStringList sources;
+    for (const PartGroup& group : lot.quality.groups) {
+        if (group.by == PartGroup::By::Source) {
+            std::size_t values = 0;
+            for (const quality::Capability& capability : group.capability) {
+                values += capability.count;
+            }
+            sources << LotReport::tr("%1: %2", "where from, how many").arg(ui::groupName(group)).arg(values);
+        }
+    }
+    if (!sources.isEmpty()) {
+        sheet.line(LotReport::tr("Values: %1").arg(sources.join(QStringLiteral("; "))), 5.0);
+    }
     if (lot.quality.gaugeSigma_mm > 0.0) {
         sheet.line(LotReport::tr("σ of the estimator: %1").arg(units.withUnit(lot.quality.gaugeSigma_mm, "mm", 4)),
                    5.0);

@@ -100,10 +100,10 @@ QString whatHappened(const MeasurementRow& row) {
     QString what;
     switch (row.kind) {
         case MeasurementKind::Entry:
-            what = row.source == MeasurementSource::Gauge ? PartReport::tr("gauge") : PartReport::tr("typed");
+            what = ui::sourceText(row.source, row.sourceName);
             break;
         case MeasurementKind::Correction:
-            what = PartReport::tr("correction");
+            what = PartReport::tr("correction") + QStringLiteral(", ") + ui::sourceText(row.source, row.sourceName);
             break;
         case MeasurementKind::Void:
             what = PartReport::tr("taken out");

@@ -16,7 +16,7 @@ constexpr int kPollsBetweenLooks = 5;  // of the console's 200 ms
 
 QualityDesk::QualityDesk(Links links) : m_links(std::move(links)) {
     StoredQualityService::Links service{
-        m_links.writer, m_links.reader, m_links.reader, m_links.reader, m_links.databasePath, {}, {}};
+        m_links.writer, m_links.reader, m_links.reader, m_links.reader, m_links.databasePath, {}, {}, m_links.rights};
     service.background = [this](Background::Work work, Background::Done done) {
         m_links.background.run(std::move(work), std::move(done));
     };

@@ -29,6 +29,7 @@ class QualityDesk {
         const ui::Look& look;
         std::function<void(const AlarmEvent&)> raise{};       ///< called only after start()
         std::function<const AlarmSpec*(AlarmCode)> specOf{};  ///< texts of alarms, any thread
+        Rights rights{};
     };
     explicit QualityDesk(Links links);
 

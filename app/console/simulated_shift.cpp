@@ -8,6 +8,8 @@
 namespace kerf::console {
 namespace {
 
+constexpr const char* kGauge = "simulated";
+
 template <class Action>
 Command commandOf(const Action& action) {
     Command command;
@@ -72,6 +74,7 @@ void SimulatedShift::enterWhatTheGaugeShows() {
     entry.diameter_mm = *reading_mm;
     entry.author = kAuthor;
     entry.fromGauge = true;
+    entry.gauge = kGauge;
     entry.confirmed = true;  // the gauge is read again and again until it is believed
     m_entering = true;
     m_service->enter(entry, [this](const Result<void>& result) {

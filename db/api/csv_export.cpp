@@ -46,10 +46,6 @@ const char* kindName(MeasurementKind kind) {
     return "void";
 }
 
-const char* sourceName(MeasurementSource source) {
-    return source == MeasurementSource::Gauge ? "gauge" : "keypad";
-}
-
 /// Counts lines and hands over page by page.
 class Lines {
  public:
@@ -181,7 +177,7 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
                                   const CsvFormat& format, const VerdictOf& verdictOf) {
     Lines lines(
         "part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,position_mm,diameter_mm,"
-        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict",
+        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict,source_name",
         ",ended_local,accepted_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const double cutting_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerSecond;
@@ -192,13 +188,13 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
         const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
         for (const MeasurementRow& row : effective) {
             const ExportedVerdict verdict = judged(verdictOf, part, "bore_" + std::to_string(row.station));
-            add(row.station, row.position_mm, row.diameter_mm, sourceName(row.source), row.author,
+            add(row.station, row.position_mm, row.diameter_mm, sourceKey(row.source), row.author,
                 isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction, verdict.lower, verdict.upper,
-                verdict.value, verdict.part);
+                verdict.value, verdict.part, row.sourceName);
             lines.end({part.endedUtc_ms, row.acceptedUtc_ms});
         }
         if (effective.empty()) {
-            add("", "", "", "", "", "", "", "", "", "", judged(verdictOf, part, {}).part);
+            add("", "", "", "", "", "", "", "", "", "", judged(verdictOf, part, {}).part, "");
             lines.end({part.endedUtc_ms, std::nullopt});
         }
         return {};
@@ -207,7 +203,7 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
 
 Result<std::uint64_t> exportBores(PartReader& reader, const PartQuery& query, const FeedAt& feedAt, const CsvSink& sink,
                                   const CsvFormat& format) {
-    Lines lines("part,overhang_mm,feed_mm_per_rev,diameter_mm,lot", "", sink, format);
+    Lines lines("part,overhang_mm,feed_mm_per_rev,diameter_mm,lot,source,source_name", "", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
         if (effective.empty()) {
@@ -220,7 +216,8 @@ Result<std::uint64_t> exportBores(PartReader& reader, const PartQuery& query, co
         for (const MeasurementRow& row : effective) {
             const auto feed_mmPerRev = *detail ? feedAt(**detail, row.position_mm) : std::nullopt;
             if (feed_mmPerRev && row.diameter_mm) {
-                lines.add(part.number, row.position_mm, *feed_mmPerRev, *row.diameter_mm, part.lotName);
+                lines.add(part.number, row.position_mm, *feed_mmPerRev, *row.diameter_mm, part.lotName,
+                          sourceKey(row.source), row.sourceName);
                 lines.end();
             }
         }
@@ -232,14 +229,14 @@ Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& qu
                                          const CsvFormat& format) {
     Lines lines(
         "part_id,part_type,lot,number,measurement_id,kind,replaces_id,station,position_mm,diameter_mm,source,confirmed,"
-        "author,reason,accepted_utc",
+        "author,reason,accepted_utc,source_name",
         ",accepted_local", sink, format);
     return eachPart(reader, query, lines, [&lines](const PartRow& part) -> Result<void> {
         for (const MeasurementRow& row : part.measurements) {
             lines.add(part.id, part.partTypeName, part.lotName, part.number, row.id, kindName(row.kind),
                       row.replaces ? std::to_string(*row.replaces) : std::string(), row.station, row.position_mm,
-                      row.diameter_mm, sourceName(row.source), row.confirmed, row.author, row.reason,
-                      isoTime(row.acceptedUtc_ms));
+                      row.diameter_mm, sourceKey(row.source), row.confirmed, row.author, row.reason,
+                      isoTime(row.acceptedUtc_ms), row.sourceName);
             lines.end({row.acceptedUtc_ms});
         }
         return {};

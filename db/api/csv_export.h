@@ -40,20 +40,20 @@ using VerdictOf = std::function<ExportedVerdict(const PartRow&, std::string_view
 
 /// One row per part and station with what holds now: part_id, process, part_type, lot, number, serial, complete,
 /// ended_utc, cutting_time_s, station, position_mm, diameter_mm, source, author, accepted_utc, corrected, lower_mm,
-/// upper_mm, verdict, part_verdict. A part without a measurement has one row with empty fields from station on. Gives
-/// the number of rows; `query`'s paging is ignored.
+/// upper_mm, verdict, part_verdict, source_name (which gauge, which file). A part without a measurement has one row
+/// with empty fields from station on. Gives the number of rows; `query`'s paging is ignored.
 [[nodiscard]] Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                                 const CsvFormat& format = {}, const VerdictOf& verdictOf = {});
 
 /// What `kerf boring replay` reads: part (its number in the lot), overhang_mm, feed_mm_per_rev (really cut there),
-/// diameter_mm, lot; one row per bore that holds, in the order of parts. `feedAt` is the law's: feed of a part at an
-/// overhang, empty when it is not known (the row is then left out).
+/// diameter_mm, lot, source, source_name; one row per bore that holds, in the order of parts. `feedAt` is the law's:
+/// feed of a part at an overhang, empty when it is not known (the row is then left out).
 using FeedAt = std::function<std::optional<double>(const PartDetail&, double overhang_mm)>;
 [[nodiscard]] Result<std::uint64_t> exportBores(PartReader& reader, const PartQuery& query, const FeedAt& feedAt,
                                                 const CsvSink& sink, const CsvFormat& format = {});
 
 /// Every accepted row, corrections and voids too: part_id, part_type, lot, number, measurement_id, kind, replaces_id,
-/// station, position_mm, diameter_mm, source, confirmed, author, reason, accepted_utc.
+/// station, position_mm, diameter_mm, source, confirmed, author, reason, accepted_utc, source_name.
 [[nodiscard]] Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                                        const CsvFormat& format = {});
 

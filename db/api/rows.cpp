@@ -5,6 +5,18 @@
 
 namespace kerf {
 
+const char* sourceKey(MeasurementSource source) noexcept {
+    switch (source) {
+        case MeasurementSource::Keypad:
+            return "keypad";
+        case MeasurementSource::Gauge:
+            return "gauge";
+        case MeasurementSource::File:
+            break;
+    }
+    return "file";
+}
+
 std::vector<MeasurementRow> effectiveMeasurements(const std::vector<MeasurementRow>& rows) {
     std::vector<MeasurementRow> effective;
     // place[i]: where in `effective` the chain that row i belongs to sits; the rows are in order of acceptance, so a

@@ -82,7 +82,9 @@ enum class MeasurementKind : std::uint8_t {
     Correction,  ///< takes the place of the row it replaces
     Void,        ///< takes the row it replaces out of the account
 };
-enum class MeasurementSource : std::uint8_t { Keypad, Gauge };
+enum class MeasurementSource : std::uint8_t { Keypad, Gauge, File };
+/// "keypad", "gauge", "file".
+[[nodiscard]] const char* sourceKey(MeasurementSource source) noexcept;
 
 /// One accepted row; the id rises in the order of acceptance. Rows are never changed or deleted.
 struct MeasurementRow {
@@ -94,9 +96,10 @@ struct MeasurementRow {
     double position_mm{0.0};                  ///< where it was measured (boring: overhang L)
     std::optional<double> diameter_mm{};      ///< empty only in a Void
     MeasurementSource source{MeasurementSource::Keypad};
-    bool confirmed{false};  ///< the operator confirmed an implausible value
-    std::string author{};   ///< never empty
-    std::string reason{};   ///< never empty in a Correction or Void
+    std::string sourceName{};  ///< which gauge, which file; empty: not known, or the keypad
+    bool confirmed{false};     ///< the operator confirmed an implausible value
+    std::string author{};      ///< never empty
+    std::string reason{};      ///< never empty in a Correction or Void
     std::int64_t acceptedUtc_ms{0};
 };
 

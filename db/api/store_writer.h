@@ -85,6 +85,11 @@ struct AcceptMeasurement {
     std::vector<EstimatorStateRow> states{};
     std::optional<ScheduleRow> nextSchedule{};
 };
+/// Many at once, in their order, all or none. In a state a measurement −k means the k-th of this command. Receipt: id
+/// of the first, second = how many; their ids follow one another.
+struct AcceptMeasurements {
+    std::vector<AcceptMeasurement> measurements{};
+};
 /// Keep a proposed schedule (found again by lot, revision and values when the part comes). Receipt: id.
 struct StoreSchedule {
     ScheduleRow schedule{};
@@ -161,10 +166,11 @@ struct NoteWrongPin {
     std::int64_t last_utc_ms{0};
 };
 
-using StoreCommand = std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot,
-                                  SetActiveLot, AddPart, SetPartSerial, AcceptMeasurement, StoreSchedule,
-                                  AcceptSchedule, RaiseAlarm, ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm,
-                                  ChangeSetting, AddAudit, AddRoomRecord, SaveAccount, RemoveAccount, NoteWrongPin>;
+using StoreCommand =
+    std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot, SetActiveLot, AddPart,
+                 SetPartSerial, AcceptMeasurement, AcceptMeasurements, StoreSchedule, AcceptSchedule, RaiseAlarm,
+                 ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit, AddRoomRecord,
+                 SaveAccount, RemoveAccount, NoteWrongPin>;
 
 /// What a command has made; each command says what it puts here.
 struct Receipt {

@@ -56,6 +56,7 @@ const std::vector<FollowedTable>& followedTables() {
         {"part_results", "part_id", ""},
         {"feed_traces", "part_id", ""},
         {"measurements", "id", ""},
+        {"measurement_sources", "measurement_id", ""},
         {"estimator_states", "id", ""},
         {"alarms", "id", ""},
         {"settings", "key", "key <> 'operators'"},

@@ -53,12 +53,13 @@ void appendAudit(const QSqlDatabase& database, AuditRow row) {
         .run();
 }
 
-std::string measurementText(const MeasurementRow& row) {
+std::string measurementText(const MeasurementRow& row, bool withSource) {
     return fmt::format("part={};station={};position_mm={:.17g};diameter_mm={};replaces={};source={};confirmed={};at={}",
                        row.part, row.station, row.position_mm,
                        row.diameter_mm ? fmt::format("{:.17g}", *row.diameter_mm) : std::string("void"),
                        row.replaces ? std::to_string(*row.replaces) : std::string("-"), sourceKey(row.source),
-                       row.confirmed ? 1 : 0, row.acceptedUtc_ms);
+                       row.confirmed ? 1 : 0, row.acceptedUtc_ms) +
+           (withSource ? ";from=" + row.sourceName : std::string());
 }
 
 }  // namespace kerf::db

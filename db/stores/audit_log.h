@@ -17,8 +17,9 @@ namespace kerf::db {
 /// @throws SqlFailure, also when the author is empty.
 void appendAudit(const QSqlDatabase& database, AuditRow row);
 
-/// What the audit log says about a measurement when it is accepted; compared again by verifyAudit().
-[[nodiscard]] std::string measurementText(const MeasurementRow& row);
+/// What the audit log says about a measurement when it is accepted; compared again by verifyAudit(). `withSource`: its
+/// source is kept in full (measurement_sources), which those accepted before version 5 have not.
+[[nodiscard]] std::string measurementText(const MeasurementRow& row, bool withSource = true);
 
 /// What the audit log says about a room record: its subject and the hash of its body.
 [[nodiscard]] std::string roomRecordText(const std::string& subject, const std::string& body);

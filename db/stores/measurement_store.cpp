@@ -35,7 +35,7 @@ MeasurementRow replacedBy(const QSqlDatabase& database, const MeasurementRow& ro
     if (!find.bind(row.replaces.value_or(0)).run().next()) {
         refuse(KERF_TEXT("The measurement to be replaced is not stored."));
     }
-    if (find.integer(12) > 0) {
+    if (find.integer(kMeasurementColumnCount) > 0) {
         refuse(KERF_TEXT("This measurement was replaced meanwhile: look at the newest value first."));
     }
     return readMeasurement(find);
@@ -57,9 +57,9 @@ void insertState(const QSqlDatabase& database, const EstimatorStateRow& state, L
     insert.bind(state.perturbed).bind(state.stateJson).run();
 }
 
-}  // namespace
-
-Receipt Store::run(const AcceptMeasurement& command) {
+/// `before`: what the same command has stored already.
+MeasurementId accept(const QSqlDatabase& database, const AcceptMeasurement& command,
+                     const std::vector<MeasurementId>& before) {
     MeasurementRow row = command.measurement;
     if (row.author.empty()) {
         refuse(KERF_TEXT("Sign on first: a measurement needs a name."));
@@ -70,15 +70,18 @@ Receipt Store::run(const AcceptMeasurement& command) {
     if (row.diameter_mm && !(std::isfinite(*row.diameter_mm) && *row.diameter_mm > 0.0)) {
         refuse(KERF_TEXT("A diameter is a number above zero."));
     }
-    std::string before;
+    if (row.source == MeasurementSource::File && row.sourceName.empty()) {
+        refuse(KERF_TEXT("A value from a file needs the file's name."));
+    }
+    std::string replaced;
     if (row.kind != MeasurementKind::Entry) {
-        const MeasurementRow old = replacedBy(m_database, row);
+        const MeasurementRow old = replacedBy(database, row);
         row.part = old.part;
         row.station = old.station;
         row.position_mm = old.position_mm;
-        before = measurementText(old);
+        replaced = measurementText(old);
     }
-    Statement part(m_database, "SELECT lot_id FROM parts WHERE id = ?");
+    Statement part(database, "SELECT lot_id FROM parts WHERE id = ?");
     if (!part.bind(row.part).run().next()) {
         refuse(KERF_TEXT("The part of this measurement is not stored."));
     }
@@ -87,7 +90,7 @@ Receipt Store::run(const AcceptMeasurement& command) {
         refuse(KERF_TEXT("The part belongs to no lot: no estimator can learn from it."));
     }
     row.acceptedUtc_ms = utcNow_ms();
-    Statement insert(m_database,
+    Statement insert(database,
                      "INSERT INTO measurements (part_id, kind, replaces_id, station, position_mm, diameter_mm, source, "
                      "confirmed, author, reason, accepted_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(row.part)
@@ -96,27 +99,54 @@ Receipt Store::run(const AcceptMeasurement& command) {
         .bind(static_cast<std::int64_t>(row.station))
         .bind(row.position_mm)
         .bind(row.diameter_mm)
-        .bind(sourceKey(row.source))
+        .bind(row.source == MeasurementSource::Gauge ? "gauge" : "keypad")  // all that this column takes
         .bind(row.confirmed)
         .bind(row.author)
         .bind(row.reason)
         .bind(row.acceptedUtc_ms)
         .run();
     row.id = insert.lastId();
+    Statement(database, "INSERT INTO measurement_sources (measurement_id, source, name) VALUES (?, ?, ?)")
+        .bind(row.id)
+        .bind(sourceKey(row.source))
+        .bind(row.sourceName)
+        .run();
     for (const EstimatorStateRow& state : command.states) {
-        insertState(m_database, state, *lot, row.id);
+        EstimatorStateRow stored = state;
+        const auto place = static_cast<std::size_t>(-state.measurement);
+        if (state.measurement < 0) {
+            stored.measurement = place <= before.size() ? before[place - 1] : row.id;
+        }
+        insertState(database, stored, *lot, row.id);
     }
     if (command.nextSchedule) {
-        (void)findOrAddSchedule(m_database, *command.nextSchedule);
+        (void)findOrAddSchedule(database, *command.nextSchedule);
     }
-    appendAudit(m_database, {.author = row.author,
-                             .action = actionOf(row.kind),
-                             .object = "measurement",
-                             .objectId = row.id,
-                             .oldValue = before,
-                             .newValue = measurementText(row),
-                             .reason = row.reason});
-    return {row.id};
+    appendAudit(database, {.author = row.author,
+                           .action = actionOf(row.kind),
+                           .object = "measurement",
+                           .objectId = row.id,
+                           .oldValue = replaced,
+                           .newValue = measurementText(row),
+                           .reason = row.reason});
+    return row.id;
+}
+
+}  // namespace
+
+Receipt Store::run(const AcceptMeasurement& command) {
+    return {accept(m_database, command, {})};
+}
+
+Receipt Store::run(const AcceptMeasurements& command) {
+    std::vector<MeasurementId> ids;
+    for (const AcceptMeasurement& one : command.measurements) {
+        ids.push_back(accept(m_database, one, ids));
+        if (ids.back() != ids.front() + static_cast<MeasurementId>(ids.size()) - 1) {
+            refuse(KERF_TEXT("The data file numbers its measurements with gaps."));
+        }
+    }
+    return {ids.empty() ? 0 : ids.front(), static_cast<std::int64_t>(ids.size())};
 }
 
 }  // namespace kerf::db

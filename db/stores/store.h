@@ -38,6 +38,7 @@ class Store {
     Receipt run(const AddPart& command);
     Receipt run(const SetPartSerial& command);
     Receipt run(const AcceptMeasurement& command);
+    Receipt run(const AcceptMeasurements& command);
     Receipt run(const StoreSchedule& command);
     Receipt run(const AcceptSchedule& command);
     Receipt run(const RaiseAlarm& command);

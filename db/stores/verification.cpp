@@ -72,7 +72,9 @@ void verifyMeasurements(const QSqlDatabase& database, AuditVerdict& verdict) {
     while (pairs.next()) {
         const MeasurementRow row = readMeasurement(pairs);
         ++verdict.measurements;
-        if (pairs.isNull(13) || pairs.text(13) != measurementText(row) || pairs.text(12) != row.author) {
+        if (pairs.isNull(kMeasurementColumnCount + 1) ||
+            pairs.text(kMeasurementColumnCount + 1) != measurementText(row, !pairs.isNull(12)) ||
+            pairs.text(kMeasurementColumnCount) != row.author) {
             throw Broken{row.id,
                          Sentence(KERF_TEXT("Measurement %1 differs from what was logged when it was accepted."),
                                   number(row.id))};

@@ -1231,6 +1231,15 @@
             <source>Kerf %1, written %2. The data is attached as DFQ and CSV.</source>
             <translation>Kerf %1, written %2. The data is attached as DFQ and CSV.</translation>
         </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>where from, how many</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Values: %1</source>
+            <translation>Values: %1</translation>
+        </message>
     </context>
     <context>
         <name>Milling</name>
@@ -1478,14 +1487,6 @@
             <translation>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</translation>
         </message>
         <message>
-            <source>gauge</source>
-            <translation>gauge</translation>
-        </message>
-        <message>
-            <source>typed</source>
-            <translation>typed</translation>
-        </message>
-        <message>
             <source>correction</source>
             <translation>correction</translation>
         </message>
@@ -1691,6 +1692,18 @@
         <message>
             <source>typed on the keypad</source>
             <translation>typed on the keypad</translation>
+        </message>
+        <message>
+            <source>read from gauge %1</source>
+            <translation>read from gauge %1</translation>
+        </message>
+        <message>
+            <source>from file %1</source>
+            <translation>from file %1</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>lot %1</translation>
         </message>
     </context>
     <context>
@@ -2179,6 +2192,25 @@
             <source>Last contact %1.</source>
             <comment>an age</comment>
             <translation>Last contact %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>SourceTexts</name>
+        <message>
+            <source>typed</source>
+            <translation>typed</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>gauge</translation>
+        </message>
+        <message>
+            <source>gauge %1</source>
+            <translation>gauge %1</translation>
+        </message>
+        <message>
+            <source>file %1</source>
+            <translation>file %1</translation>
         </message>
     </context>
     <context>
@@ -6623,6 +6655,74 @@
             <source>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</source>
             <translation>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</translation>
         </message>
+        <message>
+            <source>A value from a file needs the file's name.</source>
+            <translation>A value from a file needs the file's name.</translation>
+        </message>
+        <message>
+            <source>Change the register of gauges</source>
+            <translation>Change the register of gauges</translation>
+        </message>
+        <message>
+            <source>Keep the study of a gauge</source>
+            <translation>Keep the study of a gauge</translation>
+        </message>
+        <message>
+            <source>Part %1 has %2 mm here already; correct that one instead.</source>
+            <translation>Part %1 has %2 mm here already; correct that one instead.</translation>
+        </message>
+        <message>
+            <source>Part %1 is not in this lot.</source>
+            <translation>Part %1 is not in this lot.</translation>
+        </message>
+        <message>
+            <source>Part %1 is not measured at %2 mm.</source>
+            <translation>Part %1 is not measured at %2 mm.</translation>
+        </message>
+        <message>
+            <source>Part %1 stands in the file twice, with %2 mm and %3 mm.</source>
+            <translation>Part %1 stands in the file twice, with %2 mm and %3 mm.</translation>
+        </message>
+        <message>
+            <source>Say what was done with a part out of tolerance</source>
+            <translation>Say what was done with a part out of tolerance</translation>
+        </message>
+        <message>
+            <source>Set the limits of figures</source>
+            <translation>Set the limits of figures</translation>
+        </message>
+        <message>
+            <source>Set where Q-DAS files appear</source>
+            <translation>Set where Q-DAS files appear</translation>
+        </message>
+        <message>
+            <source>The data file numbers its measurements with gaps.</source>
+            <translation>The data file numbers its measurements with gaps.</translation>
+        </message>
+        <message>
+            <source>The file holds no diameter that is not stored already.</source>
+            <translation>The file holds no diameter that is not stored already.</translation>
+        </message>
+        <message>
+            <source>The file says nowhere at which depth this is: a column overhang_mm is missing.</source>
+            <translation>The file says nowhere at which depth this is: a column overhang_mm is missing.</translation>
+        </message>
+        <message>
+            <source>This console takes no files of diameters.</source>
+            <translation>This console takes no files of diameters.</translation>
+        </message>
+        <message>
+            <source>%1 lots one after the other, %2 parts on the charts, %3 signals.</source>
+            <translation>%1 lots one after the other, %2 parts on the charts, %3 signals.</translation>
+        </message>
+        <message>
+            <source>Choose one lot: a report and its files are of one.</source>
+            <translation>Choose one lot: a report and its files are of one.</translation>
+        </message>
+        <message>
+            <source>The lots have no parts yet.</source>
+            <translation>The lots have no parts yet.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -6901,24 +7001,40 @@
             <translation>The gauge sent %1 a while ago: left out, measure again.</translation>
         </message>
         <message>
-            <source>Gauge channels</source>
-            <translation>Gauge channels</translation>
-        </message>
-        <message>
-            <source>Which channel of the gauge's switch measures at which depth.</source>
-            <translation>Which channel of the gauge's switch measures at which depth.</translation>
-        </message>
-        <message>
             <source>Channel %1</source>
             <translation>Channel %1</translation>
         </message>
         <message>
-            <source>Learn them anew</source>
-            <translation>Learn them anew</translation>
-        </message>
-        <message>
             <source>Gauge %1 is overdue since %2: have it checked before you rely on it.</source>
             <translation>Gauge %1 is overdue since %2: have it checked before you rely on it.</translation>
+        </message>
+        <message>
+            <source>From a file</source>
+            <translation>From a file</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>Gauges</translation>
+        </message>
+        <message>
+            <source>Which gauge sends the readings: it is kept with each value. Which channel of a gauge's switch measures at which depth.</source>
+            <translation>Which gauge sends the readings: it is kept with each value. Which channel of a gauge's switch measures at which depth.</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>Gauge</translation>
+        </message>
+        <message>
+            <source>not said</source>
+            <translation>not said</translation>
+        </message>
+        <message>
+            <source>Gauge at hand</source>
+            <translation>Gauge at hand</translation>
+        </message>
+        <message>
+            <source>Learn the channels anew</source>
+            <translation>Learn the channels anew</translation>
         </message>
     </context>
     <context>
@@ -7331,6 +7447,10 @@
         <message>
             <source>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</source>
             <translation>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</translation>
+        </message>
+        <message>
+            <source>Which gauge?</source>
+            <translation>Which gauge?</translation>
         </message>
     </context>
     <context>
@@ -7847,6 +7967,101 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ImportForm</name>
+        <message>
+            <source>Cancel</source>
+            <translation>Cancel</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>being read</translation>
+        </message>
+        <message>
+            <source>choose a file first</source>
+            <translation>choose a file first</translation>
+        </message>
+        <message>
+            <source>Diameters from a file</source>
+            <translation>Diameters from a file</translation>
+        </message>
+        <message>
+            <source>A table with the columns part, overhang and diameter, in any order and spelling. Nothing is taken before you have seen what it would do.</source>
+            <translation>A table with the columns part, overhang and diameter, in any order and spelling. Nothing is taken before you have seen what it would do.</translation>
+        </message>
+        <message>
+            <source>or the file's path</source>
+            <translation>or the file's path</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>File</translation>
+        </message>
+        <message>
+            <source>Look into it</source>
+            <translation>Look into it</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>Take over</translation>
+        </message>
+        <message>
+            <source>a moment</source>
+            <translation>a moment</translation>
+        </message>
+        <message>
+            <source>look into a file first</source>
+            <translation>look into a file first</translation>
+        </message>
+        <message>
+            <source>it cannot be read</source>
+            <translation>it cannot be read</translation>
+        </message>
+        <message>
+            <source>a row is refused</source>
+            <translation>a row is refused</translation>
+        </message>
+        <message>
+            <source>nothing new in it</source>
+            <translation>nothing new in it</translation>
+        </message>
+        <message>
+            <source>A moment …</source>
+            <translation>A moment …</translation>
+        </message>
+        <message>
+            <source>Nothing is taken: %1</source>
+            <translation>Nothing is taken: %1</translation>
+        </message>
+        <message>
+            <source>Line %1: %2</source>
+            <translation>Line %1: %2</translation>
+        </message>
+        <message>
+            <source>%1 would be entered: %2 diameters of parts %3 to %4, from %5 to %6.</source>
+            <translation>%1 would be entered: %2 diameters of parts %3 to %4, from %5 to %6.</translation>
+        </message>
+        <message>
+            <source>%1 diameters taken over from %2.</source>
+            <translation>%1 diameters taken over from %2.</translation>
+        </message>
+        <message>
+            <source>Yes, take all %1 as they are</source>
+            <translation>Yes, take all %1 as they are</translation>
+        </message>
+        <message>
+            <source>Take %1 diameters</source>
+            <translation>Take %1 diameters</translation>
+        </message>
+        <message>
+            <source>%1 of its values are stored already.</source>
+            <translation>%1 of its values are stored already.</translation>
+        </message>
+        <message>
+            <source>… and %1 more like it.</source>
+            <translation>… and %1 more like it.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
@@ -7923,6 +8138,22 @@
         <message>
             <source>Clear</source>
             <translation>Clear</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LastVerdict</name>
+        <message>
+            <source>Part %1: %2, no limits are set</source>
+            <translation>Part %1: %2, no limits are set</translation>
+        </message>
+        <message>
+            <source>Part %1: %2, %3</source>
+            <comment>verdict, figure</comment>
+            <translation>Part %1: %2, %3</translation>
+        </message>
+        <message>
+            <source>Part %1: %2</source>
+            <translation>Part %1: %2</translation>
         </message>
     </context>
     <context>
@@ -9183,14 +9414,6 @@
             <translation>what, why</translation>
         </message>
         <message>
-            <source>gauge</source>
-            <translation>gauge</translation>
-        </message>
-        <message>
-            <source>typed</source>
-            <translation>typed</translation>
-        </message>
-        <message>
             <source>correction</source>
             <translation>correction</translation>
         </message>
@@ -9606,6 +9829,14 @@
             <source>Parts %1 to %2: %3</source>
             <comment>of a lot that is larger than what is read at once</comment>
             <translation>Parts %1 to %2: %3</translation>
+        </message>
+        <message>
+            <source>%1: all lots</source>
+            <translation>%1: all lots</translation>
+        </message>
+        <message>
+            <source>choose one lot</source>
+            <translation>choose one lot</translation>
         </message>
     </context>
     <context>

@@ -1231,6 +1231,15 @@
             <source>Kerf %1, written %2. The data is attached as DFQ and CSV.</source>
             <translation>Kerf %1, 작성 %2. 데이터는 DFQ와 CSV로 첨부되어 있습니다.</translation>
         </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>where from, how many</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Values: %1</source>
+            <translation>값: %1</translation>
+        </message>
     </context>
     <context>
         <name>Milling</name>
@@ -1478,14 +1487,6 @@
             <translation>돌출 길이에 대한 이송(%1, %2): 파선은 이송 계획, 실선은 실제 절삭.</translation>
         </message>
         <message>
-            <source>gauge</source>
-            <translation>게이지</translation>
-        </message>
-        <message>
-            <source>typed</source>
-            <translation>직접 입력</translation>
-        </message>
-        <message>
             <source>correction</source>
             <translation>수정</translation>
         </message>
@@ -1691,6 +1692,18 @@
         <message>
             <source>typed on the keypad</source>
             <translation>키패드로 입력</translation>
+        </message>
+        <message>
+            <source>read from gauge %1</source>
+            <translation>게이지 %1에서 읽음</translation>
+        </message>
+        <message>
+            <source>from file %1</source>
+            <translation>파일 %1에서</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>로트 %1</translation>
         </message>
     </context>
     <context>
@@ -2175,6 +2188,25 @@
             <source>Last contact %1.</source>
             <comment>an age</comment>
             <translation>마지막 연결 %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>SourceTexts</name>
+        <message>
+            <source>typed</source>
+            <translation>입력</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>gauge %1</source>
+            <translation>게이지 %1</translation>
+        </message>
+        <message>
+            <source>file %1</source>
+            <translation>파일 %1</translation>
         </message>
     </context>
     <context>
@@ -6618,6 +6650,74 @@
             <source>kerf.force-reset is not linked: the amplifier is not reset by Kerf.</source>
             <translation>kerf.force-reset이 연결되지 않아 Kerf가 증폭기를 리셋하지 않습니다.</translation>
         </message>
+        <message>
+            <source>A value from a file needs the file's name.</source>
+            <translation>파일의 값에는 파일 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Change the register of gauges</source>
+            <translation>게이지 대장 변경</translation>
+        </message>
+        <message>
+            <source>Keep the study of a gauge</source>
+            <translation>게이지 평가 저장</translation>
+        </message>
+        <message>
+            <source>Part %1 has %2 mm here already; correct that one instead.</source>
+            <translation>공작물 %1의 이 위치에는 이미 %2 mm가 있습니다. 그 값을 정정하십시오.</translation>
+        </message>
+        <message>
+            <source>Part %1 is not in this lot.</source>
+            <translation>공작물 %1은(는) 이 로트에 없습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 is not measured at %2 mm.</source>
+            <translation>공작물 %1은(는) %2 mm에서 측정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 stands in the file twice, with %2 mm and %3 mm.</source>
+            <translation>공작물 %1이(가) 파일에 두 번 있습니다: %2 mm와 %3 mm.</translation>
+        </message>
+        <message>
+            <source>Say what was done with a part out of tolerance</source>
+            <translation>공차를 벗어난 공작물의 처리 기록</translation>
+        </message>
+        <message>
+            <source>Set the limits of figures</source>
+            <translation>지표의 한계 설정</translation>
+        </message>
+        <message>
+            <source>Set where Q-DAS files appear</source>
+            <translation>Q-DAS 파일 위치 설정</translation>
+        </message>
+        <message>
+            <source>The data file numbers its measurements with gaps.</source>
+            <translation>데이터 파일의 측정값 번호가 이어지지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The file holds no diameter that is not stored already.</source>
+            <translation>파일에 아직 저장되지 않은 직경이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The file says nowhere at which depth this is: a column overhang_mm is missing.</source>
+            <translation>파일에 어느 깊이인지 나와 있지 않습니다: overhang_mm 열이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This console takes no files of diameters.</source>
+            <translation>이 콘솔은 직경 파일을 받지 않습니다.</translation>
+        </message>
+        <message>
+            <source>%1 lots one after the other, %2 parts on the charts, %3 signals.</source>
+            <translation>로트 %1개를 이어서: 관리도에 공작물 %2개, 신호 %3개.</translation>
+        </message>
+        <message>
+            <source>Choose one lot: a report and its files are of one.</source>
+            <translation>로트 하나를 고르십시오: 보고서와 파일은 로트 하나에 대한 것입니다.</translation>
+        </message>
+        <message>
+            <source>The lots have no parts yet.</source>
+            <translation>로트에 아직 공작물이 없습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -6895,24 +6995,40 @@
             <translation>게이지 값 %1: 시간이 지나 제외했습니다. 다시 측정하십시오.</translation>
         </message>
         <message>
-            <source>Gauge channels</source>
-            <translation>게이지 채널</translation>
-        </message>
-        <message>
-            <source>Which channel of the gauge's switch measures at which depth.</source>
-            <translation>게이지 멀티플렉서의 채널별 측정 깊이입니다.</translation>
-        </message>
-        <message>
             <source>Channel %1</source>
             <translation>채널 %1</translation>
         </message>
         <message>
-            <source>Learn them anew</source>
-            <translation>새로 학습</translation>
-        </message>
-        <message>
             <source>Gauge %1 is overdue since %2: have it checked before you rely on it.</source>
             <translation>게이지 %1의 교정 기한이 %2에 지났습니다. 사용하기 전에 교정하십시오.</translation>
+        </message>
+        <message>
+            <source>From a file</source>
+            <translation>파일에서</translation>
+        </message>
+        <message>
+            <source>Gauges</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Which gauge sends the readings: it is kept with each value. Which channel of a gauge's switch measures at which depth.</source>
+            <translation>측정값을 보내는 게이지: 값마다 함께 저장됩니다. 게이지 전환기의 어느 채널이 어느 깊이를 측정하는지.</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>not said</source>
+            <translation>지정 안 함</translation>
+        </message>
+        <message>
+            <source>Gauge at hand</source>
+            <translation>사용 중인 게이지</translation>
+        </message>
+        <message>
+            <source>Learn the channels anew</source>
+            <translation>채널 다시 학습</translation>
         </message>
     </context>
     <context>
@@ -7325,6 +7441,10 @@
         <message>
             <source>The gauge sent %1 for depth %2 of the sensor file; this part type has %3: left out.</source>
             <translation>게이지가 센서 파일의 깊이 %2에 %1을(를) 보냈지만 이 품종의 깊이는 %3개입니다. 받지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Which gauge?</source>
+            <translation>어느 게이지?</translation>
         </message>
     </context>
     <context>
@@ -7841,6 +7961,101 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::ImportForm</name>
+        <message>
+            <source>Cancel</source>
+            <translation>취소</translation>
+        </message>
+        <message>
+            <source>being read</source>
+            <translation>읽는 중</translation>
+        </message>
+        <message>
+            <source>choose a file first</source>
+            <translation>먼저 파일을 고르십시오</translation>
+        </message>
+        <message>
+            <source>Diameters from a file</source>
+            <translation>파일에서 직경 가져오기</translation>
+        </message>
+        <message>
+            <source>A table with the columns part, overhang and diameter, in any order and spelling. Nothing is taken before you have seen what it would do.</source>
+            <translation>공작물, 돌출 길이, 직경 열이 있는 표(순서와 표기는 자유). 무엇이 바뀔지 본 뒤에만 받아들입니다.</translation>
+        </message>
+        <message>
+            <source>or the file's path</source>
+            <translation>또는 파일 경로</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>Look into it</source>
+            <translation>살펴보기</translation>
+        </message>
+        <message>
+            <source>Take over</source>
+            <translation>받아들이기</translation>
+        </message>
+        <message>
+            <source>a moment</source>
+            <translation>잠시만</translation>
+        </message>
+        <message>
+            <source>look into a file first</source>
+            <translation>먼저 파일을 살펴보십시오</translation>
+        </message>
+        <message>
+            <source>it cannot be read</source>
+            <translation>읽을 수 없음</translation>
+        </message>
+        <message>
+            <source>a row is refused</source>
+            <translation>거부된 행이 있음</translation>
+        </message>
+        <message>
+            <source>nothing new in it</source>
+            <translation>새로운 값이 없음</translation>
+        </message>
+        <message>
+            <source>A moment …</source>
+            <translation>잠시만 …</translation>
+        </message>
+        <message>
+            <source>Nothing is taken: %1</source>
+            <translation>아무것도 받아들이지 않습니다: %1</translation>
+        </message>
+        <message>
+            <source>Line %1: %2</source>
+            <translation>%1행: %2</translation>
+        </message>
+        <message>
+            <source>%1 would be entered: %2 diameters of parts %3 to %4, from %5 to %6.</source>
+            <translation>%1: 공작물 %3~%4의 직경 %2개가 입력됩니다. 범위 %5~%6.</translation>
+        </message>
+        <message>
+            <source>%1 diameters taken over from %2.</source>
+            <translation>%2에서 직경 %1개를 받아들였습니다.</translation>
+        </message>
+        <message>
+            <source>Yes, take all %1 as they are</source>
+            <translation>예, %1개 모두 그대로 받기</translation>
+        </message>
+        <message>
+            <source>Take %1 diameters</source>
+            <translation>직경 %1개 받기</translation>
+        </message>
+        <message>
+            <source>%1 of its values are stored already.</source>
+            <translation>그중 %1개는 이미 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>… and %1 more like it.</source>
+            <translation>… 같은 것이 %1개 더 있습니다.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
@@ -7917,6 +8132,22 @@
         <message>
             <source>Clear</source>
             <translation>지우기</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::LastVerdict</name>
+        <message>
+            <source>Part %1: %2, no limits are set</source>
+            <translation>공작물 %1: %2, 한계가 설정되지 않음</translation>
+        </message>
+        <message>
+            <source>Part %1: %2, %3</source>
+            <comment>verdict, figure</comment>
+            <translation>공작물 %1: %2, %3</translation>
+        </message>
+        <message>
+            <source>Part %1: %2</source>
+            <translation>공작물 %1: %2</translation>
         </message>
     </context>
     <context>
@@ -9173,14 +9404,6 @@
             <translation>내용, 이유</translation>
         </message>
         <message>
-            <source>gauge</source>
-            <translation>게이지</translation>
-        </message>
-        <message>
-            <source>typed</source>
-            <translation>입력</translation>
-        </message>
-        <message>
             <source>correction</source>
             <translation>수정</translation>
         </message>
@@ -9595,6 +9818,14 @@
             <source>Parts %1 to %2: %3</source>
             <comment>of a lot that is larger than what is read at once</comment>
             <translation>공작물 %1 ~ %2: %3</translation>
+        </message>
+        <message>
+            <source>%1: all lots</source>
+            <translation>%1: 모든 로트</translation>
+        </message>
+        <message>
+            <source>choose one lot</source>
+            <translation>로트 하나를 고르십시오</translation>
         </message>
     </context>
     <context>

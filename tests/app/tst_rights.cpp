@@ -7,6 +7,7 @@
 #include "app/service/data/data_keeper.h"
 #include "app/service/engine_gate.h"
 #include "app/service/milling/milling_service.h"
+#include "app/service/quality/stored_quality_service.h"
 #include "app/service/tapping/tapping_service.h"
 #include "app/service/thermal/thermal_service.h"
 #include "app/service/turning/turning_service.h"
@@ -55,6 +56,9 @@ struct Shop {
         tapping = std::make_unique<StoredTappingService>(engine, *tapExchange, std::move(tappingParams));
         keeper = std::make_unique<DataKeeper>(DataKeeper::Links{
             writer, scratch.path(), [](const auto& work, const auto& done) { done(work()); }, rights});
+        StoredQualityService::Links qualityLinks{
+            writer, *reader, *reader, *reader, scratch.path(), [](const auto&, const auto&) {}, {}, rights};
+        quality = std::make_unique<StoredQualityService>(std::move(qualityLinks));
         gate = std::make_unique<EngineGate>(EngineGate::Links{
             engine, [this] { return signedOn; }, rights,
             [this](const std::string& who, const char* key, const std::string& what) { note(who, key, what); },
@@ -63,6 +67,7 @@ struct Shop {
     }
     ~Shop() {
         gate.reset();
+        quality.reset();
         tapping.reset();
         thermal.reset();
         turning.reset();
@@ -153,6 +158,7 @@ struct Shop {
     std::unique_ptr<StoredThermalService> thermal;
     std::unique_ptr<StoredTappingService> tapping;
     std::unique_ptr<DataKeeper> keeper;
+    std::unique_ptr<StoredQualityService> quality;
     std::unique_ptr<EngineGate> gate;
     std::string signedOn;
     Sentence refused;
@@ -169,6 +175,26 @@ struct Row {
 Result<void> said(const StoredTappingService& service, std::uint64_t before) {
     const bool refused = service.view().revision > before && !service.view().reason.empty();
     return refused ? Result<void>(tl::unexpected(service.view().reason)) : Result<void>();
+}
+
+Gauge gaugeOfRing() {
+    Gauge gauge;
+    gauge.identity = "G-07";
+    gauge.rangeFrom_mm = 40.0;
+    gauge.rangeTo_mm = 60.0;
+    gauge.ring_mm = 50.0;
+    return gauge;
+}
+
+GaugeStudyRecord studyOfRing() {
+    GaugeStudyRecord study;
+    study.gauge = "G-07";
+    study.method = "type1";
+    study.tolerance_mm = 0.03;
+    for (std::uint32_t trial = 0; trial < 25; ++trial) {
+        study.readings.push_back({0, 0, trial, 50.0 + 0.001 * (trial % 3)});
+    }
+    return study;
 }
 
 const std::vector<Row>& rows() {
@@ -329,6 +355,26 @@ const std::vector<Row>& rows() {
          [](Shop& s, Text who, Text) {
              s.writer.submit(SaveAccount{"Choi", "operator", {}, "Kerf", {}}, {});
              return s.wait([&](const auto& done) { s.keeper->removePerson("Choi", who, done); });
+         }},
+        {Deed::QualityDecision,
+         [](Shop& s, Text who, Text) {
+             return s.wait([&](const auto& done) { s.quality->dispose(1, "scrapped", who, done); });
+         }},
+        {Deed::QualityLimits,
+         [](Shop& s, Text who, Text) {
+             return s.wait([&](const auto& done) { s.quality->setLimits(ProcessId::Milling, {}, who, done); });
+         }},
+        {Deed::QualityGauge,
+         [](Shop& s, Text who, Text) {
+             return s.wait([&](const auto& done) { s.quality->saveGauge(gaugeOfRing(), who, done); });
+         }},
+        {Deed::QualityStudy,
+         [](Shop& s, Text who, Text) {
+             return s.wait([&](const auto& done) { s.quality->saveStudy(studyOfRing(), who, done); });
+         }},
+        {Deed::QualityFiles,
+         [](Shop& s, Text who, Text) {
+             return s.wait([&](const auto& done) { s.quality->setDfqFiles({}, who, done); });
          }},
     };
     return table;

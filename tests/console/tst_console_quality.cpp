@@ -12,6 +12,7 @@
 #include "app/console/lot_report.h"
 #include "app/service/boring/boring_memory.h"
 #include "app/service/quality/gauge_records.h"
+#include "app/service/quality/lot_dfq.h"
 #include "app/service/quality/quality_watch.h"
 #include "app/service/quality/stored_quality_service.h"
 #include "db/writer_thread.h"
@@ -231,6 +232,22 @@ class TestConsoleQuality : public QObject {
         by.author = "Lee";
         by.source = MeasurementSource::Gauge;
         (void)m_shop->must(AcceptMeasurement{by, {}, {}});
+        MeasurementRow other = test::measured(by.part, 1, 50.001);  // two gauges at one part
+        other.author = "Lee";
+        other.source = MeasurementSource::Gauge;
+        other.sourceName = "G-07";
+        (void)m_shop->must(AcceptMeasurement{other, {}, {}});
+        const auto read = readQualityLot(*m_reader, m_shop->lot);
+        const auto named = std::ranges::find(read->quality.groups, "G-07", &PartGroup::name);
+        QVERIFY(named != read->quality.groups.end() && named->by == PartGroup::By::Source);
+        QCOMPARE(named->capability[0].count, std::size_t{0});
+        QCOMPARE(named->capability[1].count, std::size_t{1});
+        const dfq::File file = lotDfq(read->history, read->quality);
+        QVERIFY(file.find(4073, 1) != nullptr);
+        QCOMPARE(*file.find(4073, 1), std::string("G-07"));
+        const auto value = std::ranges::find_if(file.values, [](const auto& one) { return one.find(12) != nullptr; });
+        QVERIFY(value != file.values.end() && *value->find(12) == "1" && *value->value == 50.001);
+        QVERIFY(file.find(2401, 2) == nullptr);  // not all values of that bore came from it
         m_bench->show<ui::QualityPage>();
         auto* groups = m_bench->find<QComboBox>("qualityGroup");
         const auto choose = [groups](const char* name) {
@@ -251,8 +268,39 @@ class TestConsoleQuality : public QObject {
         QCOMPARE(points(), qsizetype(kParts));
         QVERIFY(choose("read from the gauge"));
         QCOMPARE(points(), qsizetype(1));
+        QVERIFY(choose("read from gauge G-07"));
+        QCOMPARE(points(), qsizetype(1));
         QVERIFY(choose("all parts"));
         QCOMPARE(points(), qsizetype(kParts + 1));
+    }
+    void severalLotsStandOneAfterTheOther() {
+        const LotId second =
+            m_shop->must(EnsureLot{m_shop->machine, m_shop->partType, m_shop->recipe, "13", 30, "kalman", "Lee"}).id;
+        constexpr std::uint32_t kMore = 12;
+        for (std::uint32_t number = 1; number <= kMore; ++number) {
+            const PartId part = m_shop->must(AddPart{second, test::boringPart(number), {}}).id;
+            (void)m_shop->must(AcceptMeasurement{test::measured(part, 0, 50.0 + 0.001 * (number % 3)), {}, {}});
+            (void)m_shop->must(AcceptMeasurement{test::measured(part, 1, 50.0 + 0.001 * (number % 2)), {}, {}});
+        }
+        const auto all = readQualityLot(*m_reader, allLotsOf(m_shop->partType));
+        QVERIFY2(all.has_value(), all ? "" : all.error().english().c_str());
+        const LotQuality& quality = all->quality;
+        QCOMPARE(quality.parts.size(), std::size_t{kParts + kMore});
+        QCOMPARE(quality.parts.back().number, kParts + kMore);
+        QCOMPARE(quality.groups.size(), std::size_t{2});
+        QCOMPARE(quality.groups[1].name, std::string("13"));
+        QCOMPARE(quality.groups[1].capability[0].count, std::size_t{kMore});
+        QCOMPARE(quality.capability[0].count, std::size_t{kParts + kMore});
+        const auto begins = std::ranges::count_if(quality.charted, &ChartedPart::announced);
+        QCOMPARE(begins, std::ptrdiff_t{2});
+        m_bench->show<ui::QualityPage>();
+        auto* lots = m_bench->find<QComboBox>("qualityLot");
+        const int at = lots->findText(QStringLiteral("Sleeve 50: all lots"));
+        QVERIFY(at >= 0);
+        lots->setCurrentIndex(at);
+        emit lots->activated(at);
+        QVERIFY2(text("qualitySentence").startsWith(QStringLiteral("2 lots")), qPrintable(text("qualitySentence")));
+        QVERIFY(!m_bench->find<QAbstractButton>("qualityFiles")->isEnabled());
     }
     void anAnnouncedChangeIsNoSignal() {
         constexpr std::uint32_t kFrom = kParts + 1;
@@ -288,6 +336,43 @@ class TestConsoleQuality : public QObject {
         const std::string said = read->quality.sentence.english();
         QVERIFY2(said.find("nelson") == std::string::npos && said.find("ewma") == std::string::npos, said.c_str());
     }
+    void theGaugeAtHandIsNamedWithItsReadings() {
+        test::FakeBoringService bores(30, {{"top", 40.0}, {"middle", 175.0}, {"bottom", 310.0}});
+        bores.cutPart();
+        m_bench->services.boringService = &bores;
+        QStringList kept;
+        m_bench->services.saveSetting = [&](const QString& key, const QString& value) { kept << key + u' ' + value; };
+        auto* page = m_bench->show<ui::BoringPage>();
+        const auto readingTaken = [&] {
+            page->entry()->takeGauge(*ui::parseGaugeFrame(QStringLiteral("50.011")));
+            return bores.entries.back();
+        };
+        QCOMPARE(readingTaken().gauge, std::string());  // nothing is known of it
+        m_service->saveGauge({.identity = "G-09", .rangeFrom_mm = 60, .rangeTo_mm = 80}, "Kim", {});
+        m_service->saveGauge({.identity = "G-07", .rangeFrom_mm = 40, .rangeTo_mm = 60}, "Kim", {});
+        QTRY_COMPARE(m_service->gauges().size(), std::size_t{2});
+        auto* button = m_bench->find<QPushButton>("boringChannels");
+        QTRY_COMPARE(button->text(), QStringLiteral("G-07"));  // the only one for such a bore
+        QCOMPARE(readingTaken().gauge, std::string("G-07"));
+        QVERIFY(bores.entries.back().fromGauge);
+        m_service->saveGauge({.identity = "G-08", .rangeFrom_mm = 40, .rangeTo_mm = 60}, "Kim", {});
+        QTRY_COMPARE(button->text(), QStringLiteral("Which gauge?"));
+        QVERIFY(press("boringChannels"));
+        auto* box = m_bench->find<QComboBox>("boringGauge0");
+        QVERIFY(box != nullptr);
+        const int at = box->findText(QStringLiteral("G-08"));
+        box->setCurrentIndex(at);
+        emit box->activated(at);
+        QCOMPARE(button->text(), QStringLiteral("G-08"));
+        QCOMPARE(readingTaken().gauge, std::string("G-08"));
+        QCOMPARE(kept, QStringList{QStringLiteral("gauge.at_hand 0=G-08")});
+        // Of a switch each channel has its own, and what is typed has none.
+        auto gauges = ui::GaugesAtHand::fromText(QStringLiteral("0=G-08;2=G%2D07;x=1;3"));
+        QCOMPARE(gauges.of(2, m_service->gauges(), 50.0), std::string("G-07"));
+        QCOMPARE(gauges.of(1, m_service->gauges(), 70.0), std::string("G-09"));
+        QCOMPARE(gauges.text(), QStringLiteral("0=G-08;2=G-07"));
+        m_bench.reset();  // the page goes before what it shows
+    }
     void anOverdueGaugeIsSaidWhereItsReadingsAreEntered() {
         test::FakeBoringService bores;
         m_bench->services.boringService = &bores;
@@ -318,6 +403,7 @@ class TestConsoleQuality : public QObject {
         const QString report = outputOf(QStringLiteral("pdftotext"), {"-layout", file, "-"});
         QVERIFY2(report.contains(QStringLiteral("43 good, 1 rework possible, 1 scrap")), qPrintable(report));
         QVERIFY(report.contains(QStringLiteral("49.985 to 50.015")));
+        QVERIFY2(report.contains(QStringLiteral("Values: typed on the keypad: 90")), qPrintable(report));
         QVERIFY(report.contains(QStringLiteral("50.030")) && report.contains(QStringLiteral("49.970")));
         double sum_mm = 0.0;  // the mean of the first depth, from the data file
         const auto history = m_reader->history(m_shop->lot);

@@ -240,6 +240,10 @@ class TestStore : public QObject {
         QTest::newRow("replace measurement") << "INSERT OR REPLACE INTO measurements SELECT id, part_id, kind, "
                                                 "replaces_id, station, position_mm, 60.0, source, "
                                                 "confirmed, author, reason, accepted_utc_ms FROM measurements";
+        QTest::newRow("update measurement_sources") << "UPDATE measurement_sources SET name = 'G-08'";
+        QTest::newRow("delete measurement_sources") << "DELETE FROM measurement_sources";
+        QTest::newRow("replace measurement_sources") << "INSERT OR REPLACE INTO measurement_sources SELECT "
+                                                        "measurement_id, 'gauge', 'G-08' FROM measurement_sources";
         QTest::newRow("replace audit")
             << "INSERT OR REPLACE INTO audit SELECT id, utc_ms, 'x', action, object, object_id, "
                "old_value, new_value, reason, previous_hash, hash FROM audit";
@@ -332,6 +336,8 @@ class TestStore : public QObject {
              {"audit_no_update", "audit_no_delete", "measurements_no_update", "measurements_no_delete"}) {
             QVERIFY(test::tryExecute(shop.database(), QStringLiteral("DROP TRIGGER %1").arg(trigger).toUtf8()));
         }
+        // Whoever goes past the program minds no references either.
+        QVERIFY(test::tryExecute(shop.database(), "PRAGMA foreign_keys = OFF"));
         QVERIFY(test::tryExecute(shop.database(), sql.toUtf8()));
         const auto verdict = shop.reader()->verifyAudit();
         QVERIFY(verdict);

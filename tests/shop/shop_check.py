@@ -28,7 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 KEPT = {"settings": "key <> 'operators'", "audit": "object <> 'setting operators'"}
 TABLES = {
     "machines": "id", "part_types": "id", "recipe_revisions": "id", "lots": "id", "schedules": "id", "parts": "id",
-    "part_results": "part_id", "feed_traces": "part_id", "measurements": "id", "estimator_states": "id", "alarms": "id",
+    "part_results": "part_id", "feed_traces": "part_id", "measurements": "id", "measurement_sources": "measurement_id", "estimator_states": "id", "alarms": "id",
     "settings": "key", "audit": "id", "room_records": "id",
 }
 failures = []

@@ -32,10 +32,10 @@ int main(int argc, char** argv) {
         for (std::uint8_t station = 0; station < 3; ++station) {
             // Sums of tenths: most have no short decimal form.
             const double diameter = 50.0 + 0.1 * (seed % 7) + 0.2 + std::sin(i * 0.7 + station) * 1e-3;
-            last = shop
-                       .must(AcceptMeasurement{
-                           test::measured(lastPart, station, diameter), {test::stateOf(0.1 * i + 0.2)}, std::nullopt})
-                       .id;
+            MeasurementRow row = test::measured(lastPart, station, diameter);
+            row.source = static_cast<MeasurementSource>(station);
+            row.sourceName = station == 0 ? "" : station == 1 ? "G-07 내경" : "값 1.csv";
+            last = shop.must(AcceptMeasurement{row, {test::stateOf(0.1 * i + 0.2)}, std::nullopt}).id;
         }
     }
     if (last > 0) {

@@ -160,7 +160,7 @@ QString MeasurementForm::message() const {
     return m_message->text();
 }
 
-void MeasurementForm::takeGauge(const GaugeReading& reading) {
+void MeasurementForm::takeGauge(const GaugeReading& reading, const std::string& gauge) {
     if (m_pending) {
         return;
     }
@@ -178,6 +178,7 @@ void MeasurementForm::takeGauge(const GaugeReading& reading) {
         m_field->input().set_mm(judgement.doubt == GaugeDoubt::OtherUnit ? judgement.otherUnit_mm : judgement.value_mm);
         m_field->showInput();
         m_fromGauge = true;
+        m_gauge = gauge;
     }
     reconsider();
 }
@@ -254,7 +255,7 @@ void MeasurementForm::apply() {
     };
     if (correcting()) {
         m_service.correctValue({m_subject.id, *m_field->input().value_mm(), m_author(), reason().toStdString(),
-                                m_fromGauge, !m_question.empty()},
+                                m_fromGauge, !m_question.empty(), m_gauge},
                                done);
     } else {
         m_service.voidMeasurement(m_subject.id, m_author(), reason().toStdString(), done);

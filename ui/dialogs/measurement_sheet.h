@@ -45,7 +45,8 @@ class MeasurementForm : public FaceWidget {
                                  const MeasurementSubject& subject, Start start, OnDone onDone);
 
     /// A gauge was read while the form is open. It fills the field; it decides nothing.
-    void takeGauge(const GaugeReading& reading);
+    /// `gauge`: which one it was, kept with the value.
+    void takeGauge(const GaugeReading& reading, const std::string& gauge = {});
     /// What is said in the form.
     [[nodiscard]] QString message() const;
     [[nodiscard]] double expected_mm() const { return m_subject.expected_mm; }
@@ -90,6 +91,7 @@ class MeasurementForm : public FaceWidget {
     QString m_said{};       ///< about a reading that is not used
     bool m_pending{false};
     bool m_fromGauge{false};
+    std::string m_gauge{};
 };
 
 }  // namespace kerf::ui

@@ -15,6 +15,8 @@ namespace kerf::ui {
 
 /// Translation of an engine text (marked with KERF_TEXT); itself when there is none.
 [[nodiscard]] QString engineText(const char* english);
+/// "typed", "gauge G-07", "file bores.csv": where a measured value came from. An unknown gauge is "gauge".
+[[nodiscard]] QString sourceText(MeasurementSource source, const std::string& name);
 
 /// A sentence in the operator's language. A number followed by a unit that the screen converts ("%1 mm", "%2 degC")
 /// is shown in the operator's unit.

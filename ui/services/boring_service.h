@@ -28,6 +28,7 @@ struct BoreEntry {
     std::string author{};  ///< operator signed on
     bool fromGauge{false};
     bool confirmed{false};  ///< the operator answered "yes, it is so" to the plausibility question
+    std::string gauge{};    ///< from a gauge: its identity in the register; empty: not known
 };
 
 /// Another value in the place of a stored one.
@@ -38,6 +39,41 @@ struct BoreCorrection {
     std::string reason{};
     bool fromGauge{false};
     bool confirmed{false};  ///< the operator answered "yes, it is so" to the plausibility question
+    std::string gauge{};    ///< from a gauge: its identity in the register; empty: not known
+};
+
+/// Diameters as a file has them; nothing is decided yet.
+struct ReadBore {
+    std::uint32_t line{0};
+    std::uint32_t part{0};                ///< number in the lot
+    std::optional<double> overhang_mm{};  ///< empty: the file names no place
+    double diameter_mm{0.0};
+};
+struct ReadBores {
+    std::string file{};                ///< its name, without the folder; kept with each value
+    std::vector<ReadBore> rows{};      ///< as they stand
+    std::vector<std::string> notes{};  ///< what was found out rather than known, in English
+    std::string problem{};             ///< not empty: it cannot be read, and why, in English
+};
+
+/// What taking a file over would do. Nothing of it is taken while one row is refused.
+struct BoreImportPlan {
+    struct Row {
+        std::uint32_t line{0};
+        std::uint32_t partNumber{0};
+        PartId part{0};
+        std::uint8_t depth{0};
+        double diameter_mm{0.0};
+        bool asked{false};  ///< implausible: it needs a person's yes
+    };
+    struct Finding {
+        std::uint32_t line{0};
+        Sentence reason{};
+    };
+    std::vector<Row> rows{};           ///< by part, then depth, in the order in which they would be accepted
+    std::uint32_t known{0};            ///< rows whose value is stored already
+    std::vector<Finding> questions{};  ///< as the entry gate asks them
+    std::optional<Finding> refused{};  ///< the first row that cannot be
 };
 
 /// Verdict of the entry gate, before anything is stored.
@@ -152,6 +188,12 @@ class BoringService {
     /// Called on the caller's thread when the change is safely on disk (or has failed: the sentence says why).
     using Done = std::function<void(const Result<void>&)>;
     virtual void enter(const BoreEntry& entry, Done done) = 0;
+    /// What the gate says of a file's values, each as if the ones before it were entered already.
+    [[nodiscard]] virtual BoreImportPlan planImport(const ReadBores&) const { return {}; }
+    /// All of them or none. `confirmed`: the operator has answered "yes" to every question of the plan.
+    virtual void importBores(const ReadBores&, const std::string& /*author*/, bool /*confirmed*/, Done done) {
+        done(fail(KERF_TEXT("This console takes no files of diameters.")));
+    }
     /// Replace or void a measurement; the old value stays on record. Reason and author must not be empty.
     virtual void correct(MeasurementId id, double diameter_mm, const std::string& author, const std::string& reason,
                          Done done) = 0;

@@ -56,6 +56,11 @@ enum class Deed : std::uint8_t {
     DataRestore,
     PersonRemove,
     LimitFar,
+    QualityDecision,
+    QualityLimits,
+    QualityGauge,
+    QualityStudy,
+    QualityFiles,
     Count,
 };
 inline constexpr std::size_t kDeedCount = static_cast<std::size_t>(Deed::Count);
@@ -107,6 +112,12 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
     {Deed::PersonRemove, Trust::Engineer, false, "person.remove", KERF_TEXT("Take somebody off the list of people")},
     {Deed::LimitFar, Trust::Engineer, true, "limit.far",
      KERF_TEXT("Raise a limit by more than half, with a second person")},
+    {Deed::QualityDecision, Trust::Operator, false, "quality.decision",
+     KERF_TEXT("Say what was done with a part out of tolerance")},
+    {Deed::QualityLimits, Trust::Setter, false, "quality.limits", KERF_TEXT("Set the limits of figures")},
+    {Deed::QualityGauge, Trust::Setter, false, "quality.gauge", KERF_TEXT("Change the register of gauges")},
+    {Deed::QualityStudy, Trust::Setter, false, "quality.study", KERF_TEXT("Keep the study of a gauge")},
+    {Deed::QualityFiles, Trust::Setter, false, "quality.files", KERF_TEXT("Set where Q-DAS files appear")},
 }};
 static_assert([] {
     for (std::size_t i = 0; i < kDeedCount; ++i) {

@@ -75,10 +75,13 @@ struct LotPart {
 
 /// Parts that have something in common: to be looked at by tool, by person, by gauge.
 struct PartGroup {
-    enum class By : std::uint8_t { Tool, Person, Source };
+    enum class By : std::uint8_t { Lot, Tool, Person, Source };
     By by{By::Tool};
-    std::string name{};  ///< tool: the number of its first part; person: who entered; source: "gauge" or "keypad"
-    std::vector<quality::Capability> capability{};  ///< one per characteristic, over the parts of the group alone
+    /// Lot, where several are shown: its name; tool: the number of its first part; person: who entered; source: which
+    /// gauge or file, empty when not known.
+    std::string name{};
+    MeasurementSource source{MeasurementSource::Keypad};  ///< By::Source
+    std::vector<quality::Capability> capability{};  ///< one per characteristic, over the values of the group alone
 };
 
 struct QualitySignal {
@@ -108,6 +111,15 @@ struct LotQuality {
 /// Parts of processes that know no lots stand under this number.
 [[nodiscard]] constexpr LotId partsWithoutLot(ProcessId process) {
     return -1 - static_cast<LotId>(process);
+}
+
+/// All lots of a part type, one after the other, stand under this number; their parts are numbered through.
+inline constexpr LotId kFirstOfAllLots = -1000;
+[[nodiscard]] constexpr LotId allLotsOf(PartTypeId type) {
+    return kFirstOfAllLots - type;
+}
+[[nodiscard]] constexpr std::optional<PartTypeId> partTypeOfAllLots(LotId lot) {
+    return lot <= kFirstOfAllLots ? std::optional(kFirstOfAllLots - lot) : std::nullopt;
 }
 
 /// What was done with a part that is out of tolerance.

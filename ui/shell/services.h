@@ -94,6 +94,8 @@ struct Services {
     std::function<void(const QString& file, const QString& author, const QString& reason, Done)> restore{};
     /// Files of that ending on removable drives and among the documents, newest first.
     std::function<QStringList(const QString& ending)> filesThere{};
+    /// Reads a table of diameters on a worker; `done` on the GUI thread. Empty: no import.
+    std::function<void(const QString& file, std::function<void(const ReadBores&)> done)> readBores{};
     /// Called when alarms have been acknowledged by code; the application writes it to the history.
     std::function<void(AlarmCode, const QString& author)> acknowledgeAlarm{};
 };

@@ -166,13 +166,14 @@ Result<MeasurementRow> StoredBoringService::entryRow(const BoreEntry& entry) con
     row.position_mm = m_records.recipe().depths[entry.depth].overhang_mm;
     row.diameter_mm = entry.diameter_mm;
     row.source = entry.fromGauge ? MeasurementSource::Gauge : MeasurementSource::Keypad;
+    row.sourceName = entry.fromGauge ? entry.gauge : std::string();
     row.confirmed = verdict.verdict == EntryVerdict::Ask;
     row.author = entry.author;
     return row;
 }
 
 void StoredBoringService::enter(const BoreEntry& entry, Done done) {
-    queue({[this, entry] { return entryRow(entry); }, std::move(done)});
+    queueOne([this, entry] { return entryRow(entry); }, std::move(done));
 }
 
 EntryCheck StoredBoringService::checkCorrection(MeasurementId id, double diameter_mm) const {
@@ -200,6 +201,7 @@ Result<MeasurementRow> StoredBoringService::correctedRow(const BoreCorrection& c
     row.replaces = correction.id;
     row.diameter_mm = correction.diameter_mm;
     row.source = correction.fromGauge ? MeasurementSource::Gauge : MeasurementSource::Keypad;
+    row.sourceName = correction.fromGauge ? correction.gauge : std::string();
     row.confirmed = asked;
     row.author = correction.author;
     row.reason = correction.reason;
@@ -207,34 +209,35 @@ Result<MeasurementRow> StoredBoringService::correctedRow(const BoreCorrection& c
 }
 
 void StoredBoringService::correctValue(const BoreCorrection& correction, Done done) {
-    queue({[this, correction] { return correctedRow(correction); }, std::move(done)});
+    queueOne([this, correction] { return correctedRow(correction); }, std::move(done));
 }
 
 void StoredBoringService::correct(MeasurementId id, double diameter_mm, const std::string& author,
                                   const std::string& reason, Done done) {
-    correctValue({id, diameter_mm, author, reason, false, false}, std::move(done));
+    correctValue({id, diameter_mm, author, reason, false, false, {}}, std::move(done));
 }
 
 void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& author, const std::string& reason,
                                           Done done) {
-    queue({[=, this]() -> Result<MeasurementRow> {
-               const MeasurementRow* old = m_records.standing(id);
-               if (old == nullptr) {
-                   return tl::unexpected(lookAtTheNewest());
-               }
-               if (const auto may = permitted(m_links.rights, author, Deed::BoringCorrection, reason); !may) {
-                   return tl::unexpected(may.error());
-               }
-               MeasurementRow row = *old;
-               row.kind = MeasurementKind::Void;
-               row.replaces = id;
-               row.diameter_mm.reset();
-               row.confirmed = false;
-               row.author = author;
-               row.reason = reason;
-               return row;
-           },
-           std::move(done)});
+    queueOne(
+        [=, this]() -> Result<MeasurementRow> {
+            const MeasurementRow* old = m_records.standing(id);
+            if (old == nullptr) {
+                return tl::unexpected(lookAtTheNewest());
+            }
+            if (const auto may = permitted(m_links.rights, author, Deed::BoringCorrection, reason); !may) {
+                return tl::unexpected(may.error());
+            }
+            MeasurementRow row = *old;
+            row.kind = MeasurementKind::Void;
+            row.replaces = id;
+            row.diameter_mm.reset();
+            row.confirmed = false;
+            row.author = author;
+            row.reason = reason;
+            return row;
+        },
+        std::move(done));
 }
 
 void StoredBoringService::undoLast(const std::string& author, Done done) {
@@ -248,6 +251,14 @@ void StoredBoringService::undoLast(const std::string& author, Done done) {
     voidMeasurement(*newest, author, kUndone, std::move(done));
 }
 
+void StoredBoringService::queueOne(std::function<Result<MeasurementRow>()> row, Done done) {
+    queue({[row = std::move(row)]() -> Rows {
+               const Result<MeasurementRow> made = row();
+               return made ? Rows(std::vector<MeasurementRow>{*made}) : Rows(tl::unexpected(made.error()));
+           },
+           std::move(done)});
+}
+
 void StoredBoringService::queue(Change change) {
     m_waiting.push_back(std::move(change));
     runNext();
@@ -257,22 +268,26 @@ void StoredBoringService::runNext() {
     while (!m_busy && !m_waiting.empty()) {
         const Change change = std::move(m_waiting.front());
         m_waiting.pop_front();
-        const Result<MeasurementRow> row = change.row();
-        if (row) {
-            submit(*row, change.done);
+        Rows rows = change.rows();
+        if (rows) {
+            submit(std::move(*rows), change.done);
         } else {
-            answer(change.done, tl::unexpected(row.error()));
+            answer(change.done, tl::unexpected(rows.error()));
         }
     }
 }
 
-void StoredBoringService::submit(const MeasurementRow& newRow, Done done) {
-    MeasurementRow row = newRow;
-    row.id = 0;  // not stored yet
+void StoredBoringService::submit(std::vector<MeasurementRow> rows, Done done) {
+    if (rows.size() == 1) {
+        rows.front().id = 0;  // not stored yet
+    }
     LotRecords tried = m_records;
-    tried.addRow(row);
-    AcceptMeasurement command;
-    command.measurement = row;
+    AcceptMeasurements batch;
+    for (const MeasurementRow& row : rows) {
+        tried.addRow(row);
+        batch.measurements.push_back({row, {}, {}});
+    }
+    AcceptMeasurement& command = batch.measurements.back();  // what follows from all of them is stored with the last
     command.states = tried.changedStates(m_records.tracker());
     BoringSchedule schedule = tried.advice().schedule;
     schedule.revision = m_next.revision + 1;
@@ -284,27 +299,29 @@ void StoredBoringService::submit(const MeasurementRow& newRow, Done done) {
         command.nextSchedule->acceptedBy = accepted ? kControlAuthor : "";
     }
     m_busy = true;
-    m_links.writer.submit(std::move(command),
-                          [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-                              if (!alive.lock()) {
-                                  return;
-                              }
-                              m_busy = false;
-                              m_storeProblem = receipt ? Sentence() : receipt.error();
-                              if (receipt) {
-                                  MeasurementRow stored = row;
-                                  stored.id = receipt->id;
-                                  m_records.addRow(stored);
-                                  if (changed) {
-                                      adopt(schedule, predictions, accepted);
-                                  }
-                              }
-                              rebuild();
-                              send();
-                              answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-                              m_listeners.tell();
-                              runNext();
-                          });
+    StoreCommand stored = rows.size() == 1 ? StoreCommand(std::move(command)) : StoreCommand(std::move(batch));
+    m_links.writer.submit(std::move(stored), [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (!alive.lock()) {
+            return;
+        }
+        m_busy = false;
+        m_storeProblem = receipt ? Sentence() : receipt.error();
+        if (receipt) {
+            MeasurementId id = receipt->id;
+            for (MeasurementRow row : rows) {
+                row.id = id++;
+                m_records.addRow(row);
+            }
+            if (changed) {
+                adopt(schedule, predictions, accepted);
+            }
+        }
+        rebuild();
+        send();
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+        m_listeners.tell();
+        runNext();
+    });
 }
 
 ScheduleRow StoredBoringService::scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const {

@@ -65,6 +65,8 @@ class StoredBoringService final : public BoringService {
 
     [[nodiscard]] const BoringServiceView& view() const override { return m_view; }
     [[nodiscard]] EntryCheck check(const BoreEntry& entry) const override;
+    [[nodiscard]] BoreImportPlan planImport(const ReadBores& read) const override;
+    void importBores(const ReadBores& read, const std::string& author, bool confirmed, Done done) override;
     void enter(const BoreEntry& entry, Done done) override;
     void correct(MeasurementId id, double diameter_mm, const std::string& author, const std::string& reason,
                  Done done) override;
@@ -89,9 +91,11 @@ class StoredBoringService final : public BoringService {
     [[nodiscard]] const Sentence& restartFinding() const noexcept { return m_restartFinding; }
 
  private:
-    /// A change waiting for its turn: makes its row from the records as they are then, or says why not.
+    /// A change waiting for its turn: makes its rows from the records as they are then, or says why not. Many rows have
+    /// ids −1, −2 … until the store has given theirs.
+    using Rows = Result<std::vector<MeasurementRow>>;
     struct Change {
-        std::function<Result<MeasurementRow>()> row{};
+        std::function<Rows()> rows{};
         Done done{};
     };
 
@@ -101,8 +105,9 @@ class StoredBoringService final : public BoringService {
     void restore(const LotHistory& history);
     void compareWithStored(const LotHistory& history);
     void queue(Change change);
+    void queueOne(std::function<Result<MeasurementRow>()> row, Done done);
     void runNext();
-    void submit(const MeasurementRow& row, Done done);
+    void submit(std::vector<MeasurementRow> rows, Done done);
     void partStored(const StoredPart& part);
     void propose();
     void tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done);
@@ -113,6 +118,7 @@ class StoredBoringService final : public BoringService {
     [[nodiscard]] LoopMode mode() const;
     [[nodiscard]] Result<MeasurementRow> correctedRow(const BoreCorrection& correction) const;
     [[nodiscard]] Result<MeasurementRow> entryRow(const BoreEntry& entry) const;
+    [[nodiscard]] Rows rowsOf(const ReadBores& read, const std::string& author, bool confirmed) const;
 
     Links m_links;
     LotRow m_lot;

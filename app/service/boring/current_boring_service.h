@@ -27,6 +27,12 @@ class CurrentBoringService final : public BoringService {
 
     [[nodiscard]] const BoringServiceView& view() const override { return m_service->view(); }
     [[nodiscard]] EntryCheck check(const BoreEntry& entry) const override { return m_service->check(entry); }
+    [[nodiscard]] BoreImportPlan planImport(const ReadBores& read) const override {
+        return m_service->planImport(read);
+    }
+    void importBores(const ReadBores& read, const std::string& author, bool confirmed, Done done) override {
+        m_service->importBores(read, author, confirmed, std::move(done));
+    }
     void enter(const BoreEntry& entry, Done done) override { m_service->enter(entry, std::move(done)); }
     void correct(MeasurementId id, double diameter_mm, const std::string& author, const std::string& reason,
                  Done done) override {

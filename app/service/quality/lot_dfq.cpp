@@ -15,9 +15,10 @@ constexpr int kPartNumber = 1001, kPartName = 1002, kChangeState = 1004, kOrder 
               kMachineName = 1082, kOperation = 1086;
 constexpr int kNumber = 2001, kName = 2002, kKind = 2004, kDecimals = 2022, kEventCatalogue = 2060, kNominal = 2101,
               kLower = 2110, kUpper = 2111, kLowerAllowance = 2112, kUpperAllowance = 2113, kLowerKind = 2120,
-              kUpperKind = 2121, kUnit = 2142, kSubgroup = 8500;
-constexpr int kMachineKey = 4062, kMachineText = 4063, kOperatorKey = 4092, kOperatorText = 4093, kCatalogue = 4220,
-              kCatalogueEntry = 4221, kCatalogueNumber = 4222, kCatalogueText = 4223;
+              kUpperKind = 2121, kUnit = 2142, kGaugeNumber = 2401, kSubgroup = 8500;
+constexpr int kMachineKey = 4062, kMachineText = 4063, kGaugeKey = 4072, kGaugeText = 4073, kOperatorKey = 4092,
+              kOperatorText = 4093, kCatalogue = 4220, kCatalogueEntry = 4221, kCatalogueNumber = 4222,
+              kCatalogueText = 4223;
 
 std::string number(double value) {
     return fmt::format("{}", value);
@@ -53,6 +54,7 @@ class Builder {
             ++row;
             detail.part.process == ProcessId::Boring ? addBores(detail.part, row) : addFigures(detail.part, row);
         }
+        gauges();
         catalogues();
         return std::move(m_file);
     }
@@ -102,12 +104,25 @@ class Builder {
         entry(kind, index, "1");
     }
 
+    /// Of a characteristic, where all its values came from the same one; else each value names its own.
+    void gauges() {
+        for (const auto& [station, names] : m_gaugesOf) {
+            if (names.size() == 1 && !names.begin()->empty()) {
+                entry(kGaugeNumber, station + 1U, *names.begin());
+            }
+        }
+    }
+
     void catalogues() {
         entry(kMachineKey, 1, "1");
         entry(kMachineText, 1, m_history.lot.machineName);
         for (const auto& [name, key] : m_operators) {
             entry(kOperatorKey, key, std::to_string(key));
             entry(kOperatorText, key, name);
+        }
+        for (const auto& [name, key] : m_gauges) {
+            entry(kGaugeKey, key, std::to_string(key));
+            entry(kGaugeText, key, name);
         }
         entry(kCatalogue, 1, "Kerf");
         const std::pair<std::uint32_t, const char*> events[] = {
@@ -121,6 +136,9 @@ class Builder {
 
     std::uint32_t operatorKey(const std::string& name) {
         return m_operators.emplace(name, static_cast<std::uint32_t>(m_operators.size() + 1)).first->second;
+    }
+    std::uint32_t gaugeKey(const std::string& name) {
+        return m_gauges.emplace(name, static_cast<std::uint32_t>(m_gauges.size() + 1)).first->second;
     }
 
     dfq::Value& add(std::uint32_t characteristic, std::uint32_t row, std::optional<double> value, int attribute,
@@ -203,6 +221,13 @@ class Builder {
             dfq::Value& value = add(measured.station + 1U, row, measured.diameter_mm, valid ? dfq::kValid : dfq::kVoid,
                                     measured.acceptedUtc_ms, events);
             value.fields.push_back({8, std::to_string(operatorKey(measured.author))});
+            if (measured.source == MeasurementSource::Gauge && !measured.sourceName.empty()) {
+                value.fields.push_back({12, std::to_string(gaugeKey(measured.sourceName))});
+            } else if (measured.source == MeasurementSource::File) {
+                remark += fmt::format("{}from file {}", remark.empty() ? "" : "; ", measured.sourceName);
+            }
+            m_gaugesOf[measured.station].insert(measured.source == MeasurementSource::Gauge ? measured.sourceName
+                                                                                            : std::string());
             if (!remark.empty()) {
                 value.fields.push_back({9, remark});
             }
@@ -215,6 +240,8 @@ class Builder {
     DfqContent m_content;
     dfq::File m_file{};
     std::map<std::string, std::uint32_t> m_operators{};
+    std::map<std::string, std::uint32_t> m_gauges{};
+    std::map<std::uint8_t, std::set<std::string>> m_gaugesOf{};  ///< by station
     std::set<std::uint32_t> m_changed{};
 };
 

@@ -36,12 +36,17 @@ class Grouping {
         using By = PartGroup::By;
         if (m_quality.lot.process == ProcessId::Boring) {
             const auto after = std::ranges::upper_bound(m_tools, row.number);
-            join(part, By::Tool, std::to_string(after == m_tools.begin() ? m_tools.front() : *(after - 1)));
+            const std::size_t tool = join(
+                part, {By::Tool, std::to_string(after == m_tools.begin() ? m_tools.front() : *(after - 1)), {}, {}});
+            for (std::size_t i = 0; i < part.judgement.values.size(); ++i) {
+                count(part, tool, i);
+            }
         }
-        const std::vector<MeasurementRow> held = effectiveMeasurements(row.measurements);
-        if (!held.empty()) {
-            join(part, By::Person, held.back().author);
-            join(part, By::Source, held.back().source == MeasurementSource::Gauge ? "gauge" : "keypad");
+        // Two bores of a part may come from two gauges, or be entered by two people: each value counts where it
+        // belongs.
+        for (const MeasurementRow& held : effectiveMeasurements(row.measurements)) {
+            count(part, join(part, {By::Person, held.author, {}, {}}), held.station);
+            count(part, join(part, {By::Source, held.sourceName, held.source, {}}), held.station);
         }
     }
     void finish() {
@@ -54,20 +59,28 @@ class Grouping {
     }
 
  private:
-    void join(LotPart& part, PartGroup::By by, const std::string& name) {
-        std::size_t at = 0;
-        while (at < m_quality.groups.size() && (m_quality.groups[at].by != by || m_quality.groups[at].name != name)) {
-            ++at;
-        }
+    /// The place of this group, which the part then belongs to.
+    std::size_t join(LotPart& part, const PartGroup& group) {
+        const auto same = [&group](const PartGroup& other) {
+            return other.by == group.by && other.name == group.name && other.source == group.source;
+        };
+        const auto found = std::ranges::find_if(m_quality.groups, same);
+        const auto at = static_cast<std::size_t>(found - m_quality.groups.begin());
         if (at == m_quality.groups.size()) {
-            m_quality.groups.push_back({by, name, {}});
+            m_quality.groups.push_back(group);
             m_moments.emplace_back(m_quality.characteristics.size());
         }
-        part.groups.push_back(at);
-        for (std::size_t i = 0; i < m_moments[at].size(); ++i) {
-            if (const auto& value = part.judgement.values[i].value; value && std::isfinite(*value)) {
-                m_moments[at][i].add(*value);
-            }
+        if (std::ranges::find(part.groups, at) == part.groups.end()) {
+            part.groups.push_back(at);
+        }
+        return at;
+    }
+    void count(const LotPart& part, std::size_t group, std::size_t characteristic) {
+        if (characteristic >= m_moments[group].size()) {
+            return;
+        }
+        if (const auto& value = part.judgement.values[characteristic].value; value && std::isfinite(*value)) {
+            m_moments[group][characteristic].add(*value);
         }
     }
 
@@ -279,6 +292,61 @@ LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>&
     judgeParts(history, announced, quality);
     quality.sentence = sentenceOf(quality);
     return quality;
+}
+
+LotQuality joinLots(std::vector<LotQuality> lots, const quality::ChartParams& params) {
+    LotQuality joined;
+    joined.lot = lots.back().lot;
+    joined.lot.id = allLotsOf(joined.lot.partType);
+    joined.recipeRevision = lots.back().recipeRevision;
+    joined.characteristics = lots.back().characteristics;
+    joined.gaugeSigma_mm = lots.back().gaugeSigma_mm;
+    std::vector<quality::Moments> moments(joined.characteristics.size());
+    std::uint32_t taken = 0;
+    for (LotQuality& lot : lots) {
+        if (!std::ranges::equal(lot.characteristics, joined.characteristics, {}, &Characteristic::key,
+                                &Characteristic::key)) {
+            continue;
+        }
+        ++taken;
+        joined.steady = joined.steady && lot.steady;
+        joined.groups.push_back({PartGroup::By::Lot, lot.lot.name, {}, lot.capability});
+        for (LotPart& part : lot.parts) {
+            part.groups = {joined.groups.size() - 1};
+            for (std::size_t i = 0; i < moments.size(); ++i) {
+                if (const auto& value = part.judgement.values[i].value; value && std::isfinite(*value)) {
+                    moments[i].add(*value);
+                }
+            }
+            joined.parts.push_back(std::move(part));
+        }
+        if (!lot.charted.empty()) {
+            lot.charted.front().announced = true;  // the charts of another lot begin anew
+        }
+        joined.charted.insert(joined.charted.end(), lot.charted.begin(), lot.charted.end());
+        joined.good += lot.good;
+        joined.notJudged += lot.notJudged;
+        joined.rework += lot.rework;
+        joined.scrap += lot.scrap;
+    }
+    std::ranges::sort(joined.parts, {}, &LotPart::id);
+    std::ranges::sort(joined.charted, {}, &ChartedPart::id);
+    for (std::size_t i = 0; i < joined.parts.size(); ++i) {
+        joined.parts[i].number = static_cast<std::uint32_t>(i + 1);
+    }
+    for (ChartedPart& part : joined.charted) {
+        part.number = std::ranges::lower_bound(joined.parts, part.id, {}, &LotPart::id)->number;
+    }
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        joined.capability.push_back(
+            quality::capability(moments[i], joined.characteristics[i].tolerance, joined.steady));
+    }
+    runCharts(params, joined);
+    joined.sentence =
+        Sentence(KERF_TEXT("%1 lots one after the other, %2 parts on the charts, %3 signals."),
+                 SentenceArg(static_cast<double>(taken), 0), SentenceArg(static_cast<double>(joined.charted.size()), 0),
+                 SentenceArg(static_cast<double>(joined.found.size()), 0));
+    return joined;
 }
 
 }  // namespace kerf

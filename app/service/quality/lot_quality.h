@@ -20,4 +20,8 @@ namespace kerf {
                                     const std::vector<boring::AnnouncedChange>& announced = {},
                                     const quality::ChartParams& params = {});
 
+/// Lots of one part type, oldest first, as one: parts in the order they were made and numbered through, the charts
+/// begin anew with each lot, a group per lot. What another recipe measures elsewhere is left out. @pre !lots.empty()
+[[nodiscard]] LotQuality joinLots(std::vector<LotQuality> lots, const quality::ChartParams& params = {});
+
 }  // namespace kerf

@@ -39,10 +39,48 @@ std::optional<PartId> newestPart(db::DatabaseReader& reader, LotId lot, ProcessI
     return newest && !newest->empty() ? std::optional(newest->front().id) : std::nullopt;
 }
 
+/// The newest lots of a part type, until `count` parts are there.
+Result<QualityLot> readAllLots(db::DatabaseReader& reader, PartTypeId type, std::uint32_t count) {
+    constexpr std::uint32_t kMostLots = 200;
+    const auto lots = reader.lots(type, kMostLots);
+    if (!lots) {
+        return tl::unexpected(lots.error());
+    }
+    const bool firstLook = count == kFirstLook_parts;
+    std::vector<LotQuality> read;
+    bool more = false;
+    for (const LotRow& row : *lots) {
+        more = count == 0;
+        if (more) {
+            break;
+        }
+        auto lot = readQualityLot(reader, row.id, count);
+        if (!lot) {
+            return tl::unexpected(lot.error());
+        }
+        if (!lot->quality.parts.empty()) {
+            count -= std::min(count, static_cast<std::uint32_t>(lot->quality.parts.size()));
+            more = lot->quality.olderParts;
+            read.push_back(std::move(lot->quality));
+        }
+    }
+    if (read.empty()) {
+        return fail(KERF_TEXT("The lots have no parts yet."));
+    }
+    std::ranges::reverse(read);
+    QualityLot result{{}, joinLots(std::move(read))};
+    result.history.lot = result.quality.lot;
+    result.quality.olderParts = more && firstLook;  // all of them follow; their pages end with what is read at once
+    return result;
+}
+
 }  // namespace
 
 Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::uint32_t count,
                                   std::optional<PartId> last) {
+    if (const auto type = partTypeOfAllLots(lot)) {
+        return readAllLots(reader, *type, count);
+    }
     LotHistory history;
     std::vector<boring::AnnouncedChange> announced;
     if (lot < 0) {
@@ -250,6 +288,10 @@ void StoredQualityService::store(AddRoomRecord record, std::function<void()> kep
 }
 
 void StoredQualityService::dispose(PartId part, const std::string& what, const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityDecision); !may) {
+        done(may);
+        return;
+    }
     const ProcessId process = m_lot ? m_lot->lot.process : ProcessId::Boring;
     const nlohmann::json body{{"what", what}};
     store(
@@ -276,6 +318,10 @@ std::function<VerdictOf()> StoredQualityService::openVerdicts() {
 
 void StoredQualityService::setLimits(ProcessId process, const std::vector<FigureLimit>& limits,
                                      const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits); !may) {
+        done(may);
+        return;
+    }
     const std::string body = limitsJson(limits);
     if (const auto valid = limitsFromJson(process, body); !valid) {
         done(tl::unexpected(valid.error()));
@@ -293,10 +339,18 @@ void StoredQualityService::setLimits(ProcessId process, const std::vector<Figure
 }
 
 void StoredQualityService::saveGauge(const Gauge& gauge, const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityGauge); !may) {
+        done(may);
+        return;
+    }
     if (const auto why = whyInvalid(gauge)) {
         done(tl::unexpected(*why));
         return;
     }
+    keepGauge(gauge, author, std::move(done));
+}
+
+void StoredQualityService::keepGauge(const Gauge& gauge, const std::string& author, Done done) {
     store(
         {ProcessId::Boring, kGaugeRecord, gauge.identity, gaugeJson(gauge), author, {}},
         [this, gauge] {
@@ -308,6 +362,10 @@ void StoredQualityService::saveGauge(const Gauge& gauge, const std::string& auth
 }
 
 void StoredQualityService::saveStudy(const GaugeStudyRecord& study, const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityStudy); !may) {
+        done(may);
+        return;
+    }
     const auto gauge = std::ranges::find(m_gauges, study.gauge, &Gauge::identity);
     if (gauge == m_gauges.end()) {
         done(fail(KERF_TEXT("There is no such gauge.")));
@@ -327,11 +385,14 @@ void StoredQualityService::saveStudy(const GaugeStudyRecord& study, const std::s
     store(
         {ProcessId::Boring, kStudyRecord, study.gauge, studyJson(study, *finding), author, {}}, [] {},
         [this, updated, author, done](const Result<void>& stored) {
-            stored ? saveGauge(updated, author, done) : done(stored);
+            stored ? keepGauge(updated, author, done) : done(stored);
         });
 }
 
 void StoredQualityService::writeReport(LotId lot, bool firstArticle, const std::string& file, Done done) {
+    if (partTypeOfAllLots(lot)) {
+        return done(fail(KERF_TEXT("Choose one lot: a report and its files are of one.")));
+    }
     LotPapers papers;
     papers.firstArticle = firstArticle;
     papers.dispositions = m_dispositions;
@@ -355,6 +416,10 @@ void StoredQualityService::writeReport(LotId lot, bool firstArticle, const std::
 }
 
 void StoredQualityService::setDfqFiles(const DfqFiles& files, const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityFiles); !may) {
+        done(may);
+        return;
+    }
     if (const auto why = files.folder.empty() ? std::nullopt : whyNoPattern(files.pattern)) {
         done(tl::unexpected(*why));
         return;
@@ -371,6 +436,9 @@ void StoredQualityService::setDfqFiles(const DfqFiles& files, const std::string&
 }
 
 void StoredQualityService::writeDfq(LotId lot, const std::string& file, Done done) {
+    if (partTypeOfAllLots(lot)) {
+        return done(fail(KERF_TEXT("Choose one lot: a report and its files are of one.")));
+    }
     m_links.background(
         [path = m_links.databasePath, lot, file]() -> Result<void> {
             const auto read = readQualityLot(path, lot);

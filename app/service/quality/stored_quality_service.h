@@ -6,6 +6,7 @@
 
 #include "app/service/quality/lot_quality.h"
 #include "app/service/quality/part_judge.h"
+#include "app/service/rights.h"
 #include "db/api/room_records.h"
 #include "db/api/settings_reader.h"
 #include "db/api/store_writer.h"
@@ -62,6 +63,7 @@ class StoredQualityService final : public QualityService {
         std::function<void(Work, Done)> background{};
         /// Asked on the GUI thread; what it returns runs on a worker.
         std::function<Report()> makeReport{};
+        Rights rights{};
     };
     explicit StoredQualityService(Links links);
 
@@ -103,6 +105,7 @@ class StoredQualityService final : public QualityService {
     void tell();
     void store(AddRoomRecord record, std::function<void()> kept, Done done);
     void readRecords();
+    void keepGauge(const Gauge& gauge, const std::string& author, Done done);
 
     Links m_links;
     PartJudge m_judge;

@@ -2,6 +2,7 @@
 #include "ui/pages/boring/boring_page.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -9,11 +10,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 
 #include "db/api/settings_reader.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
+#include "ui/pages/boring/import_form.h"
 #include "ui/pages/boring/lot_form.h"
 #include "ui/pages/boring/measurement_list.h"
 #include "ui/services/quality_service.h"
@@ -22,6 +25,7 @@
 namespace kerf::ui {
 namespace {
 constexpr const char* kChannelsSetting = "gauge.channels";
+constexpr const char* kGaugesSetting = "gauge.at_hand";
 }  // namespace
 
 BoringPage::BoringPage(const PageContext& page, QWidget* parent)
@@ -62,7 +66,9 @@ void BoringPage::build() {
         });
     }
     m_entry = new EntryPanel(look(), *m_service,
-                             {[this] { return context().session.author(); }, context().withOperator}, this);
+                             {[this] { return context().session.author(); }, context().withOperator,
+                              [this](int channel) { return gaugeOn(channel); }},
+                             this);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -115,6 +121,11 @@ void BoringPage::build() {
             channels = GaugeChannels::fromText(QString::fromStdString(**text));
         }
     }
+    if (services.settings != nullptr) {
+        if (const auto text = services.settings->setting(kGaugesSetting); text && *text) {
+            m_gauges = GaugesAtHand::fromText(QString::fromStdString(**text));
+        }
+    }
     m_entry->setChannels(channels);
     connect(m_entry, &EntryPanel::channelLearnt, this, [this] { saveChannels(); });
 
@@ -152,19 +163,18 @@ void BoringPage::showEvent(QShowEvent* event) {
 }
 
 void BoringPage::showGaugeDue() {
-    QualityService* quality = context().services.qualityService;
     QStringList notes;
-    const double target_mm = m_service->view().targetDiameter_mm;
     const std::int64_t now_ms = QDateTime::currentMSecsSinceEpoch();
-    for (const Gauge& gauge : quality != nullptr ? quality->gauges() : std::vector<Gauge>{}) {
-        const bool due = gauge.dueUtc_ms > 0 && now_ms > gauge.dueUtc_ms;
-        if (due && target_mm >= gauge.rangeFrom_mm && target_mm <= gauge.rangeTo_mm) {
+    const std::vector<Gauge> gauges = suitable();
+    for (const Gauge& gauge : gauges) {
+        if (gauge.dueUtc_ms > 0 && now_ms > gauge.dueUtc_ms) {
             notes << tr("Gauge %1 is overdue since %2: have it checked before you rely on it.")
                          .arg(QString::fromStdString(gauge.identity),
                               QDateTime::fromMSecsSinceEpoch(gauge.dueUtc_ms).toString(QStringLiteral("yyyy-MM-dd")));
         }
     }
     m_entry->setGaugeNote(notes.join(u' '));
+    m_entry->setGaugesThere(!gauges.empty());
 }
 
 void BoringPage::onServiceChanged() {
@@ -287,6 +297,12 @@ void BoringPage::openList() {
     auto* list = new MeasurementList(look(), *m_service, sheet);
     sheet->body()->addWidget(list);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("measurementListClose"));
+    if (context().services.readBores) {
+        sheet
+            ->addButton(
+                tr("From a file"), [this] { context().withOperator([this] { ImportForm::open(context()); }); }, false)
+            ->setObjectName(QStringLiteral("measurementListImport"));
+    }
     connect(list, &MeasurementList::measurementTouched, this, [this](qint64 part, int depth, qint64 measurement) {
         context().withOperator([this, part, depth, measurement] {
             openForm(part, static_cast<std::uint8_t>(depth), measurement, MeasurementForm::Start::Correct);
@@ -302,7 +318,7 @@ void BoringPage::onGauge(const GaugeReading& reading) {
     // A value is being corrected, on whatever page: the gauge means that one.
     if (const Sheet* sheet = context().sheets.current()) {
         if (auto* form = sheet->findChild<MeasurementForm*>()) {
-            form->takeGauge(reading);
+            form->takeGauge(reading, gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel)));
             context().notify(form->message());
             return;
         }
@@ -347,12 +363,35 @@ void BoringPage::tellElsewhere(const QString& sentence) {
 }
 
 void BoringPage::openChannels() {
-    Sheet* sheet =
-        context().sheets.open(tr("Gauge channels"), tr("Which channel of the gauge's switch measures at which depth."));
+    Sheet* sheet = context().sheets.open(tr("Gauges"),
+                                         tr("Which gauge sends the readings: it is kept with each value. Which channel "
+                                            "of a gauge's switch measures at which depth."));
     const auto& depths = m_service->view().depths;
+    const std::vector<Gauge> gauges = suitable();
     auto* grid = new QGridLayout;
     grid->setSpacing(look().metrics().touchGap());
     int row = 0;
+    const auto choice = [&](int channel) {
+        auto* box = new QComboBox(sheet);
+        box->setObjectName(QStringLiteral("boringGauge%1").arg(channel));
+        box->setAccessibleName(tr("Gauge"));
+        box->addItem(tr("not said"), QString());
+        for (const Gauge& gauge : gauges) {
+            const QString identity = QString::fromStdString(gauge.identity);
+            box->addItem(identity, identity);
+        }
+        box->setCurrentIndex(std::max(0, box->findData(QString::fromStdString(gaugeOn(channel)))));
+        connect(box, &QComboBox::activated, this,
+                [this, box, channel] { keepGauge(channel, box->currentData().toString().toStdString()); });
+        return box;
+    };
+    if (!gauges.empty()) {
+        auto* label = makeLabel(TextRole::Body, sheet);
+        label->setText(tr("Gauge at hand"));
+        grid->addWidget(label, row, 0);
+        grid->addWidget(choice(GaugesAtHand::kNoChannel), row, 1, 1, std::max(1, static_cast<int>(depths.size())));
+        ++row;
+    }
     for (const auto& [channel, its] : m_entry->channels().all()) {
         auto* label = makeLabel(TextRole::Body, sheet);
         label->setText(tr("Channel %1").arg(channel));
@@ -370,12 +409,39 @@ void BoringPage::openChannels() {
             });
             grid->addWidget(button, row, static_cast<int>(depth) + 1);
         }
+        if (!gauges.empty()) {
+            grid->addWidget(choice(channel), row, static_cast<int>(depths.size()) + 1);
+        }
         ++row;
     }
     sheet->body()->addLayout(grid);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("boringChannelsClose"));
-    sheet->addButton(tr("Learn them anew"), [this] { keepChannels({}); })
-        ->setObjectName(QStringLiteral("boringChannelsForget"));
+    if (!m_entry->channels().all().empty()) {
+        sheet->addButton(tr("Learn the channels anew"), [this] { keepChannels({}); })
+            ->setObjectName(QStringLiteral("boringChannelsForget"));
+    }
+}
+
+std::vector<Gauge> BoringPage::suitable() const {
+    const QualityService* quality = context().services.qualityService;
+    std::vector<Gauge> gauges = quality != nullptr ? quality->gauges() : std::vector<Gauge>{};
+    const double target_mm = m_service->view().targetDiameter_mm;
+    std::erase_if(gauges, [target_mm](const Gauge& gauge) {
+        return target_mm < gauge.rangeFrom_mm || target_mm > gauge.rangeTo_mm;
+    });
+    return gauges;
+}
+
+std::string BoringPage::gaugeOn(int channel) const {
+    return m_gauges.of(channel, suitable(), m_service->view().targetDiameter_mm);
+}
+
+void BoringPage::keepGauge(int channel, const std::string& identity) {
+    m_gauges.set(channel, identity);
+    m_entry->showChannels();
+    if (const auto& save = context().services.saveSetting) {
+        save(QLatin1String(kGaugesSetting), m_gauges.text());
+    }
 }
 
 void BoringPage::keepChannels(const GaugeChannels& channels) {

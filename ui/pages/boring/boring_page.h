@@ -11,6 +11,7 @@
 #include "ui/pages/boring/entry_panel.h"
 #include "ui/pages/boring/estimate_panel.h"
 #include "ui/pages/boring/feed_panel.h"
+#include "ui/pages/boring/gauges_at_hand.h"
 #include "ui/pages/boring/next_part_panel.h"
 #include "ui/shell/page.h"
 
@@ -31,11 +32,13 @@ namespace kerf::ui {
 ///     boringChangeInsert, boringChangeReground, boringChangeMaterial, boringChangeNone, boringChangeCancel)
 ///   boringEstimates
 ///   boringEntry: boringEntryPrompt, boringDiameterField, boringEntryUnit, boringGaugeDue, boringEntryMessage,
-///     boringChannels (what channel of a gauge's switch measures where; its sheet: boringChannel1Depth0 …,
+///     boringChannels (which gauge is at hand, what channel of its switch measures where; its sheet: boringGauge0 …,
+///     boringChannel1Depth0 …,
 ///     boringChannelsClose, boringChannelsForget), boringKeypad (key0…key9, keyPoint, keyBack, keyClear, keyEnter),
 ///     boringGauge, boringCorrect, boringUndo, boringMeasureAgain, boringConfirm (the two answers to a plausibility
 ///     question)
-///   sheet of boringCorrect: boringMeasurementList (column 0 part, then one per depth), measurementListClose
+///   sheet of boringCorrect: boringMeasurementList (column 0 part, then one per depth), measurementListClose,
+///     measurementListImport (see ImportForm)
 ///   sheet of correct / undo: see MeasurementForm
 class BoringPage : public Page {
     Q_OBJECT
@@ -53,7 +56,7 @@ class BoringPage : public Page {
  private:
     void build();
     void onServiceChanged();
-    /// An overdue gauge is said where its readings are entered.
+    /// An overdue gauge is said where its readings are entered; which one is at hand stands beside.
     void showGaugeDue();
     void onStatus(const Status& status);
     void showNote();
@@ -64,6 +67,10 @@ class BoringPage : public Page {
     void takeUnsigned();
     void tellElsewhere(const QString& sentence);
     void openChannels();
+    [[nodiscard]] std::string gaugeOn(int channel) const;
+    void keepGauge(int channel, const std::string& identity);
+    /// Gauges of the register that can measure this bore.
+    [[nodiscard]] std::vector<Gauge> suitable() const;
     void keepChannels(const GaugeChannels& channels);
     void saveChannels();
     void acceptSchedule();
@@ -83,6 +90,7 @@ class BoringPage : public Page {
     NextPartPanel* m_next{nullptr};
     EstimatePanel* m_estimates{nullptr};
     EntryPanel* m_entry{nullptr};
+    GaugesAtHand m_gauges{};
     QLabel* m_missing{nullptr};
     QVBoxLayout* m_rows{nullptr};
     QHBoxLayout* m_top{nullptr};

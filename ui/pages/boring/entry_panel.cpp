@@ -10,6 +10,7 @@
 
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
+#include "ui/pages/boring/gauges_at_hand.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -301,6 +302,7 @@ void EntryPanel::commit() {
     entry.depth = m_target->depth;
     entry.author = m_signing.author();
     entry.fromGauge = m_fromGauge;
+    entry.gauge = m_fromGauge ? m_gaugeOfField : std::string();
     if (input.empty()) {
         say([this, entry] { return tr("Nothing typed for %1: type its last two figures.").arg(place(entry)); }, true);
         return;
@@ -410,6 +412,7 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
         if (m_field->input().empty()) {  // it came from a gauge: into the field, so that Enter can try again
             m_field->input().set_mm(entry.diameter_mm);
             m_fromGauge = entry.fromGauge;
+            m_gaugeOfField = entry.gauge;
         }
         showTarget();
         emit attentionNeeded();
@@ -453,6 +456,7 @@ void EntryPanel::readGauge() {
     m_question.reset();
     m_field->input().set_mm(*reading_mm);
     m_fromGauge = true;
+    m_gaugeOfField = gaugeOn(GaugesAtHand::kNoChannel);
     say({});
     showTarget();
     m_field->setFocus();

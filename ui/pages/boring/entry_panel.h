@@ -33,6 +33,8 @@ class EntryPanel : public Card {
     struct Signing {
         std::function<std::string()> author;
         std::function<void(std::function<void()> action)> withOperator;
+        /// Which gauge sends on this channel (GaugesAtHand::kNoChannel: none, or the machine's own); may be empty.
+        std::function<std::string(int channel)> gauge{};
     };
 
     EntryPanel(Look& look, BoringService& service, Signing signing, QWidget* parent = nullptr);
@@ -54,6 +56,11 @@ class EntryPanel : public Card {
     void setGaugeNote(const QString& note);
     [[nodiscard]] const GaugeChannels& channels() const { return m_channels; }
     void setChannels(GaugeChannels channels);
+    /// Another gauge is at hand, or the register has changed.
+    void showChannels();
+    [[nodiscard]] std::string gaugeOn(int channel) const;
+    /// There are gauges in the register for this bore: one of them may be named.
+    void setGaugesThere(bool there);
     [[nodiscard]] DiameterField* field() const { return m_field; }
     /// What is said under the field.
     [[nodiscard]] QString message() const;
@@ -101,7 +108,6 @@ class EntryPanel : public Card {
     void told();
     [[nodiscard]] bool inBurst() const;
     [[nodiscard]] std::optional<Target> targetOf(const GaugeReading& reading, QString& why);
-    void showChannels();
     [[nodiscard]] std::optional<Target> nextTarget() const;
     [[nodiscard]] QString place(const BoreEntry& entry) const;
     [[nodiscard]] QString whyNoTarget() const;
@@ -134,7 +140,9 @@ class EntryPanel : public Card {
     std::optional<BoreEntry> m_question;
     std::optional<BoreEntry> m_kept;  ///< the store had no room for it: tried again by itself while the field shows it
     bool m_pending{false};
-    bool m_fromGauge{false};  ///< the field holds a reading of the gauge button
+    bool m_fromGauge{false};       ///< the field holds a reading of a gauge …
+    std::string m_gaugeOfField{};  ///< … of this one; empty: not known
+    bool m_askGauge{false};
     Words m_words;
     Words m_confirmWords;
     GaugeChannels m_channels{};

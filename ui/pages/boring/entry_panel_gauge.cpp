@@ -6,6 +6,7 @@
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/boring/entry_panel.h"
+#include "ui/pages/boring/gauges_at_hand.h"
 
 namespace kerf::ui {
 
@@ -29,8 +30,22 @@ void EntryPanel::setChannels(GaugeChannels channels) {
     showChannels();
 }
 
+std::string EntryPanel::gaugeOn(int channel) const {
+    return m_signing.gauge ? m_signing.gauge(channel) : std::string();
+}
+
+void EntryPanel::setGaugesThere(bool there) {
+    m_askGauge = there;
+    showChannels();
+}
+
 void EntryPanel::showChannels() {
     QStringList words;
+    if (const std::string gauge = gaugeOn(GaugesAtHand::kNoChannel); !gauge.empty()) {
+        words << QString::fromStdString(gauge);
+    } else if (m_askGauge) {
+        words << tr("Which gauge?");
+    }
     const auto& depths = m_service.view().depths;
     for (const auto& [channel, depth] : m_channels.all()) {
         if (depth < depths.size()) {
@@ -146,6 +161,8 @@ void EntryPanel::judgeAndSubmit(const GaugeReading& reading, const Target& targe
     entry.diameter_mm = judgement.value_mm;
     entry.author = m_signing.author();
     entry.fromGauge = true;
+    entry.gauge = gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel));
+    m_gaugeOfField = entry.gauge;
     m_question.reset();
     m_confirmWords = nullptr;
     m_fromGauge = true;

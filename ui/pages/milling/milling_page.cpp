@@ -10,6 +10,7 @@
 #include "ui/pages/milling/cut_log.h"
 #include "ui/pages/milling/setup_form.h"
 #include "ui/pages/milling/tool_memory_sheet.h"
+#include "ui/shell/last_verdict.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -36,6 +37,7 @@ void MillingPage::build() {
     m_control = new MillingControlPanel(look(), this);
     m_note = makeLabel(TextRole::Body, this, true);
     m_note->setObjectName(QStringLiteral("millingNote"));
+    m_wall->header()->addWidget(new LastVerdict(context(), ProcessId::Milling, m_wall));
     m_left = new QVBoxLayout;
     m_lower = new QHBoxLayout;
     m_buttons = new QHBoxLayout;

@@ -213,10 +213,10 @@ void PartDetailPanel::showHistory() {
         QString what;
         switch (row.kind) {
             case MeasurementKind::Entry:
-                what = row.source == MeasurementSource::Gauge ? tr("gauge") : tr("typed");
+                what = sourceText(row.source, row.sourceName);
                 break;
             case MeasurementKind::Correction:
-                what = tr("correction");
+                what = tr("correction") + QStringLiteral(", ") + sourceText(row.source, row.sourceName);
                 break;
             case MeasurementKind::Void:
                 what = tr("taken out");

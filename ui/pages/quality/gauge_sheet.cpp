@@ -124,12 +124,18 @@ void GaugeSheets::openGauge(const Gauge& gauge) {
         sheet
             ->addButton(
                 tr("Study with one ring"),
-                [this, gauge] { m_context.withOperator([this, gauge] { openStudy(gauge, false); }); }, false)
+                [this, gauge] {
+                    m_context.withPermission(Deed::QualityStudy, [this, gauge] { openStudy(gauge, false); });
+                },
+                false)
             ->setObjectName(QStringLiteral("studyTypeOne"));
         sheet
             ->addButton(
                 tr("Study with parts and persons"),
-                [this, gauge] { m_context.withOperator([this, gauge] { openStudy(gauge, true); }); }, false)
+                [this, gauge] {
+                    m_context.withPermission(Deed::QualityStudy, [this, gauge] { openStudy(gauge, true); });
+                },
+                false)
             ->setObjectName(QStringLiteral("studyCrossed"));
     }
     if (gauge.sigma_mm && m_context.services.boringLots != nullptr) {
@@ -160,7 +166,7 @@ void GaugeSheets::openGauge(const Gauge& gauge) {
         changed.resolution_mm = *step;
         changed.ring_mm = *size;
         changed.dueUtc_ms = day.isValid() ? day.endOfDay().toMSecsSinceEpoch() : 0;
-        m_context.withOperator([this, changed, why = QPointer<QLabel>(why), open] {
+        m_context.withPermission(Deed::QualityGauge, [this, changed, why = QPointer<QLabel>(why), open] {
             m_service.saveGauge(changed, m_context.session.name().toStdString(),
                                 [this, why, open](const Result<void>& done) {
                                     if (!done && why) {

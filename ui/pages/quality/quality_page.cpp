@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <map>
 
 #include "db/api/lot_reader.h"
 #include "ui/dialogs/sheet.h"
@@ -143,7 +144,8 @@ void QualityPage::build() {
     connect(m_newer, &QPushButton::clicked, this, [this] { turnPage(false); });
     connect(m_characteristics, &QComboBox::activated, this, &QualityPage::showCharacteristic);
     connect(m_gauges, &QPushButton::clicked, this, [this] { m_gaugeSheets->openRegister(); });
-    connect(m_decide, &QPushButton::clicked, this, [this] { context().withOperator([this] { decide(); }); });
+    connect(m_decide, &QPushButton::clicked, this,
+            [this] { context().withPermission(Deed::QualityDecision, [this] { decide(); }); });
     connect(m_files, &QPushButton::clicked, this, [this] { m_sheets->openFiles(); });
     connect(m_limits, &QPushButton::clicked, this, [this] { m_sheets->openLimits(m_service->shown()->lot.process); });
     m_service->onChanged([this] {
@@ -274,6 +276,13 @@ void QualityPage::listLots() {
             tr("%1: lot %2").arg(QString::fromStdString(lot.partTypeName), QString::fromStdString(lot.name)),
             QVariant::fromValue(static_cast<qlonglong>(lot.id)));
     }
+    std::map<PartTypeId, int> count;
+    for (const LotRow& lot : lots ? *lots : std::vector<LotRow>{}) {
+        if (++count[lot.partType] == 2) {
+            m_lots->addItem(tr("%1: all lots").arg(QString::fromStdString(lot.partTypeName)),
+                            QVariant::fromValue(static_cast<qlonglong>(allLotsOf(lot.partType))));
+        }
+    }
     for (const ProcessId process : {ProcessId::Milling, ProcessId::Turning, ProcessId::Tapping}) {
         m_lots->addItem(tr("%1: newest parts").arg(processName(process)),
                         QVariant::fromValue(static_cast<qlonglong>(partsWithoutLot(process))));
@@ -401,7 +410,8 @@ void QualityPage::decide() {
 }
 
 QString QualityPage::whyNoFile() const {
-    return m_service->shown() == nullptr ? tr("no lot is shown") : QString();
+    const LotQuality* lot = m_service->shown();
+    return lot == nullptr ? tr("no lot is shown") : partTypeOfAllLots(lot->lot.id) ? tr("choose one lot") : QString();
 }
 
 }  // namespace kerf::ui

@@ -48,15 +48,26 @@ QString characteristicName(const Characteristic& characteristic) {
 
 QString groupName(const PartGroup& group) {
     switch (group.by) {
+        case PartGroup::By::Lot:
+            return QualityTexts::tr("lot %1").arg(QString::fromStdString(group.name));
         case PartGroup::By::Tool:
             return QualityTexts::tr("tool from part %1").arg(QString::fromStdString(group.name));
         case PartGroup::By::Person:
             return QualityTexts::tr("entered by %1").arg(QString::fromStdString(group.name));
         case PartGroup::By::Source:
-            return group.name == "gauge" ? QualityTexts::tr("read from the gauge")
-                                         : QualityTexts::tr("typed on the keypad");
+            break;
     }
-    return {};
+    const QString name = QString::fromStdString(group.name);
+    switch (group.source) {
+        case MeasurementSource::Keypad:
+            return QualityTexts::tr("typed on the keypad");
+        case MeasurementSource::Gauge:
+            return name.isEmpty() ? QualityTexts::tr("read from the gauge")
+                                  : QualityTexts::tr("read from gauge %1").arg(name);
+        case MeasurementSource::File:
+            break;
+    }
+    return QualityTexts::tr("from file %1").arg(name);
 }
 
 QString capabilityText(const quality::Capability& capability, const UnitSystem& units) {

@@ -116,7 +116,7 @@ void QualitySheets::openAutomaticFiles() {
     sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
     const auto save = [this, folder, pattern, why, open = QPointer<Sheet>(sheet)] {
         const DfqFiles files{folder->text().trimmed().toStdString(), pattern->text().trimmed().toStdString()};
-        m_context.withRole(Role::Setter, [this, files, why = QPointer<QLabel>(why), open] {
+        m_context.withPermission(Deed::QualityFiles, [this, files, why = QPointer<QLabel>(why), open] {
             m_service.setDfqFiles(files, m_context.session.name().toStdString(),
                                   [this, why, open](const Result<void>& stored) {
                                       if (!stored && why) {
@@ -180,7 +180,7 @@ void QualitySheets::openLimits(ProcessId process) {
                 limits.push_back(other);
             }
         }
-        m_context.withRole(Role::Setter, [this, process, limits, why = QPointer<QLabel>(why)] {
+        m_context.withPermission(Deed::QualityLimits, [this, process, limits, why = QPointer<QLabel>(why)] {
             m_service.setLimits(process, limits, m_context.session.name().toStdString(),
                                 [this, why](const Result<void>& stored) {
                                     if (why) {

@@ -10,6 +10,7 @@
 #include "ui/pages/tapping/job_sheet.h"
 #include "ui/pages/tapping/recovery_sheet.h"
 #include "ui/pages/tapping/tapping_texts.h"
+#include "ui/shell/last_verdict.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -55,6 +56,7 @@ void TappingPage::build() {
         column->addWidget(bars, 1);
         m_bars->addLayout(column, 1);
     }
+    m_barCard->header()->addWidget(new LastVerdict(context(), ProcessId::Tapping, m_barCard));
     m_barCard->body()->addLayout(m_bars, 1);
 
     m_speedCard = new Card(look(), this);

@@ -16,6 +16,7 @@
 #include "ui/pages/turning/turning_control_panel.h"
 #include "ui/pages/turning/turning_setup_form.h"
 #include "ui/pages/turning/turning_texts.h"
+#include "ui/shell/last_verdict.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -43,6 +44,7 @@ void TurningPage::build() {
     m_process = new ProcessPanel(look(), this);
     m_margins = new MarginPanel(look(), this);
     m_comparison = new ComparisonPanel(look(), this);
+    m_surface->header()->addWidget(new LastVerdict(context(), ProcessId::Turning, m_surface));
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
     m_charts = new QVBoxLayout;
