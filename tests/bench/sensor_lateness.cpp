@@ -89,7 +89,8 @@ int main(int argc, char** argv) {
     nlohmann::json file;
     for (int m = 0; m < kModules; ++m) {
         int id = 0;
-        const std::string name = "M" + std::to_string(m);
+        std::string name("M");
+        name += std::to_string(m);
         file["modules"].push_back(
             {{"name", name}, {"transport", "tcp"}, {"host", "127.0.0.1"}, {"port", modules.addTcp(id)}});
         (void)modules.set(id, "input", 0, std::vector<int>(kPerModule, 215), 1);

@@ -92,7 +92,7 @@ class TestReadBack : public QObject {
         row("charts: charts", {"quality", "charts", "charts.csv"});
         row("charts: charts of the errors", {"quality", "charts", "charts.csv", "--column", "error"});
         row("charts: capability", {"quality", "capability", "charts.csv", "--lower", "49.9", "--upper", "50.1"});
-        row("charts of a lot", {"quality", "charts", "lot.csv"});
+        row("charts of a lot", {"quality", "charts", "lot.csv", "--sigma", "0.005"});
     }
     void whatOtherCommandsWrite() {
         QFETCH(QStringList, reading);

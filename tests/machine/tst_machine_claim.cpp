@@ -70,10 +70,10 @@ class TestMachineClaim : public QObject {
         Fitted fitted;
         fitted.externalOffsets = true;
         fitted.units = MachineUnits::Millimetre;
-        QVERIFY(capabilitiesOf(fitted).workOffset.fitted);
+        QVERIFY(capabilitiesOf(fitted, {}).workOffset.fitted);
         for (const MachineUnits units : {MachineUnits::Inch, MachineUnits::Unknown}) {
             fitted.units = units;
-            const Capabilities c = capabilitiesOf(fitted);
+            const Capabilities c = capabilitiesOf(fitted, {});
             QVERIFY(!c.workOffset.fitted && !c.cycleStart.fitted && !c.feedScale.fitted);
             QVERIFY(!c.process[static_cast<std::size_t>(ProcessId::Boring)].fitted);
             QVERIFY(!c.cycleStart.why.empty());

@@ -151,6 +151,9 @@ void RecipeForm::build(Sheet* sheet) {
     if (m_partType) {
         sheet->addButton(
             m_restore, [this] { restore(); }, false);
+    } else {
+        m_restore->setParent(this);  // on no sheet, and it must not outlive the form that its predicate asks
+        m_restore->hide();
     }
     sheet->addButton(
         m_save, [this] { save(); }, false);
