@@ -80,7 +80,8 @@ class MemoryLink {
         }
         struct stat size {};
         if (fstat(file, &size) == 0 && size.st_ino != m_inode && size.st_size >= static_cast<off_t>(sizeof(Memory))) {
-            void* block = mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+            // Touched here, on this thread: the cycle must not meet a page for the first time.
+            void* block = mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, file, 0);
             if (block != MAP_FAILED) {
                 auto* memory = static_cast<Memory*>(block);
                 if (memory->magic.load(std::memory_order_acquire) == Memory::kMagic) {

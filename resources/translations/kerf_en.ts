@@ -6723,6 +6723,10 @@
             <source>The lots have no parts yet.</source>
             <translation>The lots have no parts yet.</translation>
         </message>
+        <message>
+            <source>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</source>
+            <translation>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

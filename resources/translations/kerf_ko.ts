@@ -6718,6 +6718,10 @@
             <source>The lots have no parts yet.</source>
             <translation>로트에 아직 공작물이 없습니다.</translation>
         </message>
+        <message>
+            <source>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</source>
+            <translation>kerf.loss-scale이 연결되어 있지 않습니다. 브리지가 늦으면 가장 높은 이송이 남게 됩니다. 이 버전의 kerf.hal을 사용하십시오.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

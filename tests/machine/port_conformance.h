@@ -22,6 +22,15 @@ class PortConformance : public QObject {
     virtual StartProgram shortProgram() const = 0;
     /// How many cycles the short program and its start may take at most.
     virtual int patience() const = 0;
+    /// The way between console and control is lost, though both live, or is there again; false: this machine has none.
+    virtual bool loseTheWay(bool /*lost*/) { return false; }
+    /// Feed really made over the programmed one, whatever the link shows.
+    virtual double trueFeedShare() { return feedShare(); }
+    /// A program that still runs a second after a loss.
+    virtual StartProgram longProgram() const { return shortProgram(); }
+    [[nodiscard]] double feedShare() const {
+        return m_inputs.actualFeed_mmPerS.value / std::max(m_inputs.programmedFeed_mmPerS.value, 1e-9);
+    }
 
     /// One cycle: read, then write `outputs`.
     void cycle(const MachineOutputs& outputs) {
@@ -157,9 +166,6 @@ class PortConformance : public QObject {
         program.plannedFeedScale = 0.5;
         MachineOutputs outputs = neutral();
         outputs.request = {++m_request, program};
-        const auto feedShare = [this] {
-            return m_inputs.actualFeed_mmPerS.value / std::max(m_inputs.programmedFeed_mmPerS.value, 1e-9);
-        };
         QVERIFY(cycleUntil([&] { return m_inputs.program == ProgramState::Running && feedShare() > 0.9; }, outputs));
         QVERIFY(m_inputs.plannedFeedScale.good());
         QCOMPARE(m_inputs.plannedFeedScale.value, 0.5);
@@ -173,6 +179,36 @@ class PortConformance : public QObject {
             return !runs;
         }));
         QVERIFY2(highest < 0.53, qPrintable(QString::number(highest)));  // and never faster again
+    }
+    void aLostWayLeavesAtMostThePlannedFeed() {
+        if (!machine().capabilities().feedScale.fitted || !loseTheWay(false)) {
+            QSKIP("this machine has no live feed scale, or no way that could be lost");
+        }
+        StartProgram program = longProgram();
+        program.plannedFeedScale = 0.5;
+        MachineOutputs outputs = neutral();
+        outputs.request = {++m_request, program};
+        QVERIFY(cycleUntil([&] { return m_inputs.program == ProgramState::Running && feedShare() > 0.9; }, outputs));
+        QVERIFY(loseTheWay(true));
+        // The console goes on speaking, but nobody hears it.
+        QVERIFY(cycleUntil([this] { return std::abs(trueFeedShare() - 0.5) < 0.02; }, outputs));
+        const std::int64_t from_ns = m_inputs.time_ns;
+        double highest = 0.0;
+        QVERIFY(cycleUntil(
+            [&] {
+                highest = std::max(highest, trueFeedShare());
+                return m_inputs.link == LinkState::Down && m_inputs.time_ns - from_ns > 900'000'000;
+            },
+            outputs));
+        QVERIFY2(highest < 0.53, qPrintable(QString::number(highest)));
+        QVERIFY(loseTheWay(false));
+        outputs.feedScale = 0.3;
+        QVERIFY(cycleUntil(
+            [&] {
+                return m_inputs.link == LinkState::Up && m_inputs.program == ProgramState::Running &&
+                       std::abs(feedShare() - 0.3) < 0.02;
+            },
+            outputs));
     }
     void aStopStaysWhateverTheConsoleDoes() {
         QVERIFY(startShortProgram());

@@ -40,6 +40,17 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         return program;
     }
     int patience() const override { return 10'000; }
+    kerf::StartProgram longProgram() const override {
+        kerf::StartProgram program = shortProgram();
+        program.to_mm = program.from_mm + 40.0;
+        return program;
+    }
+    bool loseTheWay(bool lost) override { return kerf::test::LinuxCncControl::stopBridge(lost); }
+    /// From motion itself: the bridge that would tell stands still.
+    double trueFeedShare() override {
+        const kerf::StartProgram program = shortProgram();
+        return pinValue("motion.current-vel") / (program.programmedFeed_mmPerRev * program.spindleSpeed_rpm / 60.0);
+    }
 
  private:
     bool linkIs(kerf::LinkState state) {
@@ -310,7 +321,35 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QCOMPARE(m_inputs.program, kerf::ProgramState::Finished);  // the part goes on to its end, as slow as it was
         QVERIFY2(fastest < 0.25, qPrintable(QString::number(fastest)));
     }
+    void aPausedProgramGoesOnAtItsPlannedFeedWithoutItsConsole() {
+        kerf::test::AtTheControl control;
+        kerf::StartProgram program = longProgram();
+        program.plannedFeedScale = 0.5;
+        kerf::MachineOutputs outputs = neutral();
+        outputs.request = {++m_request, program};
+        QVERIFY(
+            cycleUntil([&] { return m_inputs.program == kerf::ProgramState::Running && feedShare() > 0.9; }, outputs));
+        control.say("set pause");
+        QVERIFY(cycleUntil([this] { return m_inputs.program == kerf::ProgramState::Paused; }, neutral()));
+        const std::int64_t silentFrom_ns = m_inputs.time_ns;
+        QVERIFY(silentUntil([&] { return m_inputs.time_ns - silentFrom_ns > 200'000'000; }));
+        control.say("set resume");
+        double highest = 0.0;
+        QVERIFY(silentUntil([&] {
+            highest = std::max(highest, feedShare());
+            return m_inputs.time_ns - silentFrom_ns > 1'500'000'000;
+        }));
+        QCOMPARE(m_inputs.program, kerf::ProgramState::Running);
+        QVERIFY2(highest < 0.53, qPrintable(QString::number(highest)));
+        QVERIFY(std::abs(feedShare() - 0.5) < 0.02);
+    }
     void controlKilledIsNoticedAndComesBack() {
+        kerf::StartProgram program = longProgram();
+        program.plannedFeedScale = 0.5;
+        kerf::MachineOutputs outputs = neutral();
+        outputs.request = {++m_request, program};
+        QVERIFY(
+            cycleUntil([&] { return m_inputs.program == kerf::ProgramState::Running && feedShare() > 0.9; }, outputs));
         const std::int64_t killed_ns = kerf::test::LinuxCncControl::killBridge();
         QVERIFY(killed_ns != 0);
         std::int64_t noticed_ns = 0;
@@ -323,6 +362,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         }
         QVERIFY(noticed_ns != 0);
         qInfo("bridge killed: link down after %.0f ms", static_cast<double>(noticed_ns - killed_ns) * 1e-6);
+        QVERIFY2(std::abs(trueFeedShare() - 0.5) < 0.02, qPrintable(QString::number(trueFeedShare())));
         m_control.stop();
         QVERIFY2(m_control.start(), m_control.log());
         m_deadline = std::chrono::steady_clock::now();
@@ -347,6 +387,9 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     }
     static int setPin(const char* pin, const char* value) {
         return halcmd({QStringLiteral("setp"), QLatin1String(pin), QLatin1String(value)}).exitCode();
+    }
+    static double pinValue(const char* pin) {
+        return halcmd({QStringLiteral("getp"), QLatin1String(pin)}).readAllStandardOutput().trimmed().toDouble();
     }
     static QByteArray getPins(const char* pattern) {
         return halcmd({QStringLiteral("-s"), QStringLiteral("show"), QStringLiteral("pin"), QLatin1String(pattern)})

@@ -272,6 +272,73 @@ class TestScriptedControl : public QObject {
         cycles(2);
         QCOMPARE(m_inputs.link, LinkState::Up);
     }
+    void whatAnotherProgramCommandsDoesNotFallToUsWithANewBridge() {
+        makeMachine();
+        cycles(3);
+        QVERIFY(m_machine->commands());
+        m_bridge->memory->owner.store(1);  // a person has taken it over
+        cycles(1);
+        QVERIFY(!m_machine->commands());
+        m_bridge.reset();
+        m_bridge = std::make_unique<test::ScriptedBridge>();
+        m_bridge->ready();
+        QVERIFY(cyclesUntil([this] { return m_inputs.link == LinkState::Up && m_bridge->seen.beat > 200; }));
+        QCOMPARE(m_bridge->memory->owner.load(), std::uint64_t{0});
+        QVERIFY(!m_machine->commands());
+    }
+    void aBridgeThatHasShownNothingYetIsNoLink() {
+        makeMachine();
+        cycles(3);
+        m_bridge.reset();
+        m_bridge = std::make_unique<test::ScriptedBridge>();
+        m_bridge->ready();
+        QVERIFY(until([this] {  // found, but not a round of it
+            cycle(false);
+            return m_machine->commands() && m_bridge->memory->owner.load() != 0;
+        }));
+        QCOMPARE(m_inputs.link, LinkState::Down);
+        m_bridge->seen.feedEpoch = 12;
+        cycles(2);
+        QCOMPARE(m_inputs.link, LinkState::Up);
+        QCOMPARE(m_bridge->wish().feedEpoch, 12U);
+    }
+    void aWishFollowsOnWhatTheBridgeHasShown() {
+        makeMachine();
+        m_bridge->seen.feedEpoch = 3;
+        cycles(3);
+        QCOMPARE(m_bridge->wish().feedEpoch, 3U);
+        m_bridge->seen.feedEpoch = 4;  // let go, but this console has not seen it
+        cycles(5, false);
+        QCOMPARE(m_bridge->wish().feedEpoch, 3U);
+        cycles(1);
+        QCOMPARE(m_bridge->wish().feedEpoch, 4U);
+    }
+    void whereNothingIsLeftWithoutTheBridgeNoFeedIsScaled() {
+        m_bridge->seen.fitted.lossScale = false;  // a kerf.hal of before
+        makeMachine();
+        cycles(3);
+        const Capabilities& capabilities = m_machine->capabilities();
+        QVERIFY(!capabilities.feedScale.fitted);
+        QVERIFY(capabilities.feedScale.why.english().starts_with("kerf.loss-scale"));
+        for (const ProcessId id : {ProcessId::Boring, ProcessId::Milling}) {
+            const Capability& host = capabilities.process[static_cast<std::size_t>(id)];
+            QVERIFY(!host.fitted && !host.why.empty());
+        }
+    }
+    void aStartThatBeginsAfterItWasGivenUpHasItsPlannedFeed() {
+        makeMachine();
+        cycles(3);
+        StartProgram program = bore();
+        program.plannedFeedScale = 0.4;
+        ask(47, program);
+        QVERIFY(cyclesUntil([this] { return m_inputs.reply.state == RequestState::Refused; }));
+        m_bridge->seen.declared = declaration(ProcessId::Boring, 47);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
+        cycles(3);
+        QCOMPARE(m_inputs.program, ProgramState::Running);
+        QVERIFY(m_inputs.plannedFeedScale.good());
+        QCOMPARE(m_inputs.plannedFeedScale.value, 0.4);
+    }
     void anAcknowledgedStartIsDoneOnlyWhenAPartBegins() {
         makeMachine();
         cycles(3);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 
 #include "engine/machine/simulated/simulated_boring.h"
@@ -41,6 +42,16 @@ class TestSimulatedMachine : public kerf::test::PortConformance {
     std::int64_t nextCycle() override { return m_now_ns += kCycle_ns; }
     kerf::StartProgram shortProgram() const override { return shortBore(); }
     int patience() const override { return 20'000; }
+    bool loseTheWay(bool lost) override {
+        kerf::InjectedFaults faults;
+        faults.linkDown = lost;
+        m_machine->port->inject(faults);
+        return true;
+    }
+    double trueFeedShare() override {
+        const kerf::MachineInputs& truth = m_machine->port->truth();
+        return truth.actualFeed_mmPerS.value / std::max(truth.programmedFeed_mmPerS.value, 1e-9);
+    }
 
  private slots:
     void init() {

@@ -70,6 +70,10 @@ class LinuxCncControl {
     }
     /// The bridge killed as kill -9 does; when it was, 0 if there is none.
     [[nodiscard]] static std::int64_t killBridge() { return killAll({QStringLiteral("kerf-hal")}); }
+    /// The bridge stands still, as one that gets no processor, or goes on.
+    [[nodiscard]] static bool stopBridge(bool still) {
+        return killAll({QStringLiteral("kerf-hal")}, still ? SIGSTOP : SIGCONT) != 0;
+    }
     /// LinuxCNC's real-time part and its task killed as kill -9 does; stop() clears up after them.
     [[nodiscard]] static std::int64_t killControl() {
         return killAll({QStringLiteral("rtapi_app"), QStringLiteral("milltask"), QStringLiteral("linuxcncsvr")});
@@ -78,7 +82,7 @@ class LinuxCncControl {
  private:
     /// The newest of each: one that a broken run has left behind is not ours. When the first was killed; 0 if one is
     /// not there.
-    [[nodiscard]] static std::int64_t killAll(const QStringList& names) {
+    [[nodiscard]] static std::int64_t killAll(const QStringList& names, int signal = SIGKILL) {
         QList<int> processes;
         for (const QString& name : names) {
             QProcess find;
@@ -91,7 +95,7 @@ class LinuxCncControl {
         }
         const std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch().count();
         for (const int process : processes) {
-            if (::kill(process, SIGKILL) != 0) {
+            if (::kill(process, signal) != 0) {
                 return 0;
             }
         }

@@ -156,6 +156,7 @@ class ScriptedBridge {
         seen.machineOn = true;
         seen.fitted.units = linuxcnc::MachineUnits::Millimetre;
         seen.fitted.externalOffsets = true;
+        seen.fitted.lossScale = true;
         seen.fitted.simulator = true;
         seen.fitted.programDeclared = true;
         seen.spindleSpeed_rps = 20.0;

@@ -128,8 +128,11 @@ void ControlCommands::run() {
             const bool whole = asked.number != 0 && asked.number == asked.numberAgain && asked.number != answered;
             if (whole) {
                 answered = asked.number;
-                const bool taken =
-                    carryOut(std::string(asked.text.data(), strnlen(asked.text.data(), asked.text.size())));
+                const std::string line(asked.text.data(), strnlen(asked.text.data(), asked.text.size()));
+                const std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch().count();
+                // A start that nobody waits for any more must not begin: this process stood still meanwhile.
+                const bool inTime = now_ns - asked.asked_ns < CommandLine::kOldest_ns;
+                const bool taken = (inTime || line == "set abort") && carryOut(line);
                 m_link.commandAnswer.publish({asked.number, taken});
             }
         }

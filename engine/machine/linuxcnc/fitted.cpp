@@ -50,7 +50,10 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted, const Described
     constexpr std::string_view kName = "LinuxCNC";
     std::ranges::copy(kName, c.machineName.begin());
     c.maxFeedScale = machine.maxFeedScale;
-    set(c.feedScale, true, {});
+    // A bridge that comes late must not leave the highest feed behind; what is not known yet is not ruled out.
+    set(c.feedScale, !known || machine.lossScale,
+        Sentence(KERF_TEXT("kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take "
+                           "kerf.hal of this version.")));
     set(c.cycleStart, true, {});
     set(c.workOffset, machine.externalOffsets || machine.originShift,
         why(Sentence(KERF_TEXT("This LinuxCNC has no external offsets: set OFFSET_AV_RATIO in its ini."))));
@@ -71,9 +74,10 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted, const Described
         set(*capability, false, noSignal);
     }
     const auto host = [&c](ProcessId id) -> Capability& { return c.process[static_cast<std::size_t>(id)]; };
-    set(host(ProcessId::Boring), true, {});
+    set(host(ProcessId::Boring), c.feedScale.fitted, c.feedScale.why);
     // What is not known yet is not ruled out: a mode kept from yesterday waits for the machine.
-    set(host(ProcessId::Milling), !known || c.forceSensor.fitted, c.forceSensor.why);
+    set(host(ProcessId::Milling), !known || (c.feedScale.fitted && c.forceSensor.fitted),
+        c.feedScale.fitted ? c.forceSensor.why : c.feedScale.why);
     set(host(ProcessId::Tapping), !known || (machine.servoGains && machine.servoRecord), c.servoGains.why);
     set(host(ProcessId::Thermal), false,
         why(Sentence(KERF_TEXT("This LinuxCNC brings no temperatures: without them nothing can be predicted."))));

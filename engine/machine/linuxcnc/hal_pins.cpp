@@ -79,7 +79,9 @@ bool Pins::make(int component) {
         pin(word[i], HAL_OUT, "kerf.word-" + std::to_string(i));
     }
     pin(feedScale, HAL_OUT, "kerf.feed-scale");
+    pin(lossScale, HAL_OUT, "kerf.loss-scale");
     pin(feedHold, HAL_OUT, "kerf.feed-hold");
+    pin(holdIfGone, HAL_OUT, "kerf.hold-if-gone");
     pin(heartbeat, HAL_OUT, "kerf.heartbeat");
     pin(consoleLost, HAL_OUT, "kerf.console-lost");
     pin(pGain, HAL_IO, "kerf.z-pgain");

@@ -55,7 +55,9 @@ struct Pins {
     // to the control
     BitPin forceReset;
     FloatPin feedScale;
+    FloatPin lossScale;  ///< what HAL gives in its place when this component is late or gone
     BitPin feedHold;
+    BitPin holdIfGone;                   ///< … and whether it holds the feed then
     std::array<IntPin, 3> offsetCounts;  ///< 1 count = 1 µm: set axis.N.eoffset-scale to .001
     std::array<BitPin, 16> word;
     BitPin heartbeat;  ///< toggles every round: for HAL's own watchdog

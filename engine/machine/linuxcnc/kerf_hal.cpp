@@ -2,11 +2,12 @@
 // kerf-hal: the HAL component between LinuxCNC and the console. Load it with `loadusr -W kerf-hal`.
 //
 // Its pins exist as long as LinuxCNC runs, whether or not a console is there. When the console's beat stops for longer
-// than kerf.timeout it lets go by itself, and never becomes faster: feed-scale falls to the lowest of the last one, of
-// what the console has said for this case and of the planned one of the program (none: the feed is held), or the feed
-// is held when kerf.hold-on-loss is set; a feed hold and stops stay, offsets and gains too; the digital word loses its
-// living bit; kerf.console-lost tells the control. When the program has ended, an operator's own one runs at its own
-// feed.
+// than kerf.timeout it lets go by itself, and never becomes faster (feed_keeper.h): feed-scale falls to the lowest of
+// the last one, of what the console has said for this case and of the planned one of the program (none: the feed is
+// held), or the feed is held when kerf.hold-on-loss is set; a feed hold and stops stay, offsets and gains too; the
+// digital word loses its living bit; kerf.console-lost tells the control. When the program has ended, an operator's own
+// one runs at its own feed. HAL does the same with kerf.loss-scale and kerf.hold-if-gone when this component itself
+// comes late or has died.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -21,12 +22,14 @@
 #include <string>
 
 #include "engine/machine/linuxcnc/control_commands.h"
+#include "engine/machine/linuxcnc/feed_keeper.h"
 #include "engine/machine/linuxcnc/hal_pins.h"
 #include "engine/machine/linuxcnc/ini_text.h"
 #include "engine/machine/linuxcnc/period_clock.h"
 
 namespace {
 
+using kerf::linuxcnc::FeedKeeper;
 using kerf::linuxcnc::Fitted;
 using kerf::linuxcnc::FromControl;
 using kerf::linuxcnc::KeptStops;
@@ -36,8 +39,6 @@ using kerf::linuxcnc::ServoPeriod;
 using kerf::linuxcnc::ToControl;
 
 constexpr std::int64_t kPeriod_ns = 1'000'000;
-constexpr std::int64_t kOwnStall_ns =
-    5'000'000;  // of a round of ours that came late, only this much is the console's silence
 constexpr double kDefaultTimeout_s = 0.06;  // console and control together must settle within 100 ms
 constexpr double kDefaultBandwidth_perS = 400.0;
 constexpr int kSamplerKey = 0x48534130;  // of HAL's sampler.0
@@ -152,30 +153,26 @@ class Bridge {
         *pins.driveBandwidth = kDefaultBandwidth_perS;
         *pins.consoleLost = true;
         *pins.maxFeedOverride = 1.0;
-        letGo();
+        *pins.feedScale = 1.0;
+        *pins.lossScale = 1.0;
     }
 
     void round(std::int64_t now_ns, std::int64_t passed_ns) {
-        *m_pins.heartbeat = !*m_pins.heartbeat;
-        if (*m_pins.machineOn && !m_wasOn) {
-            zeroOffsets();
+        watchOffsets();
+        const bool told = m_link.toControl.refresh();
+        const ToControl wish = m_link.toControl.value();  // a copy: the console's side is another process
+        if (told && wish.beat == wish.beatAgain) {
+            keep(wish.stops);
         }
-        m_wasOn = *m_pins.machineOn;
-        m_silent_s += static_cast<double>(std::min(passed_ns, kOwnStall_ns)) * 1e-9;
-        if (m_link.toControl.refresh()) {
-            const ToControl wish = m_link.toControl.value();
-            if (wish.beat != m_consoleBeat && wish.beat == wish.beatAgain) {
-                m_consoleBeat = wish.beat;
-                m_silent_s = 0.0;
-                obey(wish);
-            }
+        feed(passed_ns, told ? &wish : nullptr);
+        *m_pins.heartbeat = !*m_pins.heartbeat;  // after it: HAL gives again what we want from here on
+        if (m_feed.obeyed() && m_mayScale) {
+            obey(wish);
+        } else if (m_feed.lost()) {
+            *m_pins.word[kAliveBit] = false;
+            *m_pins.forceReset = false;
         }
-        const bool lost = m_silent_s > *m_pins.timeout_s;
-        if (lost && (!*m_pins.consoleLost || *m_pins.programRunning != m_wasRunning)) {
-            letGo();
-        }
-        m_wasRunning = *m_pins.programRunning;
-        *m_pins.consoleLost = lost;
+        *m_pins.consoleLost = m_feed.lost();
         if (m_beat % 1000 == 0) {
             findFitted();
         }
@@ -206,6 +203,7 @@ class Bridge {
         m_fitted.force = m_sampler && m_sampler->hasForce() && m_pins.force.linkedTo(signalOf("sampler.0.pin.6"));
         m_fitted.forceReset = m_pins.forceReset.linked();
         m_fitted.forceBandwidth_Hz = *m_pins.forceBandwidth;
+        m_fitted.lossScale = m_pins.lossScale.linked();
         m_fitted.shiftWord = m_pins.word[kAliveBit].linked();
         m_fitted.simulator = *m_pins.simulator;
         m_fitted.programDeclared = m_pins.programProcess.linked();
@@ -214,12 +212,21 @@ class Bridge {
     }
 
     /// LinuxCNC zeroes its external offsets when the machine is switched on, and counts on from where the counts stand.
-    /// What the console still asks for belongs to the time before: it must first see the zero.
-    void zeroOffsets() {
+    /// What the console still asks for belongs to the time before: it must first see the zero. A bridge that is started
+    /// anew on a machine that is on finds the zero below what stands there.
+    void watchOffsets() {
+        const bool on = *m_pins.machineOn;
+        const bool zeroed = on && m_wasOff;
+        m_wasOff = !on && m_pins.machineOn.linked();
         for (std::size_t i = 0; i < 3; ++i) {
-            m_zeroCounts[i] = *m_pins.offsetCounts[i];
+            const bool linked = m_pins.offsetCounts[i].linked() && m_pins.offsetActual[i].linked();
+            if (zeroed || (linked && !m_zeroKnown[i])) {
+                const double applied_um = zeroed ? 0.0 : *m_pins.offsetActual[i] * 1000.0;
+                m_zeroCounts[i] = *m_pins.offsetCounts[i] - static_cast<std::int32_t>(std::lround(applied_um));
+                m_zeroKnown[i] = linked;
+                ++m_offsetEpoch;
+            }
         }
-        ++m_offsetEpoch;
     }
 
     [[nodiscard]] kerf::linuxcnc::HalTemperatures lookAtTemperatures() const {
@@ -265,22 +272,32 @@ class Bridge {
         seen.onSoftLimit = *m_pins.softLimit;
         seen.consoleLost = *m_pins.consoleLost;
         seen.stops = m_stops;
-        seen.plannedScale = m_plannedScale;
+        seen.plannedScale = m_feed.plannedScale();
+        seen.feedEpoch = m_feed.epoch();
         for (std::size_t i = 0; i < m_pins.requestWord.size(); ++i) {
             seen.requestWord |= static_cast<std::uint8_t>(*m_pins.requestWord[i] ? 1U << i : 0U);
         }
         return seen;
     }
 
+    /// The pins are read first: linked later, or by a bridge that is started anew, they show what stands there.
+    void feed(std::int64_t passed_ns, const ToControl* wish) {
+        FeedKeeper::Round round;
+        round.passed_ns = passed_ns;
+        round.timeout_s = *m_pins.timeout_s;
+        round.running = *m_pins.programRunning || *m_pins.programPaused;  // halui: a paused one does not run
+        round.holdOnLoss = *m_pins.holdOnLoss;
+        round.stopHolds = kerf::anyStopOf(m_stops, kerf::StopKind::FeedHold);
+        round.mayScale = m_mayScale;
+        const FeedKeeper::Pins standing{*m_pins.feedScale, *m_pins.lossScale, *m_pins.feedHold, *m_pins.holdIfGone};
+        const FeedKeeper::Pins pins = m_feed.next(round, wish, standing);
+        *m_pins.lossScale = pins.lossScale;
+        *m_pins.feedScale = pins.scale;
+        *m_pins.feedHold = pins.hold;
+        *m_pins.holdIfGone = pins.holdIfGone;
+    }
+
     void obey(const ToControl& wish) {
-        keep(wish.stops);
-        if (m_units != kerf::linuxcnc::MachineUnits::Millimetre) {
-            return;  // 10 µm would become 254: nothing is commanded in units that are not ours
-        }
-        *m_pins.feedScale = std::isfinite(wish.feedScale) ? std::max(wish.feedScale, 0.0) : 0.0;
-        *m_pins.feedHold = wish.feedHold || stopHolds();
-        m_lossScale = std::isfinite(wish.lossScale) ? std::max(wish.lossScale, 0.0) : 0.0;
-        m_plannedScale = std::isfinite(wish.plannedScale) ? std::max(wish.plannedScale, 0.0) : 0.0;
         for (std::size_t i = 0; i < 3 && wish.offsetEpoch == m_offsetEpoch; ++i) {
             if (std::isfinite(wish.externalOffset_um[i])) {
                 *m_pins.offsetCounts[i] =
@@ -301,8 +318,6 @@ class Bridge {
         }
     }
 
-    [[nodiscard]] bool stopHolds() const { return kerf::anyStopOf(m_stops, kerf::StopKind::FeedHold); }
-
     void keep(const kerf::StopSlots& told) {
         const kerf::StopSlots before = m_stops;
         for (std::size_t i = 0; i < m_stops.size(); ++i) {
@@ -315,42 +330,27 @@ class Bridge {
         }
     }
 
-    void letGo() {
-        if (!*m_pins.programRunning) {
-            m_lossScale = 1.0;
-            m_plannedScale = 0.0;
-        }
-        double scale = std::min(static_cast<double>(*m_pins.feedScale), m_lossScale);
-        scale = m_plannedScale > 0.0 ? std::min(scale, m_plannedScale) : scale;
-        const bool held = *m_pins.feedHold && *m_pins.programRunning;
-        *m_pins.feedScale = *m_pins.programRunning ? scale : 1.0;
-        *m_pins.feedHold = *m_pins.holdOnLoss || held || stopHolds() || (*m_pins.programRunning && scale <= 0.0);
-        *m_pins.word[kAliveBit] = false;
-        *m_pins.forceReset = false;
-    }
-
     Pins& m_pins;
     LinkMemory& m_link;
     KeptStops* m_kept;
     int m_component;
     kerf::StopSlots m_stops{};
-    double m_lossScale{1.0};
-    double m_plannedScale{0.0};
-    bool m_wasRunning{false};
     const kerf::linuxcnc::ControlCommands& m_commands;
     std::optional<Sampler> m_sampler{};
     int m_samplerTries{0};
     Fitted m_fitted{};
     kerf::linuxcnc::MachineUnits m_units{kerf::linuxcnc::unitsOf(kerf::linuxcnc::iniText())};
+    bool m_mayScale{m_units == kerf::linuxcnc::MachineUnits::Millimetre};
     bool m_mayRise{adaptiveFeedMayRise()};
     std::uint64_t m_beat{0};
     std::uint64_t m_servoPeriods{0};
-    std::uint64_t m_consoleBeat{0};
     std::uint32_t m_gainsRevision{0};
     std::uint32_t m_offsetEpoch{1};
     std::array<std::int32_t, 3> m_zeroCounts{};
-    bool m_wasOn{false};
-    double m_silent_s{1e9};
+    std::array<bool, 3> m_zeroKnown{};
+    bool m_wasOff{false};  ///< seen, not only unknown
+    /// Epochs of two bridges differ: a console that still follows on the last one is not obeyed.
+    FeedKeeper m_feed{static_cast<std::uint32_t>(monotonic_ns() >> 10) | 1U};
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Fitted {
     bool servoRecord{false};        ///< a sampler brings every servo period
     bool shiftWord{false};          ///< kerf.word-15 is linked: the paper's digital word
     bool programDeclared{false};    ///< kerf.program-process is linked: a program says whose it is
+    bool lossScale{false};          ///< kerf.loss-scale is linked: HAL knows what is left without the bridge
     bool forceLinked{false};        ///< kerf.force is linked
     bool force{false};              ///< … and the sampler's pin 6 to the same signal
     bool forceReset{false};         ///< kerf.force-reset is linked
@@ -74,6 +75,7 @@ struct FromControl {
     bool commandsReady{false};    ///< the bridge reaches LinuxCNC's own command channel
     StopSlots stops{};            ///< as the bridge keeps them, over the console's and its own restart
     double plannedScale{0.0};     ///< of the running program, as a console has declared it; 0: nobody has
+    std::uint32_t feedEpoch{0};   ///< rises whenever the feed was let go (feed_keeper.h)
 };
 
 /// The console's wishes, already limited.
@@ -83,6 +85,8 @@ struct ToControl {
     bool feedHold{false};
     double lossScale{1.0};     ///< what is left when the console is heard no more; 0: the feed is held
     double plannedScale{0.0};  ///< declared with the running program; 0: it was not
+    std::uint32_t feedEpoch{
+        0};  ///< of the read-back this follows on; of another one nothing but holds and stops counts
     StopSlots stops{};
     std::array<double, 3> externalOffset_um{};
     std::uint32_t offsetEpoch{0};    ///< of the read-back the offsets follow on; of another epoch they are ignored
@@ -115,9 +119,12 @@ struct HalTemperatures {
     std::array<double, 64> temp_degC{};
 };
 
-/// A command for LinuxCNC, in the words of linuxcncrsh, and the answer to it.
+/// A command for LinuxCNC, in the words of linuxcncrsh, and the answer to it. But for an abort, one that is found later
+/// than kOldest_ns is refused: whoever asked has given it up, or soon will.
 struct CommandLine {
-    std::uint32_t number{0};  ///< of this line; 0: none
+    static constexpr std::int64_t kOldest_ns = 1'000'000'000;
+    std::uint32_t number{0};   ///< of this line; 0: none
+    std::int64_t asked_ns{0};  ///< on CLOCK_MONOTONIC
     std::array<char, 240> text{};
     std::uint32_t numberAgain{0};  ///< equals number in a whole value
 };
@@ -127,7 +134,7 @@ struct CommandAnswer {
 };
 
 struct LinkMemory {
-    static constexpr std::uint32_t kMagic = 0x4B524636;  // "KRF6": layout 6
+    static constexpr std::uint32_t kMagic = 0x4B524637;  // "KRF7": layout 7
     std::atomic<std::uint32_t> magic{0};                 ///< set last by the bridge
     Broadcast<FromControl, 16> fromControl{};            ///< for any number of readers
     Claim owner{0};                                      ///< who commands (machine_claim.h); everybody else reads

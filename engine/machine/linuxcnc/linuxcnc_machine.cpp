@@ -124,9 +124,11 @@ void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
 
 bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
     LinkMemory* memory = m_link != nullptr ? m_link->take() : nullptr;
-    if (memory != m_memory) {  // another bridge: its counts begin anew
+    if (memory != m_memory) {                             // another bridge: its counts begin anew
+        const bool ours = m_memory == nullptr || m_mine;  // what another program commanded does not fall to us
         m_memory = memory;
-        if (memory != nullptr && !m_onlyRead) {
+        m_seen = FromControl{};
+        if (memory != nullptr && !m_onlyRead && ours) {
             (void)claimIfFree(memory->owner, m_own);
         }
         m_nextPeriod = memory != nullptr ? memory->servo.written() : 0;
@@ -179,7 +181,9 @@ void LinuxCncMachine::begin(ProgramState state) noexcept {
     m_program = state;
     m_startPosition_mm = m_seen.position_mm[kZ];
     m_startOverhang_mm = asked ? std::optional(m_startFrom_mm) : std::nullopt;
-    m_plannedScale = asked ? m_startScale : m_seen.plannedScale;  // 0: a person has started it
+    // One that begins after it was given up is still the one that was planned; 0: a person has started it.
+    const bool planned = asked || (m_fitted.programDeclared && m_declared == m_startDeclared);
+    m_plannedScale = planned ? m_startScale : m_seen.plannedScale;
     if (asked) {
         answer(m_startRequest, RequestState::Done);
         m_startRequest = 0;
@@ -238,7 +242,7 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
         }
     }
     // Switched off or stopped: outputs stay as they were, motion does not go on.
-    if (running() && (!m_seen.machineOn || m_seen.emergencyStop || !m_seen.programRunning)) {
+    if (running() && (!m_seen.machineOn || m_seen.emergencyStop || (!m_seen.programRunning && !m_seen.programPaused))) {
         m_tapEnds = true;
         m_tapFinished = false;
     }
@@ -431,6 +435,7 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
         m_startRequest = request.number;
         m_startTaken_ns = -1;
         m_startScale = start->plannedFeedScale;
+        m_startDeclared = declaration(start->process, request.number);
         if (m_memory != nullptr) {
             m_nextPeriod = m_memory->servo.written();
         }
@@ -442,7 +447,7 @@ void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
 
 void LinuxCncMachine::shiftOrigin(const MachineOutputs& outputs) noexcept {
     if (m_fitted.externalOffsets || !m_fitted.originShift || m_shiftUnderWay || running() || m_rsh == nullptr ||
-        !m_rsh->connected() || !m_seen.machineOn || m_seen.programRunning) {
+        !m_rsh->connected() || !m_seen.machineOn || m_seen.programRunning || m_seen.programPaused) {
         return;
     }
     if (!m_seen.originKnown) {
@@ -480,6 +485,7 @@ void LinuxCncMachine::write(const MachineOutputs& outputs) noexcept {
     wish.feedHold = outputs.feedHold;
     wish.lossScale = outputs.lossScale;
     wish.plannedScale = running() ? m_plannedScale : 0.0;
+    wish.feedEpoch = m_seen.feedEpoch;
     wish.stops = outputs.stops;
     wish.externalOffset_um = outputs.workOffset_um;
     wish.offsetEpoch = m_wishEpoch;

@@ -124,8 +124,9 @@ class LinuxCncMachine final : public MachinePort {
     std::int64_t m_startTaken_ns{-1};  ///< the control has acknowledged it; −1: not yet
     std::int64_t m_startIdle_ns{0};    ///< since when nothing runs
     bool m_startRan{false};
-    double m_startScale{1.0};    ///< planned over programmed feed of the program asked for
-    double m_plannedScale{0.0};  ///< of the running one; 0: not declared
+    double m_startScale{1.0};          ///< planned over programmed feed of the program asked for
+    std::uint32_t m_startDeclared{0};  ///< what it declares
+    double m_plannedScale{0.0};        ///< of the running one; 0: not declared
     bool m_tapEnds{false};
     bool m_tapFinished{false};
     // milling: from the pin, or on a simulator without one

@@ -86,8 +86,9 @@ bool RshLink::sayOverBridge(const std::string& line, std::string& answer) {
     m_line = m_line == 0xFFFF'FFFF ? 1 : m_line + 1;
     asked.number = asked.numberAgain = m_line;
     std::copy(line.begin(), line.end(), asked.text.begin());
-    memory->commandLine.publish(asked);
     const auto asked_at = std::chrono::steady_clock::now();
+    asked.asked_ns = asked_at.time_since_epoch().count();
+    memory->commandLine.publish(asked);
     while (true) {
         if (memory->commandAnswer.refresh() && memory->commandAnswer.value().number == m_line) {
             answer = memory->commandAnswer.value().taken ? "ACK" : "NAK";
