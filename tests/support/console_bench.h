@@ -51,6 +51,9 @@ class ConsoleBench {
         m_pacer.stop();
         m_console.reset();
     }
+    /// The machine stands still, and with it everything that comes from it, until it goes on.
+    void pause() { m_pacer.stop(); }
+    void goOn() { m_pacer.start(kTurn_ms); }
     /// From the next start on.
     void setOwnThread(bool own) { m_ownThread = own; }
 

@@ -119,6 +119,45 @@ class TestTouchKeyboard : public QObject {
         touch("touchEnter");
         QCOMPARE(entered.count(), 1);
     }
+    void theSyllableInTheMakingIsTextAtOnce() {
+        QTest::mouseClick(m_name, Qt::LeftButton);
+        touch("touchLanguage");
+        QSignalSpy edited(m_name, &QLineEdit::textEdited);
+        const std::vector<std::pair<const char*, const char*>> steps{{"touchKey_r", "ㄱ"}, {"touchKey_l", "기"},
+                                                                     {"touchKey_a", "김"}, {"touchKey_c", "김ㅊ"},
+                                                                     {"touchBack", "김"},  {"touchKey_r", "김ㄱ"}};
+        int count = 0;
+        for (const auto& [key, text] : steps) {
+            touch(key);
+            QCOMPARE(m_name->text(), QString::fromUtf8(text));
+            QCOMPARE(edited.count(), ++count);
+        }
+        QTest::mouseClick(m_button, Qt::LeftButton);  // nothing is added when the keyboard goes
+        QCOMPARE(m_name->text(), QStringLiteral("김ㄱ"));
+    }
+    void aSyllableIsWrittenWhereTheCursorIs() {
+        m_name->setText(QStringLiteral("박수"));
+        QTest::mouseClick(m_name, Qt::LeftButton);
+        touch("touchLanguage");
+        m_name->setCursorPosition(1);
+        touch("touchKey_r");
+        touch("touchKey_l");
+        m_name->setCursorPosition(3);
+        touch("touchKey_a");  // another syllable: 기 no longer stands before the cursor
+        QCOMPARE(m_name->text(), QStringLiteral("박기수ㅁ"));
+        m_name->selectAll();
+        touch("touchKey_r");
+        QCOMPARE(m_name->text(), QStringLiteral("ㄱ"));
+    }
+    void aFullFieldLosesNothing() {
+        m_name->setMaxLength(2);
+        m_name->setText(QStringLiteral("박수"));
+        QTest::mouseClick(m_name, Qt::LeftButton);
+        touch("touchLanguage");
+        touch("touchKey_r");
+        touch("touchKey_l");
+        QCOMPARE(m_name->text(), QStringLiteral("박수"));
+    }
     void figuresComeFromAPadWhereThereIsOne() {
         QTest::mouseClick(m_number, Qt::LeftButton);
         QVERIFY(m_keyboard->isVisible());

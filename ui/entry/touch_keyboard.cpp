@@ -69,9 +69,10 @@ void TouchKeyboard::build() {
     });
     connect(back, &QPushButton::clicked, this, [this] {
         HangulComposer::Step step;
-        if (m_page == Page::Hangul && m_composer.backspace(step)) {
+        if (m_page == Page::Hangul && syllableStands() && m_composer.backspace(step)) {
             compose(step);
         } else {
+            endSyllable();
             typeKey(Qt::Key_Backspace);
         }
     });
@@ -228,7 +229,9 @@ void TouchKeyboard::touched(std::size_t key) {
     }
     const QChar shifted = m_shifted ? letter.toUpper() : letter;
     if (m_page == Page::Hangul) {
-        m_written = m_field;
+        if (!syllableStands()) {
+            endSyllable();
+        }
         compose(m_composer.type(shifted));
     } else {
         type(QString(shifted));
@@ -256,22 +259,30 @@ void TouchKeyboard::typeKey(int key, const QString& text) {
     }
 }
 
+// The syllable in the making is text at once, and each key replaces it: a search finds it, a button counts it, and it
+// is not lost with the keyboard.
 void TouchKeyboard::compose(const HangulComposer::Step& step) {
     if (m_field) {
-        QInputMethodEvent event(step.preedit, {});
-        event.setCommitString(step.commit);
+        const int length = static_cast<int>(m_syllable.size());
+        QInputMethodEvent event;
+        event.setCommitString(step.commit + step.preedit, -length, length);
+        m_syllable = step.preedit;
         QApplication::sendEvent(m_field, &event);
     }
 }
 
-void TouchKeyboard::endSyllable() {
-    const QString whole = m_composer.finish();
-    if (!whole.isEmpty() && m_written) {
-        QInputMethodEvent event;
-        event.setCommitString(whole);
-        QApplication::sendEvent(m_written, &event);
+// Not when the field took no more letters, when the cursor was moved, or when somebody else wrote.
+bool TouchKeyboard::syllableStands() const {
+    if (!m_field || m_field->hasSelectedText()) {
+        return m_syllable.isEmpty();
     }
-    m_written = nullptr;
+    const int length = static_cast<int>(m_syllable.size());
+    return m_field->text().left(m_field->cursorPosition()).right(length) == m_syllable;
+}
+
+void TouchKeyboard::endSyllable() {
+    m_composer.finish();
+    m_syllable.clear();
 }
 
 void TouchKeyboard::refresh() {

@@ -43,13 +43,13 @@ class TouchKeyboard : public FaceWidget {
     void type(const QString& text);
     void typeKey(int key, const QString& text = {});
     void compose(const HangulComposer::Step& step);
+    [[nodiscard]] bool syllableStands() const;
     void endSyllable();
     void onTouch(QObject* watched);
     [[nodiscard]] static bool wantsLetters(const QLineEdit* field);
     QPushButton* addKey(int row, const char* name, int stretch);
 
     QPointer<QLineEdit> m_field;
-    QPointer<QLineEdit> m_written;  ///< has a syllable in the making
     QVBoxLayout* m_rows;
     std::vector<QPushButton*> m_letters;
     std::vector<QPushButton*> m_all;
@@ -60,6 +60,7 @@ class TouchKeyboard : public FaceWidget {
     QPushButton* m_enter{nullptr};
     QPushButton* m_hide{nullptr};
     HangulComposer m_composer;
+    QString m_syllable;  ///< in the making, as it stands before the cursor
     Page m_page{Page::Latin};
     Page m_words{Page::Latin};  ///< the page before the signs
     bool m_shifted{false};

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QTextEdit>
+#include <algorithm>
+#include <set>
+
+#include "db/readers/database_reader.h"
+#include "tests/support/console_bench.h"
+#include "ui/dialogs/sheet.h"
+#include "ui/entry/touch_keyboard.h"
+#include "ui/widgets/keypad.h"
+
+using namespace kerf;
+
+/// Everything a person must type can be typed by touch: every sheet that a touch opens, from every page, field by
+/// field, with the Korean and the Latin page of the keyboard. The machine stands still meanwhile, so that the walk is
+/// the same each time.
+class TestConsoleTouch : public QObject {
+    Q_OBJECT
+
+    test::ConsoleBench m_bench;
+    std::set<QString> m_seen;
+    std::set<QString> m_fields;
+    QStringList m_unserved;
+    int m_sheets{0};
+
+    static constexpr int kDeepest = 4;
+
+    [[nodiscard]] ui::MainWindow* window() { return m_bench.console().window(); }
+    [[nodiscard]] ui::SheetHost* host() { return &window()->sheets(); }
+
+    /// Somebody wants pictures of the sheets.
+    [[nodiscard]] static bool looking() { return qEnvironmentVariableIsSet("KERF_SCRATCH"); }
+    static void settle() {
+        for (int i = 0; i < 2; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+    }
+    /// What starts or ends something outside the pages, leads away, changes whose walk this is and how it looks, or
+    /// only types. Choices open nothing either (buttonsIn).
+    [[nodiscard]] static bool leftAlone(const QString& name) {
+        static const QStringList kBegins{"nav_", "key", "touch", "holdAll", "band", "help", "qt_", "theme", "scale"};
+        static const QStringList kNames{"quit",      "restart",  "millingStart",    "tappingStart", "turningStart",
+                                        "startPart", "language", "languageEnglish", "signOff",      "languageKorean"};
+        return name.isEmpty() || kNames.contains(name) ||
+               std::ranges::any_of(kBegins, [&](const QString& begin) { return name.startsWith(begin); });
+    }
+    [[nodiscard]] QStringList buttonsIn(const QWidget* place) {
+        QStringList names;
+        for (const auto* button : place->findChildren<QAbstractButton*>()) {
+            if (button->isVisibleTo(window()) && button->isEnabled() && !button->isCheckable() &&
+                !leftAlone(button->objectName()) && !names.contains(button->objectName())) {
+                names << button->objectName();
+            }
+        }
+        return names;
+    }
+    [[nodiscard]] QList<QLineEdit*> fieldsIn(const QWidget* place) {
+        QList<QLineEdit*> fields;
+        for (QLineEdit* field : place->findChildren<QLineEdit*>()) {
+            if (field->isVisibleTo(window()) && field->isEnabled() && !field->isReadOnly()) {
+                fields << field;
+            }
+        }
+        return fields;
+    }
+    void pressNow(const QString& name) {
+        for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
+            if (button->isVisibleTo(window()) && button->isEnabled()) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                settle();
+                return;
+            }
+        }
+    }
+    /// Page and buttons, from a page without a sheet, with the engineer who began.
+    void goTo(const QString& page, const QStringList& path) {
+        if (ui::Sheet* sheet = host()->current()) {
+            sheet->close();
+        }
+        (void)window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer);
+        window()->showPage(page.toLatin1().constData());
+        settle();
+        for (const QString& name : path) {
+            pressNow(name);
+        }
+    }
+    void touchKeys(const QWidget* place, const char* name) {
+        for (auto* key : place->findChildren<QPushButton*>(QLatin1String(name))) {
+            if (key->isVisibleTo(window()) && key->isEnabled()) {
+                QTest::mouseClick(key, Qt::LeftButton);
+            }
+        }
+    }
+    /// Why the field cannot be filled by touch; empty: it can.
+    [[nodiscard]] QString whyUnserved(QLineEdit* field) {
+        const QString before = field->text();
+        QString why;
+        QTest::mouseClick(field, Qt::LeftButton);
+        settle();
+        field->clear();
+        auto* keyboard = window()->findChild<ui::TouchKeyboard*>();
+        if (keyboard != nullptr && keyboard->isVisible()) {
+            const QRect place(field->mapTo(host(), QPoint()), field->size());
+            const bool figures = (field->inputMethodHints() & Qt::ImhFormattedNumbersOnly) != 0 ||
+                                 (field->inputMethodHints() & Qt::ImhDigitsOnly) != 0 ||
+                                 field->echoMode() != QLineEdit::Normal;
+            const QString expected = figures ? QStringLiteral("33") : QStringLiteral("ㄷe");
+            touchKeys(keyboard, "touchKey_e");
+            const QString first = field->text();
+            if (!figures) {
+                touchKeys(keyboard, "touchLanguage");
+            }
+            touchKeys(keyboard, "touchKey_e");
+            if (keyboard->field() != field) {
+                why = QStringLiteral("the keyboard types elsewhere");
+            } else if (keyboard->geometry().intersects(place & host()->rect())) {
+                why = QStringLiteral("beneath the keyboard");
+            } else if (first != expected.first(1) || field->text() != expected) {
+                why = QStringLiteral("has “%1”, then “%2” after the keys of “%3”").arg(first, field->text(), expected);
+            }
+            keyboard->hide();
+        } else {
+            QWidget* const room = host()->current() != nullptr ? static_cast<QWidget*>(host()->current()) : window();
+            for (auto* pad : room->findChildren<ui::Keypad*>()) {
+                if (pad->isVisibleTo(window())) {
+                    touchKeys(pad, "key3");
+                    break;
+                }
+            }
+            if (field->text() != QLatin1String("3")) {
+                why = QStringLiteral("no keyboard, and “%1” from a pad").arg(field->text());
+            }
+        }
+        field->setText(before);
+        return why;
+    }
+    void check(const QWidget* place, const QString& where) {
+        for (QLineEdit* field : fieldsIn(place)) {
+            const QString name =
+                where + u' ' +
+                (field->objectName().isEmpty() ? field->parentWidget()->objectName() : field->objectName());
+            if (!m_fields.insert(name).second) {
+                continue;
+            }
+            if (const QString why = whyUnserved(field); !why.isEmpty()) {
+                m_unserved << name + QStringLiteral(": ") + why;
+            }
+        }
+        for (const auto* area : place->findChildren<QAbstractScrollArea*>()) {
+            const auto* plain = qobject_cast<const QPlainTextEdit*>(area);
+            const auto* rich = qobject_cast<const QTextEdit*>(area);
+            if (area->isVisibleTo(window()) &&
+                ((plain != nullptr && !plain->isReadOnly()) || (rich != nullptr && !rich->isReadOnly()))) {
+                m_unserved << where + u' ' + area->objectName() + QStringLiteral(": an area of text");
+            }
+        }
+    }
+    void explore(const QString& page, const QStringList& path) {
+        goTo(page, path);
+        const ui::Sheet* sheet = host()->current();
+        if (sheet == nullptr) {
+            return;
+        }
+        QStringList names;
+        for (const QLineEdit* field : fieldsIn(sheet)) {
+            names << field->objectName() + field->parentWidget()->objectName();
+        }
+        const QStringList buttons = buttonsIn(sheet);
+        const QString key = names.join(u',') + u'|' + buttons.join(u',');
+        if (!m_seen.insert(key).second) {
+            return;
+        }
+        ++m_sheets;
+        if (looking()) {
+            qInfo("%s: %s", qPrintable(path.join(u'/')), qPrintable(buttons.join(u' ')));
+            window()->grab().save(page + u'_' + path.join(u'_') + QStringLiteral(".png"));
+        }
+        check(sheet, path.last());
+        if (path.size() >= kDeepest) {
+            return;
+        }
+        for (const QString& name : buttons) {
+            explore(page, path + QStringList{name});
+        }
+    }
+
+ private slots:
+    void initTestCase() {
+        console::Options options;
+        options.preparedParts = 3;
+        options.language = "ko";
+        m_bench.start(options);
+        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.console().shift()->prepared(), 240'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 120'000);
+        m_bench.pause();
+        window()->setUpdatesEnabled(looking());  // painting is half of the walk's time
+        QVERIFY(window()->session().signOn(QStringLiteral("Lee"), ui::Role::Operator));
+        QVERIFY(window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
+        settle();
+    }
+    void everyFieldIsServed_data() {
+        QTest::addColumn<QString>("page");
+        for (const ui::PageEntry& page : ui::standardPages()) {
+            QTest::newRow(page.key) << QString::fromLatin1(page.key);
+        }
+    }
+    /// What the frame opens is looked at once, from the first page.
+    void everyFieldIsServed() {
+        QFETCH(QString, page);
+        m_unserved.clear();
+        goTo(page, {});
+        const bool first = page == QLatin1String(ui::standardPages().front().key);
+        const QWidget* place = first ? static_cast<QWidget*>(window()) : window()->page(page.toLatin1().constData());
+        QVERIFY(place != nullptr);
+        check(place, page);
+        for (const QString& name : buttonsIn(place)) {
+            explore(page, {name});
+        }
+        qInfo("%s: %d sheets, %d fields so far", qPrintable(page), m_sheets, static_cast<int>(m_fields.size()));
+        QVERIFY2(m_unserved.isEmpty(), qPrintable(m_unserved.join(QStringLiteral("\n"))));
+    }
+    void somethingWasLookedAt() {
+        QVERIFY2(m_sheets >= 36, qPrintable(QString::number(m_sheets)));
+        QVERIFY2(m_fields.size() >= 145, qPrintable(QString::number(m_fields.size())));
+    }
+    /// A bore that waits gets its diameter from a file: touched, looked into, confirmed.
+    void aFileOfDiametersIsTakenByTouch() {
+        m_bench.goOn();
+        goTo(QStringLiteral("boring"), {});
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 120'000);
+        const BoringServiceView view = m_bench.service();
+        const auto part = std::ranges::find(view.parts, *view.awaiting, &BorePartView::id);
+        QVERIFY(part != view.parts.end());
+        QFile file(m_bench.folder() + QStringLiteral("/station 3.csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("part;overhang [mm];diameter [mm]\r\n");
+        for (std::uint8_t depth = 0; depth < 2; ++depth) {
+            const double read_mm = m_bench.console().boringService().gaugeReading_mm(part->id, depth).value_or(0.0);
+            file.write(QStringLiteral("%1;%2;%3\r\n")
+                           .arg(part->number)
+                           .arg(view.depths[depth].overhang_mm)
+                           .arg(QString::number(read_mm, 'f', 3).replace(u'.', u','))
+                           .toUtf8());
+        }
+        file.close();
+        QVERIFY(m_bench.press("boringCorrect"));
+        QVERIFY(m_bench.press("measurementListImport"));
+        QTRY_VERIFY(m_bench.find<QLineEdit>("importPath") != nullptr);
+        QVERIFY(!m_bench.find<QAbstractButton>("importTake")->isEnabled());
+        m_bench.find<QLineEdit>("importPath")->setText(file.fileName());
+        QVERIFY(m_bench.press("importLook"));
+        QTRY_VERIFY2(m_bench.text("importPlan").contains(QStringLiteral("직경 2개")),
+                     qPrintable(m_bench.text("importPlan")));
+        QVERIFY(m_bench.service().awaiting.has_value());  // saying it takes nothing
+        QVERIFY(m_bench.press("importTake"));
+        QTRY_VERIFY(m_bench.service().awaiting != view.awaiting);
+        const auto reader = db::DatabaseReader::open((m_bench.folder() + QStringLiteral("/kerf.db")).toStdString());
+        QVERIFY(reader.has_value());
+        const auto stored = (*reader)->part(part->id);
+        QVERIFY(stored && *stored && (*stored)->part.measurements.size() == 2);
+        QCOMPARE((*stored)->part.measurements[1].sourceName, std::string("station 3.csv"));
+        QVERIFY((*stored)->part.measurements[1].source == MeasurementSource::File);
+        QCOMPARE((*stored)->part.measurements[1].author, std::string("Kim"));
+        m_bench.stop();
+    }
+};
+
+QTEST_MAIN(TestConsoleTouch)
+#include "tst_console_touch.moc"
