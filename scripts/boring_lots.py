@@ -6,6 +6,8 @@ Every machine has means of its own: level (ln d at a feed of .17 mm/rev and an o
 ln .1165 + N(0, .3), alpha uniform .4-.8, beta uniform .1-.6. Every insert is drawn normally about them, with the spreads
 given. Lots of 30 parts; new inserts with parts 1, 11 and 21, the last two announced.
 --unrelated lot: the means are drawn anew for every lot; --unrelated insert: for every insert.
+--shop MACHINES LEVEL ALPHA BETA: so many machines after one another form a shop; their means are drawn normally about the
+shop's, with the spreads given. --odd: but not those of the last one, which has nothing to do with them.
 A draw with alpha below .1 is made again: no tool bends less the harder it is fed. With --feasible one whose best feed at 40
 or 310 mm lies outside .005 to 2 mm/rev is made again too: no law could keep its bores.
 """
@@ -46,6 +48,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--unrelated", choices=("no", "lot", "insert"), default="no")
     parser.add_argument("--feasible", action="store_true")
+    parser.add_argument("--shop", nargs=4, type=float, metavar=("MACHINES", "LEVEL", "ALPHA", "BETA"))
+    parser.add_argument("--odd", action="store_true")
     options = parser.parse_args()
     chance = random.Random(options.seed)
 
@@ -57,6 +61,14 @@ def main():
         announced.write("run,lot,part\n")
         for run in range(1, options.machines + 1):
             means = draw(machine, options.feasible)
+            if options.shop:
+                size, spreads = int(options.shop[0]), options.shop[1:]
+                place = (run - 1) % size
+                if place == 0:
+                    shop = means
+                if not (options.odd and place == size - 1):
+                    means = draw(lambda: tuple(chance.gauss(mean, spread) for mean, spread in zip(shop, spreads)),
+                                 options.feasible)
             for lot in range(1, options.lots + 1):
                 if options.unrelated == "lot":
                     means = draw(machine, options.feasible)

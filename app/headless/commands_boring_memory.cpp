@@ -6,7 +6,9 @@
 #include "app/files/table.h"
 #include "app/headless/commands_boring.h"
 #include "app/headless/data_file.h"
-#include "app/service/boring/boring_memory.h"
+#include "app/service/boring/shop_memory.h"
+#include "db/shop/pg_connection.h"
+#include "db/statement.h"
 
 namespace kerf::headless {
 namespace {
@@ -18,6 +20,7 @@ struct MemoryOptions {
     std::string folder{};
     std::int64_t lot{0};
     std::string partType{}, grade{}, material{};
+    std::string shop{};
     bool json{false};
 };
 
@@ -26,7 +29,9 @@ Value must(Result<Value> result) {
     if (!result) {
         throw BadInput(result.error().english());
     }
-    return std::move(*result);
+    if constexpr (!std::is_void_v<Value>) {
+        return std::move(*result);
+    }
 }
 
 /// The lot in question (the newest one of boring when none is named), for its machine and recipe.
@@ -57,7 +62,30 @@ struct Answer {
     bool uses{false};  ///< the next lot really begins from it
     boring::MemoryStart start;
     std::vector<Depth> depths;
+    std::optional<std::string> withoutShop;  ///< why it was asked and has not answered; empty text: it has
 };
+
+constexpr db::PgConnection::Timeouts kPatience{5000, 20000};
+
+/// Lots of other machines into the basis; why there are none when the shop does not answer, else an empty text.
+std::string drawOnShop(db::DatabaseReader& reader, const std::string& file, const LotRow& lot,
+                       const std::string& conninfo, BoringMemoryBasis& basis) {
+    const auto machines = must(reader.machines());
+    const auto machine = std::ranges::find(machines, lot.machine, &MachineRow::id);
+    const bool simulated = machine != machines.end() && machine->kind == "simulator";
+    const db::Interrupt interrupt;
+    try {
+        db::PgConnection server(conninfo, interrupt, kPatience);
+        basis.shop = askShopLots(server, lot.partTypeName, storeOf(file), simulated);
+    } catch (const db::PgFailure& failure) {
+        return failure.kind() == db::PgFailure::Kind::NoSchema ? std::string("there is no shop in this database")
+                                                               : std::string(failure.what());
+    } catch (const db::SqlFailure& failure) {
+        throw BadInput(failure.sentence().english());
+    }
+    must(applyLeftOut(reader, basis.shop));
+    return {};
+}
 
 std::vector<Depth> depthsOf(const BoringRecipe& recipe, const boring::MemoryStart& start) {
     const boring::EstimatorParams params = recipe.estimator(boring::EstimatorKind::Kalman);
@@ -80,7 +108,8 @@ std::vector<Depth> depthsOf(const BoringRecipe& recipe, const boring::MemoryStar
 
 Answer answerOf(const MemoryOptions& options) {
     const QtForSql qt;
-    const auto reader = openReader(checkedDataFile(options.folder));
+    const std::string file = checkedDataFile(options.folder);
+    const auto reader = openReader(file);
     const LotRow lot = lotOf(*reader, options);
     // A named lot keeps the recipe it was opened with; the next one takes the newest.
     const auto recipes = must(reader->recipes(lot.partType));
@@ -100,11 +129,18 @@ Answer answerOf(const MemoryOptions& options) {
         }
         basis = must(readBoringMemory(*reader, *reader, context));
     }
+    std::optional<std::string> withoutShop;
+    if (!options.shop.empty()) {
+        withoutShop = drawOnShop(*reader, file, lot, checkedConninfo("--shop", options.shop), basis);
+        if (!withoutShop->empty()) {
+            fmt::print(stderr, "kerf: the shop cannot be read ({}); this is memory without it.\n", *withoutShop);
+        }
+    }
     const boring::LotBegin begin = lotBegin(basis, recipe);
     const auto params = recipe.estimator(boring::EstimatorKind::Kalman).kalman;
     boring::Memory memory(*begin.past, begin.context, params);
     const boring::MemoryStart start = memory.start();
-    Answer answer{std::move(basis), recipe, std::move(memory), false, start, {}};
+    Answer answer{std::move(basis), recipe, std::move(memory), false, start, {}, std::move(withoutShop)};
     answer.uses = begin.memory && answer.memory.usable();
     if (answer.memory.usable()) {
         answer.depths = depthsOf(recipe, start);
@@ -112,9 +148,14 @@ Answer answerOf(const MemoryOptions& options) {
     return answer;
 }
 
-double shareOf(const Answer& answer, LotId lot) {
-    const auto found = std::ranges::find(answer.memory.weights(), lot, &boring::MemoryWeight::lot);
+double shareOf(const Answer& answer, const BoringMemoryLot& lot) {
+    const auto found = std::ranges::find(answer.memory.weights(), lot.memoryId, &boring::MemoryWeight::lot);
     return found == answer.memory.weights().end() ? 0.0 : found->share;
+}
+
+std::size_t shopLotsUsed(const Answer& answer) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(answer.basis.shop, [](const BoringMemoryLot& lot) { return !lot.leftOut; }));
 }
 
 std::string whyOf(const Answer& answer) {
@@ -127,8 +168,10 @@ std::string whyOf(const Answer& answer) {
     if (!answer.memory.usable()) {
         return "The past is too odd or too little: it says less than the wide prior, which holds.";
     }
-    return fmt::format("The next lot begins from {} lots; a new tool differs by {:.0f} % (1 sigma) in bending.",
-                       answer.memory.weights().size(), 100.0 * answer.start.spread[0]);
+    const std::size_t shop = shopLotsUsed(answer);
+    const std::string others = shop > 0 ? fmt::format(" and {} of other machines", shop) : std::string();
+    return fmt::format("The next lot begins from {} lots{}; a new tool differs by {:.0f} % (1 sigma) in bending.",
+                       answer.memory.weights().size() - shop, others, 100.0 * answer.start.spread[0]);
 }
 
 void printMemory(const MemoryOptions& options) {
@@ -150,7 +193,13 @@ void printMemory(const MemoryOptions& options) {
         }
         for (const BoringMemoryLot& lot : answer.basis.past) {
             fmt::print("lot {} ({}, {}): {} tools, counts {:.1f} %{}\n", lot.lot.id, lot.lot.partTypeName, lot.lot.name,
-                       lot.stretches.size(), 100.0 * shareOf(answer, lot.lot.id),
+                       lot.stretches.size(), 100.0 * shareOf(answer, lot),
+                       lot.leftOut ? fmt::format(", left out by {}: {}", lot.author, lot.reason) : std::string());
+        }
+        for (const BoringMemoryLot& lot : answer.basis.shop) {
+            fmt::print("machine {}, lot {} of console {} ({}, {}): {} tools, counts {:.1f} %{}\n", lot.lot.machineName,
+                       lot.lot.id, lot.store, lot.lot.partTypeName, lot.lot.name, lot.stretches.size(),
+                       100.0 * shareOf(answer, lot),
                        lot.leftOut ? fmt::format(", left out by {}: {}", lot.author, lot.reason) : std::string());
         }
         fmt::print("wide prior: counts {:.1f} %\n", 100.0 * answer.memory.priorShare());
@@ -202,9 +251,26 @@ void printMemory(const MemoryOptions& options) {
                                 {"insert_grade", lot.context.names[2]},
                                 {"material", lot.context.names[3]},
                                 {"tools", lot.stretches.size()},
-                                {"share", shareOf(answer, lot.lot.id)},
+                                {"share", shareOf(answer, lot)},
                                 {"left_out", lot.leftOut},
                                 {"reason", lot.reason}});
+    }
+    if (answer.withoutShop) {
+        json["shop"] = {{"reached", answer.withoutShop->empty()}, {"why", *answer.withoutShop}};
+    }
+    json["shop_lots"] = nlohmann::ordered_json::array();
+    for (const BoringMemoryLot& lot : answer.basis.shop) {
+        json["shop_lots"].push_back({{"machine", lot.lot.machineName},
+                                     {"console", lot.store},
+                                     {"lot", lot.lot.id},
+                                     {"name", lot.lot.name},
+                                     {"part_type", lot.lot.partTypeName},
+                                     {"insert_grade", lot.context.names[2]},
+                                     {"material", lot.context.names[3]},
+                                     {"tools", lot.stretches.size()},
+                                     {"share", shareOf(answer, lot)},
+                                     {"left_out", lot.leftOut},
+                                     {"reason", lot.reason}});
     }
     printJson(json);
 }
@@ -219,12 +285,19 @@ void addBoringMemory(CLI::App& boring) {
         "how "
         "much\neach earlier lot counts. Computed from the stored bores each time; nothing is changed.");
     command->add_option("--data", options->folder, "folder of the data file; default: the console's own");
-    command->add_option("--lot", options->lot, "what this stored lot began from, instead of the next one")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));
+    CLI::Option* lot =
+        command->add_option("--lot", options->lot, "what this stored lot began from, instead of the next one")
+            ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));
     command->add_option("--part-type", options->partType,
                         "for the next lot of this part type; default: as the newest lot");
     command->add_option("--insert-grade", options->grade, "for the next lot; default: as the newest lot");
     command->add_option("--material", options->material, "for the next lot; default: as the newest lot");
+    command
+        ->add_option(
+            "--shop", options->shop,
+            "PostgreSQL of the shop as libpq takes it: draw on lots of the same part type on other machines, too; "
+            "out of\nreach: memory without them, and a sentence that says so")
+        ->excludes(lot);
     command->add_flag("--json", options->json, "all of it as JSON");
     command->callback([options] { printMemory(*options); });
 }

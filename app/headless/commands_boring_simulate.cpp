@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "app/files/output.h"
 #include "app/files/table.h"
 #include "app/headless/commands_boring.h"
+#include "app/service/boring/shop_memory.h"
 
 namespace kerf::headless {
 namespace {
@@ -17,6 +22,8 @@ struct SimulateOptions {
     std::uint32_t runs{1};
     std::uint32_t lots{1};
     std::string memory{"off"};
+    std::uint32_t shopMachines{1};
+    std::string shop{"on"};
     std::string firstPart{"fixed"};
     std::string announcedFile{};
     std::uint64_t machineSeed{0};
@@ -138,6 +145,15 @@ nlohmann::ordered_json summaryJson(const SimulateOptions& options, std::uint32_t
             {"refused_mean", s.refused}};
 }
 
+/// A machine's newest lots as the other machines of its shop see them.
+void addForOthers(std::vector<boring::PastLot>& shop, std::span<const boring::PastLot> lots, std::uint32_t run) {
+    for (const boring::PastLot& lot : lots.last(std::min<std::size_t>(lots.size(), kShopLotsPerMachine))) {
+        shop.push_back(lot);
+        shop.back().id = -1 - static_cast<std::int64_t>(shop.size());
+        shop.back().context.names[0] = "run " + std::to_string(run);
+    }
+}
+
 void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
     if (options.randomChanges && (!options.changes.empty() || !options.truthFile.empty())) {
         throw CLI::ValidationError("--random-changes", "cannot be combined with --change or --truth");
@@ -157,6 +173,9 @@ void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
     }
     if (options.memory == "on" && options.common.estimator != "kalman") {
         throw CLI::ValidationError("--memory", "on needs --estimator kalman");
+    }
+    if (options.shopMachines > 1 && options.memory == "off") {
+        throw CLI::ValidationError("--shop-machines", "needs --memory on");
     }
     checkDepths("--measure-at", options.measureAt_mm, kMaxBoreDepths);
     checkDepths("--evaluate-at", options.evaluateAt_mm, 1000);
@@ -204,6 +223,9 @@ void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
         firstLot = truth.firstLot();
         plans = truth.plans(runs, lots, options.parts);
     }
+    if (runs % options.shopMachines != 0) {
+        throw CLI::ValidationError("--shop-machines", "the runs (" + std::to_string(runs) + ") are not whole shops");
+    }
     if (noise) {
         const auto first_mm = params.teach ? boring::teachDepths_mm(params) : options.measureAt_mm;
         noise->require({runs, lots, options.parts, first_mm, options.measureAt_mm});
@@ -236,8 +258,14 @@ void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
         };
     }
     boring::CampaignTally tally;
+    std::vector<boring::PastLot> shop;  // lots of the machines before in the same shop
     for (std::uint32_t run = 1; run <= runs; ++run) {
+        const std::uint32_t machine = (run - 1U) % options.shopMachines + 1U;
+        const bool counts = machine == options.shopMachines;
         std::vector<boring::PastLot> past;
+        if (counts && options.shop == "on") {
+            past = shop;
+        }
         for (std::uint32_t lot = 1; lot <= lots; ++lot) {
             const boring::TruthPlan truth = options.randomChanges ? randomPlan(options, run, lot)
                                             : plans.empty()       ? plan
@@ -245,14 +273,26 @@ void simulate(const SimulateOptions& options, bool runsGiven, bool lotsGiven) {
             const auto changes = announced ? announced->changes(run, lot) : std::vector<boring::AnnouncedChange>{};
             boring::LotResult result =
                 boring::simulateLot(params, truth, options.seed, run, sink, {lot, past, changes});
-            tally.add(result, truth, lot);
+            if (counts) {
+                tally.add(result, truth, lot);
+            }
             past.push_back({lot, {}, std::move(result.stretches)});
+        }
+        if (counts) {
+            shop.clear();
+        } else {
+            addForOthers(shop, past, run);
         }
     }
     if (options.csv) {
         csv.flush();
     } else {
-        printJson(summaryJson(options, runs, lots, tally.summary()));
+        nlohmann::ordered_json summary = summaryJson(options, runs, lots, tally.summary());
+        if (options.shopMachines > 1) {
+            summary["shop_machines"] = options.shopMachines;
+            summary["shop"] = options.shop;
+        }
+        printJson(summary);
     }
 }
 
@@ -292,6 +332,17 @@ void addBoringSimulate(CLI::App& boring) {
                     "on: a lot begins from the lots of its run before it, and an announced change draws on them; off: "
                     "each lot\n"
                     "begins from the wide prior and announcements are not used")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
+    app->add_option(
+           "--shop-machines", options->shopMachines,
+           "with --memory on: so many runs after one another are the machines of one shop, and only the last of "
+           "each\nshop is counted in the summary")
+        ->check(CLI::Range(1U, 20U))
+        ->capture_default_str();
+    app->add_option(
+           "--shop", options->shop,
+           "on: the last machine of a shop draws on the newest 6 lots of each other one; off: on its own alone")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
     app->add_option("--first-part", options->firstPart,

@@ -44,25 +44,10 @@ std::string csvText(const std::string& text) {
     return quoted + "\"";
 }
 
-/// libpq's complaint is the best sentence there is; a password in the string is said to be visible.
-std::string checkedConninfo(const std::string& conninfo) {
-    if (const std::string fault = db::conninfoFault(conninfo); !fault.empty()) {
-        throw BadInput(
-            fmt::format("--database: {}; expected key=value pairs or postgresql://… as libpq takes them", fault));
-    }
-    if (db::holdsPassword(conninfo)) {
-        std::fputs(
-            "kerf: a password on the command line can be read by everybody on this computer; use a certificate, a "
-            "service file or PGPASSFILE.\n",
-            stderr);
-    }
-    return conninfo;
-}
-
 /// Runs `work` with a connection; what goes wrong is one sentence.
 template <class Work>
 void withServer(const ShopOptions& options, const Work& work) {
-    const std::string conninfo = checkedConninfo(options.database);
+    const std::string conninfo = checkedConninfo("--database", options.database);
     const db::Interrupt interrupt;
     try {
         db::PgConnection server(conninfo, interrupt);
@@ -218,7 +203,7 @@ std::string sentenceOf(const db::ShopFailure& failure) {
 void push(const ShopOptions& options) {
     const QtForSql qt;
     const std::string file = checkedDataFile(options.folder);
-    const std::string conninfo = checkedConninfo(options.database);
+    const std::string conninfo = checkedConninfo("--database", options.database);
     db::Interrupt interrupt;
     if (!options.once) {
         endOfPush = &interrupt;

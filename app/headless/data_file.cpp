@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "app/files/table.h"
+#include "db/connection.h"
 #include "db/location.h"
 #include "db/migrator.h"
+#include "db/shop/outbox.h"
+#include "db/shop/pg_connection.h"
 
 namespace kerf::headless {
 
@@ -34,6 +39,25 @@ std::unique_ptr<db::DatabaseReader> openReader(const std::string& path) {
         throw BadInput(fmt::format("{}: {}", path, reader.error().english()));
     }
     return std::move(*reader);
+}
+
+std::string checkedConninfo(const std::string& option, const std::string& conninfo) {
+    if (const std::string fault = db::conninfoFault(conninfo); !fault.empty()) {
+        throw BadInput(
+            fmt::format("{}: {}; expected key=value pairs or postgresql://… as libpq takes them", option, fault));
+    }
+    if (db::holdsPassword(conninfo)) {
+        std::fputs(
+            "kerf: a password on the command line can be read by everybody on this computer; use a certificate, a "
+            "service file or PGPASSFILE.\n",
+            stderr);
+    }
+    return conninfo;
+}
+
+std::string storeOf(const std::string& file) {
+    const db::Connection connection(file, db::Access::Read);
+    return db::OutboxReader(connection.database()).identity().store;
 }
 
 }  // namespace kerf::headless

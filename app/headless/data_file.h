@@ -24,4 +24,10 @@ struct QtForSql {
 /// @throws BadInput
 [[nodiscard]] std::unique_ptr<db::DatabaseReader> openReader(const std::string& path);
 
+/// A connection string of PostgreSQL, looked at: what libpq cannot read is said with the option's name, a password in
+/// it is said to be visible. @throws BadInput
+[[nodiscard]] std::string checkedConninfo(const std::string& option, const std::string& conninfo);
+/// Which console's history this file is. @throws db::SqlFailure
+[[nodiscard]] std::string storeOf(const std::string& file);
+
 }  // namespace kerf::headless

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/service/boring/lot_records.h"
+#include "app/service/boring/shop_memory.h"
 
 namespace kerf {
 namespace {
@@ -40,6 +41,16 @@ std::optional<boring::StretchKind> changeOf(const std::string& key) {
     return std::nullopt;
 }
 
+// Records of another console come from outside: a wrong kind of value is none.
+std::string wordIn(const nlohmann::json& json, const char* key, const char* fallback = "") {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string(fallback);
+}
+std::uint32_t numberIn(const nlohmann::json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_number_unsigned() ? found->get<std::uint32_t>() : 0U;
+}
+
 /// The room records of boring that memory needs, by lot.
 struct Told {
     struct LeftOut {
@@ -50,6 +61,23 @@ struct Told {
     std::map<std::string, std::pair<std::string, std::string>> grades{};  // insert grade, material
     std::map<std::string, LeftOut> leftOut{};
 
+    void take(std::span<const RoomRecordRow> rows) {
+        for (const RoomRecordRow& row : rows) {  // newest first: what is there already holds
+            const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);
+            if (!json.is_object()) {
+                continue;
+            }
+            if (row.kind == kChangeRecord) {
+                changes[row.subject].try_emplace(numberIn(json, "part"), changeOf(wordIn(json, "change", "none")));
+            } else if (row.kind == kLotRecord) {
+                grades.try_emplace(row.subject, wordIn(json, "insert_grade"), wordIn(json, "material"));
+            } else if (row.kind == kMemoryRecord) {
+                const auto out = json.find("left_out");
+                leftOut.try_emplace(row.subject, LeftOut{out != json.end() && out->is_boolean() && out->get<bool>(),
+                                                         row.reason, row.author});
+            }
+        }
+    }
     [[nodiscard]] std::vector<boring::AnnouncedChange> announcedIn(LotId lot) const {
         std::vector<boring::AnnouncedChange> out;
         if (const auto found = changes.find(std::to_string(lot)); found != changes.end()) {
@@ -81,55 +109,13 @@ Result<Told> readTold(RoomRecordReader& records, std::initializer_list<const cha
         if (!rows) {
             return tl::unexpected(rows.error());
         }
-        for (const RoomRecordRow& row : *rows) {  // newest first: what is there already holds
-            const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);
-            if (!json.is_object()) {
-                continue;
-            }
-            if (row.kind == kChangeRecord) {
-                told.changes[row.subject].try_emplace(json.value("part", 0U), changeOf(json.value("change", "none")));
-            } else if (row.kind == kLotRecord) {
-                told.grades.try_emplace(row.subject, json.value("insert_grade", ""), json.value("material", ""));
-            } else {
-                told.leftOut.try_emplace(row.subject,
-                                         Told::LeftOut{json.value("left_out", false), row.reason, row.author});
-            }
-        }
+        told.take(*rows);
     }
     return told;
 }
 
 Result<Told> readTold(RoomRecordReader& records) {
     return readTold(records, {kChangeRecord, kLotRecord, kMemoryRecord}, {});
-}
-
-/// What a stored lot has shown, computed from its surviving bores alone. Empty: nothing measured, or no recipe.
-Result<std::vector<boring::Stretch>> stretchesOfLot(LotReader& reader, LotId lot,
-                                                    std::vector<boring::AnnouncedChange> announced) {
-    const auto history = reader.history(lot);
-    if (!history) {
-        return tl::unexpected(history.error());
-    }
-    if (!*history) {
-        return std::vector<boring::Stretch>{};
-    }
-    const auto recipe = recipeFromJson((*history)->recipe.parametersJson);
-    if (!recipe) {
-        return std::vector<boring::Stretch>{};
-    }
-    LotRecords records(*recipe, boring::EstimatorKind::Kalman);
-    for (const PartDetail& detail : (*history)->parts) {
-        ServicePart part;
-        part.id = detail.part.id;
-        part.number = detail.part.number;
-        part.complete = detail.part.complete;
-        part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
-        part.feed = detail.feed;
-        records.addPart(part);
-    }
-    records.setAnnounced(std::move(announced));
-    records.restoreRows((*history)->measurements);
-    return records.tracker().stretches();
 }
 
 Result<BoringMemoryBasis> readBefore(LotReader& reader, const std::string& machine, std::optional<LotId> before,
@@ -143,14 +129,15 @@ Result<BoringMemoryBasis> readBefore(LotReader& reader, const std::string& machi
         if (lot.process != ProcessId::Boring || lot.machineName != machine || (before && lot.id >= *before)) {
             continue;
         }
-        auto stretches = stretchesOfLot(reader, lot.id, told.announcedIn(lot.id));
-        if (!stretches) {
-            return tl::unexpected(stretches.error());
+        const auto history = reader.history(lot.id);
+        if (!history) {
+            return tl::unexpected(history.error());
         }
-        if (stretches->empty()) {
+        auto stretches = *history ? stretchesOf(**history, told.announcedIn(lot.id)) : std::vector<boring::Stretch>{};
+        if (stretches.empty()) {
             continue;
         }
-        BoringMemoryLot one{lot, told.contextOf(lot), std::move(*stretches), false, {}, {}};
+        BoringMemoryLot one{lot, told.contextOf(lot), std::move(stretches), false, {}, {}, {}, lot.id};
         if (const auto found = told.leftOut.find(std::to_string(lot.id)); found != told.leftOut.end()) {
             one.leftOut = found->second.leftOut;
             one.reason = found->second.reason;
@@ -176,6 +163,11 @@ Result<BoringMemoryBasis> readBoringMemory(LotReader& lots, RoomRecordReader& re
     if (basis) {
         basis->context = told->contextOf(lot);
         basis->announced = told->announcedIn(lot.id);
+        auto shop = keptShopLots(records, lot.id);
+        if (!shop) {
+            return tl::unexpected(shop.error());
+        }
+        basis->shop = std::move(*shop);
     }
     return basis;
 }
@@ -191,6 +183,61 @@ Result<BoringMemoryBasis> readBoringMemory(LotReader& lots, RoomRecordReader& re
         basis->context = context;
     }
     return basis;
+}
+
+std::vector<boring::Stretch> stretchesOf(const LotHistory& history, std::vector<boring::AnnouncedChange> announced) {
+    const auto recipe = recipeFromJson(history.recipe.parametersJson);
+    if (!recipe) {
+        return {};
+    }
+    LotRecords records(*recipe, boring::EstimatorKind::Kalman);
+    for (const PartDetail& detail : history.parts) {
+        ServicePart part;
+        part.id = detail.part.id;
+        part.number = detail.part.number;
+        part.complete = detail.part.complete;
+        part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
+        part.feed = detail.feed;
+        records.addPart(part);
+    }
+    records.setAnnounced(std::move(announced));
+    records.restoreRows(history.measurements);
+    return records.tracker().stretches();
+}
+
+BoringLotTold toldOf(LotId lot, std::span<const RoomRecordRow> records) {
+    Told told;
+    told.take(records);
+    LotRow row;
+    row.id = lot;
+    const boring::MemoryContext context = told.contextOf(row);
+    BoringLotTold one{context.names[kGrade], context.names[kMaterial], told.announcedIn(lot), false, {}, {}};
+    if (const auto found = told.leftOut.find(std::to_string(lot)); found != told.leftOut.end()) {
+        one.leftOut = found->second.leftOut;
+        one.reason = found->second.reason;
+        one.author = found->second.author;
+    }
+    return one;
+}
+
+Result<void> applyLeftOut(RoomRecordReader& records, std::span<BoringMemoryLot> lots) {
+    const auto told = readTold(records, {kMemoryRecord}, {});
+    if (!told) {
+        return tl::unexpected(told.error());
+    }
+    for (BoringMemoryLot& lot : lots) {
+        const auto found = told->leftOut.find(memorySubject(lot.store, lot.lot.id));
+        if (found != told->leftOut.end()) {
+            lot.leftOut = found->second.leftOut;
+            lot.reason = found->second.reason;
+            lot.author = found->second.author;
+        }
+    }
+    return {};
+}
+
+std::string memorySubject(const std::string& store, LotId lot) {
+    return store.empty() ? std::to_string(lot) : store + "/" + std::to_string(lot);
 }
 
 Result<std::vector<boring::AnnouncedChange>> announcedIn(RoomRecordReader& records, LotId lot) {
@@ -215,9 +262,11 @@ Result<std::vector<boring::MemoryContext>> memoryContextsOf(RoomRecordReader& re
 
 boring::LotBegin lotBegin(const BoringMemoryBasis& basis, const BoringRecipe& recipe) {
     auto past = std::make_shared<std::vector<boring::PastLot>>();
-    for (const BoringMemoryLot& lot : basis.past) {
-        if (!lot.leftOut) {
-            past->push_back({lot.lot.id, lot.context, lot.stretches});
+    for (const auto* lots : {&basis.past, &basis.shop}) {
+        for (const BoringMemoryLot& lot : *lots) {
+            if (!lot.leftOut) {
+                past->push_back({lot.memoryId, lot.context, lot.stretches});
+            }
         }
     }
     return {recipe.usesMemory(), basis.context, std::move(past)};

@@ -19,11 +19,15 @@
 ///   boring.change   {"part": 11, "change": "insert" | "reground" | "material" | "none"}   newest per part holds
 ///   boring.lot      {"insert_grade": "…", "material": "…"}                                 newest holds
 ///   boring.memory   {"left_out": true | false}, with a reason                              newest holds
+///   boring.shop_lots  lots of other machines as the shop had them when the lot was opened (shop_memory.h)
+/// Subject of boring.memory for a lot of another console: memorySubject(store, lot).
 namespace kerf {
 
 inline constexpr const char* kChangeRecord = "boring.change";
 inline constexpr const char* kLotRecord = "boring.lot";
 inline constexpr const char* kMemoryRecord = "boring.memory";
+
+inline constexpr const char* kShopLotsRecord = "boring.shop_lots";
 
 struct BoringMemoryLot {
     LotRow lot{};
@@ -31,11 +35,14 @@ struct BoringMemoryLot {
     std::vector<boring::Stretch> stretches{};
     bool leftOut{false};
     std::string reason{}, author{};  ///< of leaving it out or taking it in again
+    std::string store{};             ///< of another console's lot: which console; empty: of this one
+    std::int64_t memoryId{0};        ///< its id in boring::Memory; ids of other consoles' lots are below −1
 };
 
 /// What a lot begins from.
 struct BoringMemoryBasis {
     std::vector<BoringMemoryLot> past{};  ///< measured lots of the machine that were opened before it, oldest first
+    std::vector<BoringMemoryLot> shop{};  ///< of other machines, from the shop; empty: not told to draw on them
     boring::MemoryContext context{};
     std::vector<boring::AnnouncedChange> announced{};  ///< in the lot itself
 };
@@ -52,6 +59,21 @@ inline constexpr std::size_t kMemoryLots = 60;
 
 /// Changes announced in one lot, by part.
 [[nodiscard]] Result<std::vector<boring::AnnouncedChange>> announcedIn(RoomRecordReader& records, LotId lot);
+
+/// What a stored lot has shown, computed from its surviving bores alone. Empty: nothing measured, or no recipe.
+[[nodiscard]] std::vector<boring::Stretch> stretchesOf(const LotHistory& history,
+                                                       std::vector<boring::AnnouncedChange> announced);
+/// Grade, material, announcements and whether the lot was left out, from its own room records, newest first.
+struct BoringLotTold {
+    std::string insertGrade{}, material{};
+    std::vector<boring::AnnouncedChange> announced{};
+    bool leftOut{false};
+    std::string reason{}, author{};
+};
+[[nodiscard]] BoringLotTold toldOf(LotId lot, std::span<const RoomRecordRow> records);
+/// What boring.memory says of these lots at this console wins over what their own console said.
+[[nodiscard]] Result<void> applyLeftOut(RoomRecordReader& records, std::span<BoringMemoryLot> lots);
+[[nodiscard]] std::string memorySubject(const std::string& store, LotId lot);
 
 /// Lots left out are not handed on.
 [[nodiscard]] boring::LotBegin lotBegin(const BoringMemoryBasis& basis, const BoringRecipe& recipe);

@@ -260,11 +260,24 @@ Memory::Memory(std::span<const PastLot> past, MemoryContext now, const KalmanPar
         // mean of a log-normal's square
         spreads.variance[i] = prior.centre.cwiseAbs2() * std::exp(2.0 * prior.lnWidth * prior.lnWidth);
     }
+    // Between machines a context that all of them share is no difference: what they differ by is the machine's step.
+    const auto same = [&](std::size_t level) {
+        return std::ranges::all_of(lots,
+                                   [&](const LotLeaves& lot) { return lot.context->names[level] == now.names[level]; });
+    };
+    for (std::size_t level = 1; level < MemoryContext::kLevels && !same(0); ++level) {
+        if (same(level)) {
+            spreads.variance[level].setZero();
+        }
+    }
     const Matrix3d shop = squares(params.priorSpread).asDiagonal();
     const auto lnEvidence = [&] { return contextMessage(lots, 0, spreads).through(shop).lnScale; };
     const auto branches = branchesOf(lots);
     const auto estimable = [&](std::size_t step) {
         if (step < MemoryContext::kLevels) {
+            if (spreads.variance[step].isZero()) {
+                return false;
+            }
             const std::uint32_t above = step == 0 ? 1 : branches[step - 1];
             return branches[step] > above;
         }

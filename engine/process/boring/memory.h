@@ -17,7 +17,8 @@
 ///   shop      N(prior, prior spread) of KalmanParams: the wide prior, which is all there is without a past
 ///   evidence  Λ, h of each stretch; messages go up the tree in closed form, the next lot's θ comes down it
 ///   spreads   every τ² is its posterior mean on a grid, given the others, under a log-normal prior; three passes.
-///             A kind of step with one branch only keeps its prior. Few lots: the prior's wide right tail stays in the
+///             A kind of step with one branch only keeps its prior; between several machines that all share a part
+///             type, grade or material, that step has no spread. Few lots: the prior's wide right tail stays in the
 ///             mean, so the interval is wide
 ///
 /// Level is ln d at the past's mean ln S and ln L, where level, α and β hardly mix. All is a pure function of the lots
@@ -35,7 +36,7 @@ struct MemoryContext {
 };
 
 struct PastLot {
-    std::int64_t id{0};
+    std::int64_t id{0};  ///< any but −1, which is the lot in work
     MemoryContext context{};
     std::vector<Stretch> stretches{};
 };
