@@ -150,7 +150,7 @@
         </message>
         <message>
             <source>Each bore that is measured teaches how this tool bends. From that the feed along the next bore is chosen so that it comes out at the target at every depth.</source>
-            <translation>측정한 내경마다 이 공구가 얼마나 휘는지 배웁니다. 그것으로 다음 내경의 이송을 정해, 모든 깊이에서 목표 직경이 나오게 합니다.</translation>
+            <translation>측정한 내경마다 이 공구가 얼마나 휘는지 배웁니다. 그것으로 다음 내경의 이송을 정해, 모든 깊이에서 목표 지름이 나오게 합니다.</translation>
         </message>
         <message>
             <source>Bores against the tolerance</source>
@@ -158,7 +158,7 @@
         </message>
         <message>
             <source>Measured diameters of the last 25 parts, one curve for each depth, between the limits of the recipe. The diamond with its bar is what the next part should become. A cross is a bore outside its limits.</source>
-            <translation>최근 공작물 25개의 측정 직경이며, 깊이마다 곡선 하나씩 레시피의 한계 사이에 그립니다. 막대가 달린 마름모는 다음 공작물의 예상값입니다. 가위표는 한계를 벗어난 내경입니다.</translation>
+            <translation>최근 공작물 25개의 측정 지름이며, 깊이마다 곡선 하나씩 레시피의 한계 사이에 그립니다. 막대가 달린 마름모는 다음 공작물의 예상값입니다. 가위표는 한계를 벗어난 내경입니다.</translation>
         </message>
         <message>
             <source>Feed along the bore</source>
@@ -174,7 +174,7 @@
         </message>
         <message>
             <source>Diameters to be expected with the schedule shown, with their 95 % interval, and why the schedule has changed. Under control it is used by itself; advising, a person accepts it.</source>
-            <translation>표시한 계획으로 예상되는 직경과 95 % 구간, 그리고 계획이 바뀐 이유입니다. 제어 중에는 저절로 쓰이고, 추천 중에는 사람이 수락합니다.</translation>
+            <translation>표시한 계획으로 예상되는 지름과 95 % 구간, 그리고 계획이 바뀐 이유입니다. 제어 중에는 저절로 쓰이고, 추천 중에는 사람이 수락합니다.</translation>
         </message>
         <message>
             <source>What has been learnt</source>
@@ -190,7 +190,7 @@
         </message>
         <message>
             <source>The bore that waits for its diameter. Type the last two figures or the whole diameter and press Enter, press Gauge, or use a hand gauge. What is not plausible is asked about first.</source>
-            <translation>측정 대기 중인 내경입니다. 마지막 두 자리나 직경 전체를 입력하고 Enter를 누르거나, 게이지 버튼 또는 손 게이지를 쓰십시오. 그럴듯하지 않은 값은 먼저 되묻습니다.</translation>
+            <translation>측정 대기 중인 내경입니다. 마지막 두 자리나 지름 전체를 입력하고 Enter를 누르거나, 게이지 버튼 또는 손 게이지를 쓰십시오. 그럴듯하지 않은 값은 먼저 되묻습니다.</translation>
         </message>
         <message>
             <source>Milling</source>
@@ -326,7 +326,7 @@
         </message>
         <message>
             <source>Whether the process is in control, and what drives it. Signals are about the error against the law's prediction: the raw diameter is moved by the controller itself.</source>
-            <translation>공정이 관리 상태인지, 무엇이 움직이는지 보여 줍니다. 신호는 법칙의 예측에 대한 오차로 봅니다. 직경 자체는 제어기가 움직이기 때문입니다.</translation>
+            <translation>공정이 관리 상태인지, 무엇이 움직이는지 보여 줍니다. 신호는 법칙의 예측에 대한 오차로 봅니다. 지름 자체는 제어기가 움직이기 때문입니다.</translation>
         </message>
         <message>
             <source>Indices</source>
@@ -486,7 +486,7 @@
         </message>
         <message>
             <source>All diameters of the lot: touch one to correct it or take it out, with a reason. Everything after it is computed again.</source>
-            <translation>로트의 모든 지름입니다. 하나를 눌러 이유와 함께 수정하거나 뺍니다. 그 뒤의 것은 모두 다시 계산됩니다.</translation>
+            <translation>로트의 모든 지름입니다. 하나를 눌러 사유와 함께 수정하거나 뺍니다. 그 뒤의 것은 모두 다시 계산됩니다.</translation>
         </message>
         <message>
             <source>Gauge</source>
@@ -642,7 +642,7 @@
         </message>
         <message>
             <source>What was learnt of tools of this kind; one can be left out, with a reason.</source>
-            <translation>이 종류의 공구에서 배운 것입니다. 이유를 적고 하나를 뺄 수 있습니다.</translation>
+            <translation>이 종류의 공구에서 배운 것입니다. 사유를 적고 하나를 뺄 수 있습니다.</translation>
         </message>
         <message>
             <source>Depth, speed and path of the next cut, and how far the trim may go.</source>
@@ -870,7 +870,7 @@
         </message>
         <message>
             <source>Another value for the diameter chosen, with a reason. The old one stays in the records.</source>
-            <translation>고른 지름을 이유와 함께 다른 값으로 바꿉니다. 옛 값은 기록에 남습니다.</translation>
+            <translation>고른 지름을 사유와 함께 다른 값으로 바꿉니다. 옛 값은 기록에 남습니다.</translation>
         </message>
         <message>
             <source>Take out</source>
@@ -878,7 +878,7 @@
         </message>
         <message>
             <source>The diameter chosen no longer counts, with a reason. It stays in the records.</source>
-            <translation>고른 지름을 이유와 함께 세지 않습니다. 기록에는 남습니다.</translation>
+            <translation>고른 지름을 사유와 함께 세지 않습니다. 기록에는 남습니다.</translation>
         </message>
         <message>
             <source>Serial</source>
@@ -982,7 +982,7 @@
         </message>
         <message>
             <source>Pauses of more than three minutes. Touch one and say why; two touches.</source>
-            <translation>3분이 넘는 멈춤입니다. 하나를 눌러 이유를 고릅니다. 두 번이면 됩니다.</translation>
+            <translation>3분이 넘는 멈춤입니다. 하나를 눌러 사유를 고릅니다. 두 번이면 됩니다.</translation>
         </message>
         <message>
             <source>Which one rises?</source>
@@ -1014,7 +1014,7 @@
         </message>
         <message>
             <source>Puts a backup in the place of the data at the next start. What is there now is set aside. For process engineers, with a reason.</source>
-            <translation>다음에 시작할 때 백업이 데이터를 대신합니다. 지금의 것은 따로 보관됩니다. 공정 기술자만, 이유와 함께 할 수 있습니다.</translation>
+            <translation>다음에 시작할 때 백업이 데이터를 대신합니다. 지금의 것은 따로 보관됩니다. 공정 엔지니어만, 사유와 함께 할 수 있습니다.</translation>
         </message>
         <message>
             <source>Lots</source>
@@ -1425,7 +1425,7 @@
         </message>
         <message>
             <source>no other setter or engineer has a PIN</source>
-            <translation>PIN이 있는 다른 셋업 담당자나 기술자가 없음</translation>
+            <translation>PIN이 있는 다른 셋업 담당자나 공정 엔지니어가 없음</translation>
         </message>
     </context>
     <context>
@@ -1512,7 +1512,7 @@
         </message>
         <message>
             <source>What, why</source>
-            <translation>내용, 이유</translation>
+            <translation>내용, 사유</translation>
         </message>
         <message>
             <source>no longer holds</source>
@@ -1616,7 +1616,7 @@
         </message>
         <message>
             <source>Each role may do what the ones before it may. Starting a part, HOLD ALL and its release, and ending a tap ask for no name.</source>
-            <translation>각 권한은 앞 권한이 할 수 있는 일도 할 수 있습니다. 공작물 시작, 전체 정지와 그 해제, 탭 종료에는 이름이 필요 없습니다.</translation>
+            <translation>각 권한은 앞 권한이 할 수 있는 일도 할 수 있습니다. 공작물 시작, 전체 홀드와 그 해제, 탭 종료에는 이름이 필요 없습니다.</translation>
         </message>
         <message>
             <source>what</source>
@@ -1738,7 +1738,7 @@
         </message>
         <message>
             <source>Why</source>
-            <translation>이유</translation>
+            <translation>사유</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -2044,7 +2044,7 @@
         </message>
         <message>
             <source>First process engineer made</source>
-            <translation>첫 공정 기술자 등록</translation>
+            <translation>첫 공정 엔지니어 등록</translation>
         </message>
         <message>
             <source>Role set:</source>
@@ -2663,7 +2663,7 @@
         </message>
         <message>
             <source>Reason for the change</source>
-            <translation>변경 이유</translation>
+            <translation>변경 사유</translation>
         </message>
         <message>
             <source>give a reason</source>
@@ -3060,7 +3060,7 @@
         </message>
         <message>
             <source>A correction needs a reason.</source>
-            <translation>수정하려면 이유가 필요합니다.</translation>
+            <translation>수정하려면 사유가 필요합니다.</translation>
         </message>
         <message>
             <source>A deflection must be a number above 0 mm.</source>
@@ -4588,7 +4588,7 @@
         </message>
         <message>
             <source>This change needs a reason.</source>
-            <translation>이 변경에는 이유가 필요합니다.</translation>
+            <translation>이 변경에는 사유가 필요합니다.</translation>
         </message>
         <message>
             <source>work order</source>
@@ -6328,11 +6328,11 @@
         </message>
         <message>
             <source>Correct or void a diameter</source>
-            <translation>직경 정정 또는 무효 처리</translation>
+            <translation>지름 정정 또는 무효 처리</translation>
         </message>
         <message>
             <source>Enter a diameter</source>
-            <translation>직경 입력</translation>
+            <translation>지름 입력</translation>
         </message>
         <message>
             <source>Give a reason: it is kept with the change.</source>
@@ -6536,7 +6536,7 @@
         </message>
         <message>
             <source>Raising a limit by more than half takes two: another setter or process engineer says yes first (touch the name in the header, Second person).</source>
-            <translation>한계를 절반 넘게 올리려면 두 사람이 필요합니다. 다른 셋업 담당자나 공정 기술자가 먼저 승인해야 합니다(위쪽의 이름을 누르고 두 번째 사람).</translation>
+            <translation>한계를 절반 넘게 올리려면 두 사람이 필요합니다. 다른 셋업 담당자나 공정 엔지니어가 먼저 승인해야 합니다(위쪽의 이름을 누르고 두 번째 사람).</translation>
         </message>
         <message>
             <source>A deviation of more than 200 µm is no thermal drift: look at the part.</source>
@@ -6548,7 +6548,7 @@
         </message>
         <message>
             <source>Diameter (X), measured − nominal</source>
-            <translation>직경(X), 측정값 − 공칭값</translation>
+            <translation>지름(X), 측정값 − 공칭값</translation>
         </message>
         <message>
             <source>Length (Z), measured − nominal</source>
@@ -6696,7 +6696,7 @@
         </message>
         <message>
             <source>The file holds no diameter that is not stored already.</source>
-            <translation>파일에 아직 저장되지 않은 직경이 없습니다.</translation>
+            <translation>파일에 아직 저장되지 않은 지름이 없습니다.</translation>
         </message>
         <message>
             <source>The file says nowhere at which depth this is: a column overhang_mm is missing.</source>
@@ -6704,7 +6704,7 @@
         </message>
         <message>
             <source>This console takes no files of diameters.</source>
-            <translation>이 콘솔은 직경 파일을 받지 않습니다.</translation>
+            <translation>이 콘솔은 지름 파일을 받지 않습니다.</translation>
         </message>
         <message>
             <source>%1 lots one after the other, %2 parts on the charts, %3 signals.</source>
@@ -7645,12 +7645,12 @@
         <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
-            <translation>아직 연구 없음</translation>
+            <translation>아직 평가 없음</translation>
         </message>
         <message>
             <source>σ %1 (%2 to %3), from a study: %4</source>
             <comment>repeatability with its interval, judgement</comment>
-            <translation>σ %1 (%2~%3), 연구 결과: %4</translation>
+            <translation>σ %1 (%2~%3), 평가 결과: %4</translation>
         </message>
         <message>
             <source>good enough</source>
@@ -7722,11 +7722,11 @@
         </message>
         <message>
             <source>Study with one ring</source>
-            <translation>링 하나로 연구</translation>
+            <translation>링 하나로 평가</translation>
         </message>
         <message>
             <source>Study with parts and persons</source>
-            <translation>공작물과 사람으로 연구</translation>
+            <translation>공작물과 사람으로 평가</translation>
         </message>
         <message>
             <source>Use σ for the lots to come</source>
@@ -7750,7 +7750,7 @@
         </message>
         <message>
             <source>All %1 readings are there. Save the study.</source>
-            <translation>측정값 %1개가 모두 있습니다. 연구를 저장하십시오.</translation>
+            <translation>측정값 %1개가 모두 있습니다. 평가를 저장하십시오.</translation>
         </message>
         <message>
             <source>Reading %1 of %2 of the ring</source>
@@ -7786,7 +7786,7 @@
         </message>
         <message>
             <source>Save the study</source>
-            <translation>연구 저장</translation>
+            <translation>평가 저장</translation>
         </message>
         <message>
             <source>%1 of %2 readings are there; the tolerance must be a number.</source>
@@ -7980,11 +7980,11 @@
         </message>
         <message>
             <source>Diameters from a file</source>
-            <translation>파일에서 직경 가져오기</translation>
+            <translation>파일에서 지름 가져오기</translation>
         </message>
         <message>
             <source>A table with the columns part, overhang and diameter, in any order and spelling. Nothing is taken before you have seen what it would do.</source>
-            <translation>공작물, 돌출 길이, 직경 열이 있는 표(순서와 표기는 자유). 무엇이 바뀔지 본 뒤에만 받아들입니다.</translation>
+            <translation>공작물, 돌출 길이, 지름 열이 있는 표(순서와 표기는 자유). 무엇이 바뀔지 본 뒤에만 받아들입니다.</translation>
         </message>
         <message>
             <source>or the file's path</source>
@@ -8036,11 +8036,11 @@
         </message>
         <message>
             <source>%1 would be entered: %2 diameters of parts %3 to %4, from %5 to %6.</source>
-            <translation>%1: 공작물 %3~%4의 직경 %2개가 입력됩니다. 범위 %5~%6.</translation>
+            <translation>%1: 공작물 %3~%4의 지름 %2개가 입력됩니다. 범위 %5~%6.</translation>
         </message>
         <message>
             <source>%1 diameters taken over from %2.</source>
-            <translation>%2에서 직경 %1개를 받아들였습니다.</translation>
+            <translation>%2에서 지름 %1개를 받아들였습니다.</translation>
         </message>
         <message>
             <source>Yes, take all %1 as they are</source>
@@ -8048,7 +8048,7 @@
         </message>
         <message>
             <source>Take %1 diameters</source>
-            <translation>직경 %1개 받기</translation>
+            <translation>지름 %1개 받기</translation>
         </message>
         <message>
             <source>%1 of its values are stored already.</source>
@@ -8189,7 +8189,7 @@
         </message>
         <message>
             <source>Reason, when the lot is closed before it is full</source>
-            <translation>다 차기 전에 로트를 닫는 이유</translation>
+            <translation>다 차기 전에 로트를 닫는 사유</translation>
         </message>
         <message>
             <source>Back</source>
@@ -8286,7 +8286,7 @@
         </message>
         <message>
             <source>give a reason: it is not full</source>
-            <translation>다 차지 않음: 이유를 쓰십시오</translation>
+            <translation>다 차지 않음: 사유를 쓰십시오</translation>
         </message>
         <message>
             <source>Lot %1 goes on.</source>
@@ -8327,7 +8327,7 @@
         </message>
         <message>
             <source>give a reason</source>
-            <translation>이유를 입력하십시오</translation>
+            <translation>사유를 입력하십시오</translation>
         </message>
         <message>
             <source>Lot %1 counts again.</source>
@@ -8345,7 +8345,7 @@
         </message>
         <message>
             <source>Part %1 of this lot waits for its diameter. It is kept when another lot is opened; go on with this lot to enter it.</source>
-            <translation>이 로트의 공작물 %1: 직경 측정 대기 중. 다른 로트를 열어도 보관되며, 이 로트를 이어서 진행하면 입력할 수 있습니다.</translation>
+            <translation>이 로트의 공작물 %1: 지름 측정 대기 중. 다른 로트를 열어도 보관되며, 이 로트를 이어서 진행하면 입력할 수 있습니다.</translation>
         </message>
         <message>
             <source>Lot %1 is open. Its first part is started by hand.</source>
@@ -8353,7 +8353,7 @@
         </message>
         <message>
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
-            <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 직경 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
+            <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 지름 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
         </message>
     </context>
     <context>
@@ -8550,7 +8550,7 @@
         </message>
         <message>
             <source>Why?</source>
-            <translation>이유</translation>
+            <translation>사유</translation>
         </message>
         <message>
             <source>or in your own words</source>
@@ -8578,7 +8578,7 @@
         </message>
         <message>
             <source>a reason is missing</source>
-            <translation>이유가 없음</translation>
+            <translation>사유가 없음</translation>
         </message>
         <message>
             <source>Correct</source>
@@ -9405,7 +9405,7 @@
         </message>
         <message>
             <source>what, why</source>
-            <translation>내용, 이유</translation>
+            <translation>내용, 사유</translation>
         </message>
         <message>
             <source>correction</source>
@@ -9748,11 +9748,11 @@
         </message>
         <message>
             <source>The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.</source>
-            <translation>추정기는 게이지의 σ로 %1을(를) 씁니다. 연구가 아니라 레시피에 입력된 값입니다.</translation>
+            <translation>추정기는 게이지의 σ로 %1을(를) 씁니다. 평가가 아니라 레시피에 입력된 값입니다.</translation>
         </message>
         <message>
             <source>The estimator takes σ %1 for the gauge, from the study of %2 (%3 to %4).</source>
-            <translation>추정기는 게이지의 σ로 %2의 연구 결과 %1(%3~%4)을 씁니다.</translation>
+            <translation>추정기는 게이지의 σ로 %2의 평가 결과 %1(%3~%4)을 씁니다.</translation>
         </message>
         <message>
             <source>Gauge %1 is %2.</source>
@@ -10007,7 +10007,7 @@
         </message>
         <message>
             <source>give a reason</source>
-            <translation>이유를 쓰십시오</translation>
+            <translation>사유를 쓰십시오</translation>
         </message>
         <message>
             <source>touch an older revision</source>
@@ -10044,7 +10044,7 @@
         </message>
         <message>
             <source>Reason for the change</source>
-            <translation>변경 이유</translation>
+            <translation>변경 사유</translation>
         </message>
         <message>
             <source>Depths, in measuring order</source>
@@ -10080,7 +10080,7 @@
         </message>
         <message>
             <source>Why</source>
-            <translation>이유</translation>
+            <translation>사유</translation>
         </message>
         <message>
             <source>back to %1: %2</source>

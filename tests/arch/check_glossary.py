@@ -8,7 +8,7 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 # Short and everyday words are checked for what must not stand for them only.
-LOOSE = {"part", "lot", "gain", "trim", "bore", "alarm", "advise", "controller"}
+LOOSE = {"part", "lot", "gain", "trim", "bore", "alarm", "advise", "controller", "diameter"}
 
 
 def rows():

@@ -253,7 +253,7 @@ class TestConsoleTouch : public QObject {
         QVERIFY(!m_bench.find<QAbstractButton>("importTake")->isEnabled());
         m_bench.find<QLineEdit>("importPath")->setText(file.fileName());
         QVERIFY(m_bench.press("importLook"));
-        QTRY_VERIFY2(m_bench.text("importPlan").contains(QStringLiteral("직경 2개")),
+        QTRY_VERIFY2(m_bench.text("importPlan").contains(QStringLiteral("지름 2개")),
                      qPrintable(m_bench.text("importPlan")));
         QVERIFY(m_bench.service().awaiting.has_value());  // saying it takes nothing
         QVERIFY(m_bench.press("importTake"));
