@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "engine/limits/output_limiter.h"
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "engine/machine/linuxcnc/period_clock.h"
 #include "engine/machine/linuxcnc/programs.h"
@@ -324,6 +325,36 @@ class TestScriptedControl : public QObject {
             const Capability& host = capabilities.process[static_cast<std::size_t>(id)];
             QVERIFY(!host.fitted && !host.why.empty());
         }
+    }
+    /// The servo thread has died, the bridge has not: what it hears must be at most the planned feed, not a hold.
+    void aLostLinkLeavesThePlannedFeedOfTheProgramThatRuns() {
+        makeMachine();
+        cycles(3);
+        StartProgram program = bore();
+        program.plannedFeedScale = 0.4;
+        ask(48, program);
+        QVERIFY(cyclesUntil([this] { return m_inputs.reply.number == 48 && m_rsh->hasHeard("set mdi"); }));
+        m_bridge->seen.declared = declaration(ProcessId::Boring, 48);
+        m_bridge->seen.programRunning = m_bridge->seen.cutting = true;
+        cycles(3);
+        QCOMPARE(m_inputs.program, ProgramState::Running);
+        OutputLimiter limiter(m_machine->capabilities());
+        limiter.adopt(m_inputs, m_machine->capabilities());
+        std::array<LoopOutputs, kProcessCount> wishes{};
+        wishes[0].feedScale = 0.9;
+        LimitReport report;
+        for (int i = 0; i < 500; ++i) {
+            (void)limiter.apply(wishes, m_inputs, 1e-3, report);
+        }
+        QCOMPARE(limiter.apply(wishes, m_inputs, 1e-3, report).feedScale, 0.9);
+        for (int i = 0; i < 200; ++i) {
+            cycle(true, false);
+            m_outputs = limiter.apply({}, m_inputs, 1e-3, report);
+        }
+        QCOMPARE(m_inputs.link, LinkState::Down);
+        QCOMPARE(m_bridge->wish().feedScale, 0.4);
+        QCOMPARE(m_bridge->wish().lossScale, 0.4);
+        QCOMPARE(m_bridge->wish().plannedScale, 0.4);
     }
     void aStartThatBeginsAfterItWasGivenUpHasItsPlannedFeed() {
         makeMachine();

@@ -362,7 +362,9 @@ void LinuxCncMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept 
     inputs.spindleSpeed_rpm = {m_seen.spindleSpeed_rps * 60.0, now_ns, quality};
     inputs.spindleAngle_rev = {m_seen.spindleAngle_rev, now_ns, quality};
     inputs.appliedFeedScale = {m_seen.appliedFeedScale, now_ns, quality};
-    inputs.plannedFeedScale = {m_plannedScale, now_ns, running() && m_plannedScale > 0.0 ? quality : Quality::Missing};
+    // Declared with the program that runs, not measured: a lost link does not make it unknown.
+    inputs.plannedFeedScale = {m_plannedScale, now_ns,
+                               running() && m_plannedScale > 0.0 ? Quality::Good : Quality::Missing};
     inputs.stops = m_seen.stops;
     const bool byOrigin = !m_fitted.externalOffsets && m_fitted.originShift;
     const bool offsetKnown =
