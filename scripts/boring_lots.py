@@ -56,6 +56,7 @@ def main():
     def machine():
         return math.log(TARGET) + chance.gauss(0.0, 0.3), chance.uniform(0.4, 0.8), chance.uniform(0.1, 0.6)
 
+    lost, inserts, machines = 0, 0, set()
     with open(options.truth, "w", encoding="utf-8") as truth, open(options.announced, "w", encoding="utf-8") as announced:
         truth.write("run,lot,part,alpha,beta,c_mm\n")
         announced.write("run,lot,part\n")
@@ -78,11 +79,16 @@ def main():
                             means = draw(machine, options.feasible)
                         law = draw(lambda: tuple(chance.gauss(mean, spread)
                                                  for mean, spread in zip(means, options.spread)), options.feasible)
+                        inserts += 1
+                        if not usable(law, True):
+                            lost += 1
+                            machines.add(run)
                     level, alpha, beta = law
                     c_mm = math.exp(level - alpha * LN_S - beta * LN_L)
                     truth.write(f"{run},{lot},{part},{alpha:.17g},{beta:.17g},{c_mm:.17g}\n")
                 for part in CHANGES:
                     announced.write(f"{run},{lot},{part}\n")
+    print(f"{lost} of {inserts} inserts, on {len(machines)} machines, have no feed between .005 and 2 mm/rev for both depths")
 
 
 if __name__ == "__main__":

@@ -59,6 +59,7 @@ ConsoleApplication::~ConsoleApplication() {
     m_poll.stop();
     m_live.reset();  // silent from now on
     m_shop.reset();
+    m_shopMemory.reset();
     m_window.reset();
     if (m_engine) {
         m_engine->stop();  // no new parts; then all that has been made goes to the disk
@@ -280,6 +281,11 @@ void ConsoleApplication::openLots() {
         return m_simulator->gaugeReading_mm(gauged, overhang_mm, bore);
     };
     m_lots = std::make_unique<StoredBoringLots>(links, *m_reader, first, [this] { lotIsOpen(); });
+    const std::string folder = QFileInfo(QString::fromStdString(m_databasePath)).absolutePath().toStdString();
+    m_shopMemory = std::make_unique<ShopMemoryLink>(folder, m_databasePath, m_simulator != nullptr);
+    m_lots->drawOnShop([this](const std::string& partType, StoredBoringLots::ShopLotsTold told) {
+        m_shopMemory->ask(partType, std::move(told));
+    });
     m_serviceChanges = m_lots->service().onChanged([this] { announceAccepted(); });
     m_lots->start([this](const Result<void>& opened) {
         if (opened) {

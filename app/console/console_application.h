@@ -16,6 +16,7 @@
 #include "app/console/sensors.h"
 #include "app/console/shift_desk.h"
 #include "app/console/shop_link.h"
+#include "app/console/shop_memory_link.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
 #include "app/console/stop_keeper.h"
@@ -123,6 +124,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<LoopModes> m_modes;
     std::unique_ptr<LivePublisher> m_live;  ///< for gateways
     std::unique_ptr<ShopLink> m_shop;
+    std::unique_ptr<ShopMemoryLink> m_shopMemory;
     QTimer m_poll;
     QTimer m_portLook;
     bool m_portOpen{false};

@@ -6727,6 +6727,50 @@
             <source>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</source>
             <translation>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</translation>
         </message>
+        <message>
+            <source>Draw on other machines' lots in the shop (1 yes, 0 no)</source>
+            <translation>Draw on other machines' lots in the shop (1 yes, 0 no)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots and %2 of other machines; the bending of a new tool differs by ± %3 % (1σ).</source>
+            <translation>Expected from %1 earlier lots and %2 of other machines; the bending of a new tool differs by ± %3 % (1σ).</translation>
+        </message>
+        <message>
+            <source>Expected from this lot, %1 earlier ones and %2 of other machines; after such a change the bending differs by ± %3 % (1σ).</source>
+            <translation>Expected from this lot, %1 earlier ones and %2 of other machines; after such a change the bending differs by ± %3 % (1σ).</translation>
+        </message>
+        <message>
+            <source>The connection in shop/memory cannot be used (no password may stand there): this lot begins without other machines' lots.</source>
+            <translation>The connection in shop/memory cannot be used (no password may stand there): this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>The data folder names no shop to read (shop/memory): this lot begins without other machines' lots.</source>
+            <translation>The data folder names no shop to read (shop/memory): this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>The shop answered after the first part had begun: this lot begins without other machines' lots.</source>
+            <translation>The shop answered after the first part had begun: this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>The shop does not let this console read: this lot begins without other machines' lots.</source>
+            <translation>The shop does not let this console read: this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>The shop has no lots of this part type on other machines.</source>
+            <translation>The shop has no lots of this part type on other machines.</translation>
+        </message>
+        <message>
+            <source>The shop is asked for lots of other machines.</source>
+            <translation>The shop is asked for lots of other machines.</translation>
+        </message>
+        <message>
+            <source>The shop is out of reach: this lot begins without other machines' lots.</source>
+            <translation>The shop is out of reach: this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>There is no shop in the database: this lot begins without other machines' lots.</source>
+            <translation>There is no shop in the database: this lot begins without other machines' lots.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -8361,6 +8405,10 @@
         <message>
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
             <translation>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</translation>
+        </message>
+        <message>
+            <source>on machine %1</source>
+            <translation>on machine %1</translation>
         </message>
     </context>
     <context>

@@ -6722,6 +6722,50 @@
             <source>kerf.loss-scale is not linked: a bridge that comes late would leave the highest feed. Take kerf.hal of this version.</source>
             <translation>kerf.loss-scale이 연결되어 있지 않습니다. 브리지가 늦으면 가장 높은 이송이 남게 됩니다. 이 버전의 kerf.hal을 사용하십시오.</translation>
         </message>
+        <message>
+            <source>Draw on other machines' lots in the shop (1 yes, 0 no)</source>
+            <translation>공장의 다른 기계 로트도 참고 (1 예, 0 아니요)</translation>
+        </message>
+        <message>
+            <source>Expected from %1 earlier lots and %2 of other machines; the bending of a new tool differs by ± %3 % (1σ).</source>
+            <translation>이전 로트 %1개와 다른 기계의 로트 %2개에서 예상합니다. 새 공구의 휨은 ± %3 % (1σ) 차이 납니다.</translation>
+        </message>
+        <message>
+            <source>Expected from this lot, %1 earlier ones and %2 of other machines; after such a change the bending differs by ± %3 % (1σ).</source>
+            <translation>이 로트와 이전 로트 %1개, 다른 기계의 로트 %2개에서 예상합니다. 이런 변경 뒤의 휨은 ± %3 % (1σ) 차이 납니다.</translation>
+        </message>
+        <message>
+            <source>The connection in shop/memory cannot be used (no password may stand there): this lot begins without other machines' lots.</source>
+            <translation>shop/memory의 연결을 쓸 수 없습니다(암호를 적으면 안 됩니다). 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The data folder names no shop to read (shop/memory): this lot begins without other machines' lots.</source>
+            <translation>데이터 폴더에 읽을 공장 서버가 적혀 있지 않습니다(shop/memory). 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The shop answered after the first part had begun: this lot begins without other machines' lots.</source>
+            <translation>첫 공작물이 시작된 뒤에 공장 서버가 응답했습니다. 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The shop does not let this console read: this lot begins without other machines' lots.</source>
+            <translation>공장 서버가 이 콘솔의 읽기를 허용하지 않습니다. 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>The shop has no lots of this part type on other machines.</source>
+            <translation>공장 서버에 다른 기계의 이 품종 로트가 없습니다.</translation>
+        </message>
+        <message>
+            <source>The shop is asked for lots of other machines.</source>
+            <translation>공장 서버에 다른 기계의 로트를 묻고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The shop is out of reach: this lot begins without other machines' lots.</source>
+            <translation>공장 서버에 연결할 수 없습니다. 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>There is no shop in the database: this lot begins without other machines' lots.</source>
+            <translation>데이터베이스에 공장 자료가 없습니다. 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -8354,6 +8398,10 @@
         <message>
             <source>Lot %1 is open. Part %2 of lot %3 still waits for its diameter: Lots, Go on with it.</source>
             <translation>로트 %1: 열렸습니다. 로트 %3의 공작물 %2: 아직 지름 측정 대기 중. ‘로트’에서 ‘이어서 진행’을 누르십시오.</translation>
+        </message>
+        <message>
+            <source>on machine %1</source>
+            <translation>기계 %1</translation>
         </message>
     </context>
     <context>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/service/boring/boring_lots.h"
-#include "app/service/boring/boring_memory.h"
+#include "app/service/boring/shop_memory.h"
 #include "db/writer_thread.h"
 #include "engine/process/boring/plant.h"
 #include "tests/db/db_test_support.h"
@@ -133,6 +133,29 @@ class Bench {
     std::uint32_t m_sequence{0};
 };
 
+/// Lots of another machine, as the shop would give them: what a bench like this one has stored.
+std::vector<BoringMemoryLot> lotsOfAnother() {
+    Bench other;
+    for (int part = 0; part < 5; ++part) {
+        other.boreAndMeasure();
+    }
+    other.lot("2", 5);
+    other.lot("3", 5);
+    other.openLot("4");
+    const auto history = other.reader().history(other.lotId("4"));
+    std::vector<BoringMemoryLot> lots = readBoringMemory(other.reader(), other.reader(), (*history)->lot)->past;
+    for (BoringMemoryLot& lot : lots) {
+        lot.store = "5f0c";
+    }
+    return shopLotsFromJson(shopLotsJson(lots));
+}
+
+BoringRecipe drawing() {
+    BoringRecipe recipe;
+    recipe.shopMemory = 1.0;
+    return recipe;
+}
+
 }  // namespace
 
 class TestBoringMemoryService : public QObject {
@@ -208,13 +231,15 @@ class TestBoringMemoryService : public QObject {
         auto memory = *bench.lots->memory();
         QCOMPARE(memory.size(), std::size_t{2});
         QVERIFY(memory[0].share > 0.1 && memory[1].share > 0.1);
-        QVERIFY(!bench.wait([&](auto done) { bench.lots->leaveOut(memory[0].lot, true, "Kim", "", done); }));
-        bench.must([&](auto done) { bench.lots->leaveOut(memory[0].lot, true, "Kim", "wrong drawing", done); });
+        QVERIFY(!bench.wait([&](auto done) { bench.lots->leaveOut({memory[0].lot, {}}, true, "Kim", "", done); }));
+        bench.must([&](auto done) { bench.lots->leaveOut({memory[0].lot, {}}, true, "Kim", "wrong drawing", done); });
         memory = *bench.lots->memory();
         QVERIFY(memory[0].leftOut && memory[0].share == 0.0);
         QCOMPARE(memory[0].reason, std::string("wrong drawing"));
         QVERIFY(!sameLaw(both, bench.view().nextSchedule));
-        bench.must([&](auto done) { bench.lots->leaveOut(memory[0].lot, false, "Kim", "right after all", done); });
+        bench.must([&](auto done) {
+            bench.lots->leaveOut({memory[0].lot, {}}, false, "Kim", "right after all", done);
+        });
         QVERIFY(sameLaw(both, bench.view().nextSchedule));
     }
     void aCorrectionInAnEarlierLotChangesWhatALaterOneBegan() {
@@ -274,6 +299,92 @@ class TestBoringMemoryService : public QObject {
         QCOMPARE(basis.context.names[2], std::string("K20"));
         QCOMPARE(basis.past.size(), std::size_t{1});
         QCOMPARE(basis.past[0].context.names[2], std::string("K10"));
+    }
+    void aLotDrawsOnTheShopWhenTheRecipeSaysSoAndKeepsIt() {
+        const auto others = lotsOfAnother();
+        QCOMPARE(others.size(), std::size_t{3});
+        Bench bench(drawing());
+        int asked = 0;
+        bench.lots->drawOnShop([&](const std::string& partType, const StoredBoringLots::ShopLotsTold& told) {
+            ++asked;
+            QCOMPARE(partType, std::string("Sleeve 50"));
+            told(others);
+        });
+        bench.openLot("2");
+        waitUntil([&] { return bench.view().nextPrediction[0].has_value(); });
+        QCOMPARE(asked, 1);
+        QVERIFY(bench.lots->shopAnswer().empty());
+        QVERIFY(QString::fromStdString(bench.view().nextRestsOn.english())
+                    .startsWith("Expected from 0 earlier lots and 3 of other machines"));
+        auto memory = *bench.lots->memory();
+        QCOMPARE(memory.size(), std::size_t{3});
+        QCOMPARE(memory[0].machine, std::string("VB-1"));
+        QVERIFY(memory[0].share > 0.0 && memory[0].share < 1.0);
+        const auto all = bench.view().nextSchedule;
+        // Without the shop, as after a restart: the same.
+        bench.lots->drawOnShop({});
+        bench.must([&](auto done) { bench.lots->choose(bench.lotId("1"), "Kim", done); });
+        bench.must([&](auto done) { bench.lots->choose(bench.lotId("2"), "Kim", done); });
+        QVERIFY(sameLaw(all, bench.view().nextSchedule));
+        // One can be left out.
+        const BoringMemoryKey key{memory[0].lot, memory[0].console};
+        bench.must([&](auto done) { bench.lots->leaveOut(key, true, "Kim", "another insert", done); });
+        memory = *bench.lots->memory();
+        QVERIFY(memory[0].leftOut && memory[0].share == 0.0 && memory[1].share > 0.0);
+        QVERIFY(!sameLaw(all, bench.view().nextSchedule));
+        bench.must([&](auto done) { bench.lots->leaveOut(key, false, "Kim", "it was not", done); });
+        QVERIFY(sameLaw(all, bench.view().nextSchedule));
+        // The first bore is right although this machine has never bored anything.
+        bench.boreAndMeasure();
+        for (const BoreMeasurementView& m : bench.view().parts[0].measurements) {
+            QVERIFY(std::abs(m.diameter_mm - 50.0) < 0.03);
+        }
+        // An own lot counts more than another machine's.
+        for (int part = 0; part < 4; ++part) {
+            bench.boreAndMeasure();
+        }
+        bench.lots->drawOnShop([&](const std::string&, const StoredBoringLots::ShopLotsTold& told) { told(others); });
+        bench.openLot("3");
+        waitUntil([&] { return bench.lots->memory()->size() == 4; });
+        memory = *bench.lots->memory();
+        QVERIFY(memory[0].machine.empty());
+        QVERIFY(memory[0].share > memory[1].share + memory[2].share + memory[3].share);
+    }
+    void aShopThatIsNotToldOfOrOutOfReachChangesNothing() {
+        Bench bench;  // the recipe does not say so
+        bench.lots->drawOnShop([](const std::string&, const StoredBoringLots::ShopLotsTold&) { QFAIL("not told to"); });
+        bench.openLot("2");
+        QVERIFY(bench.lots->shopAnswer().empty());
+        Bench told(drawing());
+        const Sentence why(KERF_TEXT("The shop is out of reach: this lot begins without other machines' lots."));
+        told.lots->drawOnShop(
+            [&](const std::string&, const StoredBoringLots::ShopLotsTold& answer) { answer(tl::unexpected(why)); });
+        told.openLot("2");
+        QCOMPARE(told.lots->shopAnswer().english(), why.english());
+        QVERIFY(!told.view().nextPrediction[0]);
+        QCOMPARE(told.loaded().constantFeed_mmPerRev, 0.5);
+    }
+    void anAnswerAfterTheFirstPartChangesNothing() {
+        const auto others = lotsOfAnother();
+        Bench bench(drawing());
+        StoredBoringLots::ShopLotsTold late;
+        bench.lots->drawOnShop([&](const std::string&, const StoredBoringLots::ShopLotsTold& told) { late = told; });
+        bench.openLot("2");
+        QVERIFY(!bench.lots->shopAnswer().empty());  // it is being asked
+        bench.boreAndMeasure();
+        const auto before = bench.view().nextSchedule;
+        late(others);
+        QVERIFY(bench.lots->memory()->empty());
+        QVERIFY(sameLaw(before, bench.view().nextSchedule));
+        QVERIFY(QString::fromStdString(bench.lots->shopAnswer().english()).contains("after the first part had begun"));
+        // And when another lot is current by then, nothing at all.
+        bench.openLot("3");
+        const auto tooLate = late;
+        bench.openLot("4");
+        const Sentence asked = bench.lots->shopAnswer();
+        tooLate(others);
+        QVERIFY(bench.lots->memory()->size() == 1);
+        QCOMPARE(bench.lots->shopAnswer().english(), asked.english());
     }
 };
 QTEST_GUILESS_MAIN(TestBoringMemoryService)

@@ -79,7 +79,15 @@ struct BoringMemoryLotView {
     std::uint32_t tools{0};  ///< stretches with one and the same tool
     double share{0.0};       ///< of the expected bending; 0 when left out
     bool leftOut{false};
-    std::string reason{};  ///< why it was left out or taken in again
+    std::string reason{};   ///< why it was left out or taken in again
+    std::string machine{};  ///< of another console's lot in the shop: on which machine; empty: on this one
+    std::string console{};  ///< and in which console's history
+};
+
+/// Which lot of memory.
+struct BoringMemoryKey {
+    LotId lot{0};
+    std::string console{};  ///< empty: this one
 };
 
 /// The lots of this machine. GUI thread. `Done` runs on it when the change is on disk, or has failed and why; when a
@@ -116,11 +124,14 @@ class BoringLots {
     virtual void open(const BoringLotOrder& order, Done done) = 0;
     /// Go on with an earlier lot, for a bore that still wants its diameter.
     virtual void choose(LotId lot, const std::string& author, Done done) = 0;
-    /// What the current lot begins from: every measured lot before it, newest first.
+    /// What the current lot begins from: every measured lot before it, newest first; then other machines' lots.
     [[nodiscard]] virtual Result<std::vector<BoringMemoryLotView>> memory() = 0;
     /// Leaves a lot out of memory, or takes it in again; the current lot is computed anew. Reason and author must not
     /// be empty.
-    virtual void leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) = 0;
+    virtual void leaveOut(const BoringMemoryKey& lot, bool out, const std::string& author, const std::string& reason,
+                          Done done) = 0;
+    /// What came of asking the shop for the current lot; empty: it was not asked, or has answered.
+    [[nodiscard]] virtual Sentence shopAnswer() const = 0;
     /// No part is started for the current lot any more; its diameters may still be entered and corrected.
     virtual void close(const std::string& author, const std::string& reason, Done done) = 0;
 

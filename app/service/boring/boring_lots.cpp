@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "app/service/boring/shop_memory.h"
+
 namespace kerf {
 namespace {
 
@@ -82,7 +84,65 @@ Result<void> StoredBoringLots::openService(LotId lot) {
         m_lotOpened();
     }
     m_service.notify();
+    askShop(lot);
     return {};
+}
+
+// Once for a lot: when nothing of it is cut and nothing was kept with it yet.
+void StoredBoringLots::askShop(LotId lot) {
+    if (m_asked == lot) {
+        return;
+    }
+    m_asked = lot;
+    m_shopAnswer = {};
+    if (!m_askShop || m_links.records == nullptr || !m_service.view().parts.empty()) {
+        return;
+    }
+    const auto kept = m_links.records->roomRecords(ProcessId::Boring, kShopLotsRecord, std::to_string(lot), 1);
+    const auto revision = m_reader.recipeOf(lot);
+    if (!kept || !kept->empty() || !revision || !*revision) {
+        return;
+    }
+    const auto recipe = recipeFromJson((*revision)->parametersJson);
+    if (recipe && recipe->drawsOnShop()) {
+        m_shopAnswer = Sentence(KERF_TEXT("The shop is asked for lots of other machines."));
+        m_askShop(m_service.view().partType, [this, lot, alive = std::weak_ptr(m_alive)](const auto& told) {
+            if (alive.lock()) {
+                shopTold(lot, told);
+            }
+        });
+    }
+}
+
+void StoredBoringLots::shopTold(LotId lot, const Result<std::vector<BoringMemoryLot>>& told) {
+    if (lot != m_current) {
+        return;
+    }
+    const auto say = [this](const Sentence& answer) {
+        m_shopAnswer = answer;
+        m_service.notify();
+    };
+    if (!told) {
+        return say(told.error());
+    }
+    if (told->empty()) {
+        return say(Sentence(KERF_TEXT("The shop has no lots of this part type on other machines.")));
+    }
+    if (!m_service.view().parts.empty() || whyNoOther()) {
+        return say(Sentence(KERF_TEXT(
+            "The shop answered after the first part had begun: this lot begins without other machines' lots.")));
+    }
+    const AddRoomRecord record{ProcessId::Boring,   kShopLotsRecord, std::to_string(lot),
+                               shopLotsJson(*told), m_first.author,  ""};
+    submit(record, [this, lot, say](const Result<void>& stored) {
+        if (!stored) {
+            return say(stored.error());
+        }
+        if (lot == m_current && m_service.view().parts.empty() && !whyNoOther()) {
+            m_shopAnswer = {};
+            (void)openService(lot);
+        }
+    });
 }
 
 std::optional<Sentence> StoredBoringLots::whyUnusable(const BoringRecipeForm& form) const {
@@ -274,16 +334,20 @@ Result<std::vector<BoringMemoryLotView>> StoredBoringLots::memory() {
     }
     const boring::LotBegin begin = lotBegin(*basis, *recipe);
     const boring::Memory memory(*begin.past, begin.context, recipe->estimator(boring::EstimatorKind::Kalman).kalman);
-    for (auto lot = basis->past.rbegin(); lot != basis->past.rend(); ++lot) {
-        const auto weight = std::ranges::find(memory.weights(), lot->lot.id, &boring::MemoryWeight::lot);
-        shown.push_back({lot->lot.id, lot->lot.partTypeName, lot->lot.name, lot->context.names[2],
-                         lot->context.names[3], static_cast<std::uint32_t>(lot->stretches.size()),
-                         weight == memory.weights().end() ? 0.0 : weight->share, lot->leftOut, lot->reason});
-    }
+    const auto show = [&](const BoringMemoryLot& lot) {
+        const auto weight = std::ranges::find(memory.weights(), lot.memoryId, &boring::MemoryWeight::lot);
+        shown.push_back({lot.lot.id, lot.lot.partTypeName, lot.lot.name, lot.context.names[2], lot.context.names[3],
+                         static_cast<std::uint32_t>(lot.stretches.size()),
+                         weight == memory.weights().end() ? 0.0 : weight->share, lot.leftOut, lot.reason,
+                         lot.store.empty() ? std::string() : lot.lot.machineName, lot.store});
+    };
+    std::for_each(basis->past.rbegin(), basis->past.rend(), show);
+    std::ranges::for_each(basis->shop, show);
     return shown;
 }
 
-void StoredBoringLots::leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) {
+void StoredBoringLots::leaveOut(const BoringMemoryKey& lot, bool out, const std::string& author,
+                                const std::string& reason, Done done) {
     if (const auto may = permitted(m_links.rights, author, Deed::BoringLotEnd, reason); !may) {
         return answer(done, tl::unexpected(may.error()));
     }
@@ -293,7 +357,8 @@ void StoredBoringLots::leaveOut(LotId lot, bool out, const std::string& author, 
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
     }
-    const AddRoomRecord record{ProcessId::Boring, kMemoryRecord, std::to_string(lot), leftOutJson(out), author, reason};
+    const AddRoomRecord record{ProcessId::Boring, kMemoryRecord, memorySubject(lot.console, lot.lot),
+                               leftOutJson(out),  author,        reason};
     submit(record, [this, done = std::move(done)](const Result<void>& stored) {
         answer(done, stored && m_current ? openService(*m_current) : stored);
     });

@@ -19,6 +19,14 @@ class StoredBoringLots final : public BoringLots {
     StoredBoringLots(const StoredBoringService::Links& links, LotReader& reader, BoringLotRequest first,
                      std::function<void()> lotOpened = {});
 
+    /// Asks the shop for lots of a part type on other machines, elsewhere; `told` comes on the GUI thread, at once or
+    /// whenever the shop answers.
+    using ShopLotsTold = std::function<void(const Result<std::vector<BoringMemoryLot>>&)>;
+    using AskShop = std::function<void(const std::string& partType, ShopLotsTold told)>;
+    /// Where recipes say so, lots draw on the shop from now on. A lot is open at once and the shop's lots are taken in
+    /// while nothing of it is cut yet: nobody waits for the shop, and no feed changes in the middle of a lot.
+    void drawOnShop(AskShop ask) { m_askShop = std::move(ask); }
+
     /// Goes on with the lot that was current when the console ended; else with the newest open one; else makes the
     /// first.
     void start(Done done);
@@ -38,7 +46,9 @@ class StoredBoringLots final : public BoringLots {
     void open(const BoringLotOrder& order, Done done) override;
     void choose(LotId lot, const std::string& author, Done done) override;
     [[nodiscard]] Result<std::vector<BoringMemoryLotView>> memory() override;
-    void leaveOut(LotId lot, bool out, const std::string& author, const std::string& reason, Done done) override;
+    void leaveOut(const BoringMemoryKey& lot, bool out, const std::string& author, const std::string& reason,
+                  Done done) override;
+    [[nodiscard]] Sentence shopAnswer() const override { return m_shopAnswer; }
     void close(const std::string& author, const std::string& reason, Done done) override;
     void addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
                      PartTypeDone done) override;
@@ -55,12 +65,17 @@ class StoredBoringLots final : public BoringLots {
     void activate(LotId lot, const std::string& author, Done done);
     [[nodiscard]] Result<void> openService(LotId lot);
     void submit(StoreCommand command, Done done);
+    void askShop(LotId lot);
+    void shopTold(LotId lot, const Result<std::vector<BoringMemoryLot>>& told);
 
     StoredBoringService::Links m_links;
     LotReader& m_reader;
     BoringLotRequest m_first;
     std::function<void()> m_lotOpened;
     std::optional<LotId> m_current{};
+    AskShop m_askShop{};
+    std::optional<LotId> m_asked{};  ///< the lot that the shop was asked for last
+    Sentence m_shopAnswer{};
     CurrentBoringService m_service{};
     std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };

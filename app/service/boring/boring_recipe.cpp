@@ -21,10 +21,10 @@ struct Field {
 };
 
 /// One row per number: key, label, unit, range, default, decimals, source.
-const std::array<Field, 22>& fields() {
+const std::array<Field, 23>& fields() {
     using R = BoringRecipe;
     static const R kDefault{};
-    static const std::array<Field, 22> kFields{{
+    static const std::array<Field, 23> kFields{{
         {{"boring.target_diameter_mm", KERF_TEXT("Target diameter"), "mm", 1.0, 2000.0, kDefault.targetDiameter_mm, 3,
           kDrawing},
          &R::targetDiameter_mm},
@@ -64,6 +64,9 @@ const std::array<Field, 22>& fields() {
          &R::spindleSpeed_rpm},
         {{kMemory, KERF_TEXT("Begin from earlier lots (1 yes, 0 no)"), "", 0.0, 1.0, kDefault.memory, 0, kShop},
          &R::memory},
+        {{"boring.shop_memory", KERF_TEXT("Draw on other machines' lots in the shop (1 yes, 0 no)"), "", 0.0, 1.0,
+          kDefault.shopMemory, 0, kShop},
+         &R::shopMemory},
         {{"boring.first_part_teaches", KERF_TEXT("First part teaches (1 yes, 0 no)"), "", 0.0, 1.0,
           kDefault.firstPartTeaches, 0, kShop},
          &R::firstPartTeaches},

@@ -31,6 +31,7 @@ struct BoringRecipe {
     double overhangTo_mm{boring::kTableOverhangTo_mm};
     double spindleSpeed_rpm{400.0};
     double memory{1.0};            ///< 1: a lot begins from the lots before it; 0: from the prior below
+    double shopMemory{0.0};        ///< 1: and from lots of the same part type on the shop's other machines
     double firstPartTeaches{0.0};  ///< 1: without a past the feed varies along the first part; 0: first feed
     double priorLnC{boring::KalmanParams{}.prior.lnC};  ///< the wide prior: what is known of any boring spindle
     double priorAlpha{boring::KalmanParams{}.prior.alpha};
@@ -44,6 +45,7 @@ struct BoringRecipe {
 
     [[nodiscard]] boring::EstimatorParams estimator(boring::EstimatorKind kind) const;
     [[nodiscard]] bool usesMemory() const noexcept { return memory >= 0.5; }
+    [[nodiscard]] bool drawsOnShop() const noexcept { return usesMemory() && shopMemory >= 0.5; }
     [[nodiscard]] bool teaches() const noexcept { return firstPartTeaches >= 0.5; }
     [[nodiscard]] boring::FeedLawParams feedLaw(boring::EstimatorKind kind) const;
 };

@@ -289,9 +289,22 @@ Sentence LotRecords::restsOn() const {
     }
     constexpr double kPercent = 100.0;
     const boring::Memory memory = m_tracker.memoryNow();
-    const double lots = static_cast<double>(memory.weights().size());
+    const auto others =
+        std::ranges::count_if(memory.weights(), [](const boring::MemoryWeight& weight) { return weight.lot < 0; });
+    const double lots = static_cast<double>(memory.weights().size()) - static_cast<double>(others);
     const auto kind = changes ? announcedNext()->kind : boring::StretchKind::Insert;
     const SentenceArg spread(kPercent * memory.start(kind).spread[0], 0);
+    if (others > 0) {
+        const SentenceArg fromOthers(static_cast<double>(others), 0);
+        return measured == 0
+                   ? Sentence(KERF_TEXT("Expected from %1 earlier lots and %2 of other machines; the bending of a new "
+                                        "tool differs by ± %3 % (1σ)."),
+                              SentenceArg(lots, 0), fromOthers, spread)
+                   : Sentence(
+                         KERF_TEXT("Expected from this lot, %1 earlier ones and %2 of other machines; after such a "
+                                   "change the bending differs by ± %3 % (1σ)."),
+                         SentenceArg(lots, 0), fromOthers, spread);
+    }
     if (measured == 0) {
         return Sentence(KERF_TEXT("Expected from %1 earlier lots; the bending of a new tool differs by ± %2 % (1σ)."),
                         SentenceArg(lots, 0), spread);

@@ -58,6 +58,16 @@ QString nextName(const std::vector<BoringLotView>& lots, PartTypeId partType) {
     }
 }
 
+bool ofOtherMachine(const BoringMemoryLotView& lot) {
+    return !lot.console.empty();
+}
+
+void setRow(QTableWidget& table, int row, const QStringList& cells) {
+    for (int c = 0; c < cells.size(); ++c) {
+        table.setItem(row, c, new QTableWidgetItem(cells[c]));
+    }
+}
+
 }  // namespace
 
 LotForm* LotForm::open(const PageContext& context) {
@@ -292,10 +302,10 @@ void LotForm::fillTable() {
     m_table->setColumnCount(6);
     m_table->setHorizontalHeaderLabels({tr("Lot"), tr("Part type"), tr("Parts"), tr("Opened"), tr("State"),
                                         tr("Counts", "share of a lot in what this one began from")});
-    m_table->setRowCount(qMin(kLotsShown, static_cast<int>(m_known.size())));
-    for (int i = 0; i < m_table->rowCount(); ++i) {
+    m_table->setRowCount(ownRows() + static_cast<int>(std::ranges::count_if(m_memory, ofOtherMachine)));
+    for (int i = 0; i < ownRows(); ++i) {
         const BoringLotView& lot = m_known[static_cast<std::size_t>(i)];
-        const auto memory = std::ranges::find(m_memory, lot.id, &BoringMemoryLotView::lot);
+        const BoringMemoryLotView* memory = rememberedIn(i);
         const QStringList cells{
             QString::fromStdString(lot.name),
             QString::fromStdString(lot.partTypeName),
@@ -305,12 +315,14 @@ void LotForm::fillTable() {
             : lot.partsWaiting > 0 ? tr("%n bores wait for diameters", nullptr, static_cast<int>(lot.partsWaiting))
             : lot.closed           ? tr("closed")
                                    : tr("open"),
-            memory == m_memory.end() ? QString()
-            : memory->leftOut        ? tr("left out")
-                                     : QStringLiteral("%1 %").arg(qRound(100.0 * memory->share))};
-        for (int c = 0; c < cells.size(); ++c) {
-            m_table->setItem(i, c, new QTableWidgetItem(cells[c]));
-        }
+            counts(memory)};
+        setRow(*m_table, i, cells);
+    }
+    for (int i = ownRows(); i < m_table->rowCount(); ++i) {
+        const BoringMemoryLotView& lot = *rememberedIn(i);
+        setRow(*m_table, i,
+               {QString::fromStdString(lot.name), QString::fromStdString(lot.partType), QString(), QString(),
+                tr("on machine %1").arg(QString::fromStdString(lot.machine)), counts(&lot)});
     }
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
@@ -319,9 +331,34 @@ void LotForm::fillTable() {
     }
 }
 
+QString LotForm::counts(const BoringMemoryLotView* memory) {
+    if (memory == nullptr) {
+        return {};
+    }
+    return memory->leftOut ? tr("left out") : QStringLiteral("%1 %").arg(qRound(100.0 * memory->share));
+}
+
+int LotForm::ownRows() const {
+    return qMin(kLotsShown, static_cast<int>(m_known.size()));
+}
+
+// Below the lots of this machine stand those of other machines that the current lot begins from.
+const BoringMemoryLotView* LotForm::rememberedIn(int row) const {
+    int place = row - ownRows();
+    for (const BoringMemoryLotView& memory : m_memory) {
+        const bool here = ofOtherMachine(memory)
+                              ? place-- == 0
+                              : row >= 0 && row < ownRows() && memory.lot == m_known[static_cast<std::size_t>(row)].id;
+        if (here) {
+            return &memory;
+        }
+    }
+    return nullptr;
+}
+
 const BoringLotView* LotForm::chosen() const {
     const int row = m_table->currentRow();
-    return row >= 0 && row < static_cast<int>(m_known.size()) ? &m_known[static_cast<std::size_t>(row)] : nullptr;
+    return row >= 0 && row < ownRows() ? &m_known[static_cast<std::size_t>(row)] : nullptr;
 }
 
 void LotForm::reconsider() {
@@ -331,7 +368,9 @@ void LotForm::reconsider() {
     m_leaveOut->setText(remembered() != nullptr && remembered()->leftOut ? tr("Take in again") : tr("Leave out"));
     const BoringServiceView& view = m_context.services.boringService->view();
     const BorePartView* waiting = view.awaiting ? findPart(view, *view.awaiting) : nullptr;
+    const Sentence shop = m_lots.shopAnswer();
     const QString text = !m_trouble.isEmpty() ? m_trouble
+                         : !shop.empty()      ? sentenceText(shop, look().units())
                          : waiting != nullptr
                              ? tr("Part %1 of this lot waits for its diameter. It is kept when another lot is opened; "
                                   "go on with this lot to enter it.")
@@ -385,10 +424,7 @@ QString LotForm::whyNoClose() const {
 }
 
 const BoringMemoryLotView* LotForm::remembered() const {
-    const BoringLotView* lot = chosen();
-    const auto found =
-        lot == nullptr ? m_memory.end() : std::ranges::find(m_memory, lot->id, &BoringMemoryLotView::lot);
-    return found == m_memory.end() ? nullptr : &*found;
+    return rememberedIn(m_table->currentRow());
 }
 
 QString LotForm::whyNoLeaveOut() const {
@@ -408,9 +444,9 @@ void LotForm::leaveOut() {
     }
     const QString done = lot->leftOut ? tr("Lot %1 counts again.") : tr("Lot %1 is left out of what lots begin from.");
     change(done.arg(QString::fromStdString(lot->name)),
-           [id = lot->lot, out = !lot->leftOut, reason = m_reason->text().trimmed().toStdString()](
-               const PageContext& context, BoringLots::Done answer) {
-               context.services.boringLots->leaveOut(id, out, context.session.author(), reason, std::move(answer));
+           [key = BoringMemoryKey{lot->lot, lot->console}, out = !lot->leftOut,
+            reason = m_reason->text().trimmed().toStdString()](const PageContext& context, BoringLots::Done answer) {
+               context.services.boringLots->leaveOut(key, out, context.session.author(), reason, std::move(answer));
            });
 }
 

@@ -46,6 +46,9 @@ class LotForm : public FaceWidget {
     void chooseLot();
     void closeLot();
     void leaveOut();
+    [[nodiscard]] int ownRows() const;
+    [[nodiscard]] const BoringMemoryLotView* rememberedIn(int row) const;
+    [[nodiscard]] static QString counts(const BoringMemoryLotView* memory);
     [[nodiscard]] const BoringMemoryLotView* remembered() const;
     [[nodiscard]] QString whyNoLeaveOut() const;
     void change(const QString& done, std::function<void(const PageContext&, BoringLots::Done)> act);
