@@ -111,6 +111,49 @@ class TestTurningService : public QObject {
         QCOMPARE(after.force.front().mean_N, before.force.front().mean_N);
         QCOMPARE(m_service->view().comparison->rms_percent(), rms_percent);
     }
+    void theNextPartBeginsFromTheStoredOnes() {
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown);
+        const auto sure = [](TurningRecord& r) {
+            r.identification.sure = true;
+            r.lawProcess = {0.87, 0.65, -0.62};
+        };
+        finishPart(1, true, sure);
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown);  // the loop has it itself
+        finishPart(2, true, sure);
+        close();
+        m_exchange = std::make_unique<TurningExchange>();
+        open();  // a restart
+        QVERIFY(m_exchange->recall.refresh());
+        const TurningRecall recall = m_exchange->recall.value();
+        QVERIFY(recall.processKnown);
+        QCOMPARE(recall.process.b0, 0.65);
+        // Another cut has no past here; the first one has it again.
+        TurningSetup setup = m_service->view().setup;
+        setup.depth_um = 3.0;
+        QVERIFY(load(setup, "Kim"));
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown);
+        setup.depth_um = 6.0;
+        QVERIFY(load(setup, "Kim"));
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(m_exchange->recall.value().processKnown);
+        // A past that contradicts itself is no guide; a part that left the loop does not count.
+        finishPart(3, true, [&](TurningRecord& r) {
+            sure(r);
+            r.lawProcess.b0 *= 2.0;
+        });
+        finishPart(4, true, [&](TurningRecord& r) {
+            sure(r);
+            r.leftLoop = true;
+        });
+        close();
+        m_exchange = std::make_unique<TurningExchange>();
+        open();
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown);
+    }
     void aPartOfAnotherCutOrOneThatLeftTheLoopIsNotCompared() {
         finishPart(1, false, [](TurningRecord& r) { r.setup.depth_um = 3.0; });
         finishPart(2, true);

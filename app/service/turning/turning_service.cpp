@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/service/turning/turning_memory.h"
 #include "app/service/turning/turning_records.h"
 #include "engine/process/turning/blind.h"
 #include "engine/process/turning/depth_control.h"
@@ -58,16 +59,12 @@ bool comparable(const TurningPartView& part) {
 bool isClosed(const TurningPartView& part) {
     return part.record.controlled && part.record.controller != TurningController::Open;
 }
-bool sameCut(const TurningSetup& a, const TurningSetup& b) {
-    return a.depth_um == b.depth_um && a.spindleSpeed_rpm == b.spindleSpeed_rpm && a.feed_umPerRev == b.feed_umPerRev &&
-           a.toolRadius_um == b.toolRadius_um;
-}
-
 }  // namespace
 
 StoredTurningService::StoredTurningService(const Links& links) : m_links(links) {
     m_view.setup.revision = 1;
     restore();
+    recall();
     m_parts = m_links.writer.onPartStored([this](const StoredPart& stored) { partStored(stored); });
     m_problems = m_links.writer.onProblemChanged([this] {
         m_view.storeProblem = m_links.writer.problem();
@@ -170,6 +167,7 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
     store(kSetup, {}, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, std::move(done),
           [this, next] {
               m_view.setup = next;
+              recall();
               (void)followBlindTones(m_links.engine.status());
               send();
               changed();
@@ -434,8 +432,17 @@ void StoredTurningService::partStored(const StoredPart& stored) {
     if (m_view.parts.size() > kPartsShown) {
         m_view.parts.erase(m_view.parts.begin());
     }
+    m_cutSinceStart = true;
+    recall();
     compare();
     changed();
+}
+
+/// What the next part begins from. The process only until the first part after a start: then the loop's own is newer.
+void StoredTurningService::recall() {
+    TurningRecall kept = turningRecall(m_view.parts, m_view.setup);
+    kept.processKnown = kept.processKnown && !m_cutSinceStart;
+    m_links.exchange.recall.publish(kept);
 }
 
 /// The newest part under the loop, and the newest one without it that was cut with the same setup.

@@ -19,7 +19,7 @@ namespace kerf {
 
 /// The turning service on the database: setup, controller and every part are kept as room records ("setup",
 /// "controller", "part"), stored first and then sent to the engine. A restart reads them again and goes on where it
-/// was.
+/// was: the next part begins with the process and the tones of the stored ones (turning_memory.h).
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
 class StoredTurningService final : public TurningService {
@@ -81,6 +81,7 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] bool followMargins(const Status& status);
     [[nodiscard]] bool followBlindTones(const Status& status);
     void partStored(const StoredPart& stored);
+    void recall();
     void compare();
     void changed();
     [[nodiscard]] static MarginBasis marginBasis(const TurningStatus& status);
@@ -93,6 +94,7 @@ class StoredTurningService final : public TurningService {
     SurfaceSum m_sum{};
     std::future<TurningMargins> m_marginsToCome{};
     std::optional<MarginBasis> m_marginBasis{};
+    bool m_cutSinceStart{false};
     std::vector<double> m_blindTones_Hz{};
     double m_blindSpeed_rpm{0.0};
     Listeners<> m_listeners{};

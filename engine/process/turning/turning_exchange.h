@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/core/latest_value.h"
+#include "engine/process/turning/turning_types.h"
 
 namespace kerf {
 
@@ -35,11 +36,18 @@ struct TurningForceTrace {
     std::array<float, kPieces> high_N{};
 };
 
-/// What passes from the loop (engine thread) to the service (one other thread) beside status and part records. Large,
-/// so it is made once, on the heap, before the engine starts.
+/// What stored parts of the same cut have left for the next part to begin from: service → loop.
+struct TurningRecall {
+    bool processKnown{false};  ///< take the law's process from here, once; false: it stays as it is
+    TurningProcess process{};
+};
+
+/// What passes between the loop (engine thread) and the service (one other thread) beside status and part records.
+/// Large, so it is made once, on the heap, before the engine starts.
 struct TurningExchange {
     LatestValue<TurningSurface> surfaces{};   ///< written every 1.6 s of cutting
     LatestValue<TurningForceTrace> traces{};  ///< written at the end of a part
+    LatestValue<TurningRecall> recall{};      ///< read when a part begins; written by the service
 };
 
 }  // namespace kerf

@@ -36,10 +36,10 @@ constexpr double kRampDown_um = 0.2;  // per sample, the machine's own limit: 2 
 constexpr double kForgetting = 0.98;
 constexpr double kStartVariance = 1.0;  // of a1, b0, b1 at the start of a cut, over the noise
 constexpr double kSureExcitation = 3.0;
-constexpr double kSureHalf95 = 0.02;     // of b0, in N/µm as of b0 itself, and of a1
-constexpr double kRetuneAbove = 0.05;    // mismatch of gain or phase that is worth a new tuning
-constexpr int kMovedSamples = 500;       // .1 s in a row
-constexpr double kFarthestRetune = 3.0;  // a gain further off is no wear but a fault
+constexpr double kSureHalf95 = 0.02;   // of b0, in N/µm as of b0 itself, and of a1
+constexpr double kRetuneAbove = 0.05;  // mismatch of gain or phase that is worth a new tuning
+constexpr int kMovedSamples = 500;     // .1 s in a row
+constexpr double kFarthestRetune = 3.0;
 
 turning::ControllerKind kindOf(TurningController controller) noexcept {
     switch (controller) {
@@ -65,6 +65,12 @@ double mismatch(const turning::ProcessParams& a, const turning::ProcessParams& b
     return worst;
 }
 
+/// A gain further off is no wear but a fault.
+bool tooFar(const turning::ProcessParams& process) noexcept {
+    const double far = process.dcGain() / turning::ProcessParams{}.dcGain();
+    return far > kFarthestRetune || far < 1.0 / kFarthestRetune;
+}
+
 }  // namespace
 
 turning::DepthControlParams TurningLoop::controlParams(const TurningSetup& setup) const noexcept {
@@ -80,7 +86,8 @@ turning::DepthControlParams TurningLoop::controlParams(const TurningSetup& setup
 }
 
 TurningLoop::TurningLoop(TurningExchange* exchange) noexcept
-    : m_control(controlParams(TurningSetup{})),
+    : m_exchange(exchange),
+      m_control(controlParams(TurningSetup{})),
       m_identifier({kForgetting, turning::Forgetting::Robust, 1e4, 0.0}),
       m_trace(exchange) {}
 
@@ -490,8 +497,7 @@ void TurningLoop::identify(double force_N, const MachineInputs& inputs) noexcept
 
 /// The process has moved and the identification is sure of it: the law works with the new one, without a bump.
 void TurningLoop::retune(const turning::ProcessParams& found) noexcept {
-    const double far = found.dcGain() / turning::ProcessParams{}.dcGain();
-    if (far > kFarthestRetune || far < 1.0 / kFarthestRetune) {
+    if (tooFar(found)) {
         return;
     }
     m_process = found;
@@ -509,7 +515,20 @@ void TurningLoop::noteForce(double force_N) noexcept {
     m_forceTaken = false;
 }
 
+/// What the service has handed over since the last part.
+void TurningLoop::recall() noexcept {
+    if (m_exchange == nullptr || !m_exchange->recall.refresh()) {
+        return;
+    }
+    const TurningRecall& kept = m_exchange->recall.value();
+    const turning::ProcessParams process{kept.process.a1, kept.process.b0, kept.process.b1};
+    if (kept.processKnown && process.usable() && !tooFar(process)) {
+        m_process = process;
+    }
+}
+
 void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
+    recall();
     m_setup = m_next;
     m_control = turning::DepthControl(controlParams(m_setup));
     m_motion = turning::RevolutionBuffer(controlParams(m_setup).revolutionSamples);

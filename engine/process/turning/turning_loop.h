@@ -28,7 +28,8 @@ namespace kerf {
 /// cut ends the trim the same way without an alarm. The cycle has to be .2 ms and the force's bandwidth 800 Hz, twice
 /// the highest tone; on a slower machine the loop advises only. With a sensor of the tool's motion (toolMotion_um) the
 /// cutting process is identified as it cuts, and the law is tuned anew when it has moved by more than 5 % and the
-/// identification is sure of it.
+/// identification is sure of it. After a restart it begins with
+/// the process that stored parts of the same cut have left, where the service hands it over.
 class TurningLoop final : public ProcessLoop {
  public:
     /// @param exchange what the service wants to see of the surface and the force; may be null. Outlives the loop.
@@ -65,9 +66,11 @@ class TurningLoop final : public ProcessLoop {
     void identify(double force_N, const MachineInputs& inputs) noexcept;
     void retune(const turning::ProcessParams& found) noexcept;
     [[nodiscard]] turning::DepthControlParams controlParams(const TurningSetup& setup) const noexcept;
+    void recall() noexcept;
     void startRequest(LoopOutputs& outputs) noexcept;
 
     ProgramFollower m_program{ProcessId::Turning};
+    TurningExchange* m_exchange;
     LoopMode m_mode{LoopMode::Off};
     TurningSetup m_next{};
     TurningSetup m_setup{};

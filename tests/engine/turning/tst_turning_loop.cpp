@@ -346,6 +346,50 @@ class TestTurningLoop : public QObject {
         QVERIFY(bench.motionRms_um(0.4) < 0.2);
         QVERIFY(!bench.execute(SetTurningController{static_cast<TurningController>(9)}).done);
     }
+    /// RMS of the motion in the .3 s after the first revolution of the cut.
+    static double earlyRms_um(const SimulatedTurning::Params& params, const TurningRecall& recall,
+                              TurningProcess* law = nullptr) {
+        TurningExchange exchange;
+        exchange.recall.publish(recall);
+        test::TurningBench bench(params, 200'000, &exchange);
+        if (!bench.start()) {
+            return -1.0;
+        }
+        while (bench.status().stage != TurningStage::Cutting) {
+            bench.engine->runCycles(1);
+        }
+        bench.run(0.15);
+        if (law != nullptr) {
+            *law = bench.status().lawProcess;
+        }
+        return bench.motionRms_um(0.3);
+    }
+    void afterARestartTheLawBeginsWithTheProcessOfTheStoredParts() {
+        SimulatedTurning::Params params;
+        params.motionSensorNoise_um = 0.005;
+        params.process.b0 *= 0.85;
+        params.process.b1 *= 0.85;
+        test::TurningBench first(params);
+        QVERIFY(first.start());
+        first.run(8.0);
+        PartRecord part;
+        QVERIFY(first.engine->partRecords().tryPop(part));
+        TurningRecall recall;
+        recall.processKnown = true;
+        recall.process = part.turning.lawProcess;
+        params.seed = 2;  // another part: other noise, other phases
+        TurningProcess law;
+        const double anew_um = earlyRms_um(params, {}, &law);
+        QVERIFY(std::abs(law.b0 - 0.747) < 1e-9);
+        const double from_um = earlyRms_um(params, recall, &law);
+        QVERIFY(std::abs(law.b0 - 0.85 * 0.747) < 0.05 * 0.747);
+        QVERIFY2(from_um < anew_um, qPrintable(QStringLiteral("%1 %2").arg(anew_um).arg(from_um)));
+        qInfo("first .3 s after the first revolution: %.4f um anew, %.4f um from the part before", anew_um, from_um);
+        // A process out of all reason is not taken.
+        recall.process.b0 *= 50.0;
+        QCOMPARE(earlyRms_um(params, recall, &law), anew_um);
+        QVERIFY(std::abs(law.b0 - 0.747) < 1e-9);
+    }
     void theServiceGetsSurfaceForceAndRecord() {
         TurningExchange exchange;
         test::TurningBench bench({}, 200'000, &exchange);
