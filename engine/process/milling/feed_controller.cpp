@@ -8,12 +8,19 @@
 namespace kerf::milling {
 namespace {
 constexpr double kThinnest_mm = 0.02;  // a depth the preview may take the logarithm of
-constexpr double kAbove = 1.02;        // of the reference: from here on a change of law does not feed faster
-constexpr double kQuietShare = 0.019;  // of the reference: noise at which a force is neither clean nor noisy
+constexpr double kTurning = 0.03;      // slope of ln(C b) per revolution that counts as a step
+constexpr double kTurnMemory = 1.0 - 1.0 / 60.0;
+constexpr int kEntry = 30;  // revolutions: what the estimate does then is no step of the blank
+constexpr double kFewTurns = 2.5, kManyTurns = 5.0;
+constexpr double kFewTurnsLate = 1.5, kManyTurnsLate = 3.0;
+constexpr double kMostBelow = 0.03;
+constexpr int kAimEarly = 60;  // revolutions in which the aim is taken, before the wall that is judged
+constexpr double kAimFast_rev = 20.0, kAimSlow_rev = 200.0;
+constexpr double kAbove = 1.02;  // of the reference: from here on a change of law does not feed faster
 
 StiffnessEstimator::Params stiffnessParams(const FeedController::Params& params) {
     StiffnessEstimator::Params stiffness = params.stiffness;
-    stiffness.quietNoise_N = kQuietShare * params.reference_N;
+    stiffness.reference_N = params.reference_N;
     return stiffness;
 }
 }  // namespace
@@ -53,6 +60,9 @@ void FeedController::beginCut() noexcept {
     m_blend_mmPerS = 0.0;
     m_changed = false;
     m_revolutionsInWork = 0;
+    m_below = 0.0;
+    m_turns = 0.0;
+    m_slopeSign = 0;
 }
 
 void FeedController::newTool() noexcept {
@@ -87,6 +97,34 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
     }
 }
 
+void FeedController::takeAim() noexcept {
+    const double turning = std::clamp((m_turns - kFewTurnsLate) / (kManyTurnsLate - kFewTurnsLate), 0.0, 1.0);
+    const double late = static_cast<double>(m_axis.late());
+    const double below = std::min(m_params.model.below + m_params.model.belowLate * late * turning, kMostBelow);
+    m_below += (below - m_below) / (m_revolutionsInWork < kAimEarly ? kAimFast_rev : kAimSlow_rev);
+}
+
+void FeedController::watchTurns() noexcept {
+    const double slope = m_estimator.estimate().slope;
+    m_turns *= kTurnMemory;
+    const int sign = slope > 0.0 ? 1 : -1;
+    if (m_revolutionsInWork > kEntry && std::abs(slope) > kTurning && sign != m_slopeSign) {
+        m_slopeSign = sign;
+        m_turns += 1.0;
+    }
+}
+
+double FeedController::modelShare(const RevolutionInput& input) const noexcept {
+    if (input.overridden || input.advised) {  // feedback from a feed that somebody else made would wind up
+        return 1.0;
+    }
+    const ModelLawParams& model = m_params.model;
+    const double share = 1.0 - (1.0 - m_estimator.estimate().quiet) * (1.0 - model.modelShareNoisy);
+    const double turning = std::clamp((m_turns - kFewTurns) / (kManyTurns - kFewTurns), 0.0, 1.0);
+    const double most = m_axis.late() > 0 ? model.shareTurningLate : model.shareTurning;
+    return share + turning * (std::min(share, most) - share);
+}
+
 double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept {
     switch (m_law) {
         case LawKind::Constant:
@@ -103,19 +141,19 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
     }
     const InversionModel model{m_params.stiffness.assume.exponent, m_params.stiffness.assume.forceAngle_deg,
                                m_estimator.estimate().kx_NPerMm};
+    takeAim();
     const double wanted_mm = modelFeed_mmPerRev(m_params.model, model, m_estimator.after(m_axis.pending_mm()),
-                                                knownChange, m_params.reference_N, m_revolutionsInWork);
-    const double error_N = m_params.reference_N - *input.force_N;
-    const double b0_NPerMm = forcePerFeed_NPerMm(model, m_params.reference_N, input.feed_mmPerRev);
+                                                knownChange, aim_N(), m_revolutionsInWork);
+    const double error_N = aim_N() - *input.force_N;
+    const double b0_NPerMm = forcePerFeed_NPerMm(model, aim_N(), input.feed_mmPerRev);
     const double feedback_mm =
         feedbackFeed_mmPerRev(m_params.model, b0_NPerMm, m_feed_mmPerS * input.revolution_s, error_N, m_lastError_N);
     if (input.overridden && error_N > 0.0) {  // more feed would not arrive
         return invert(model, m_estimator.estimate().lnCb, *input.force_N, m_params.reference_N).steady_mmPerRev /
                input.revolution_s;
     }
-    // Feedback from a feed that somebody else made would wind up.
-    const double noisy = input.overridden || input.advised ? 0.0 : 1.0 - m_estimator.estimate().quiet;
-    const double share = 1.0 - noisy * (1.0 - m_params.model.modelShareNoisy);
+    watchTurns();
+    const double share = modelShare(input);
     return (share * m_axis.toMake_mm(wanted_mm) + (1.0 - share) * feedback_mm) / input.revolution_s;
 }
 
@@ -125,7 +163,7 @@ FeedDecision FeedController::update(const RevolutionInput& input) noexcept {
     }
     m_axis.measured(input.feed_mmPerRev);
     const FeedDecision decision = decide(input);
-    m_lastError_N = m_params.reference_N - input.force_N.value_or(m_params.reference_N);
+    m_lastError_N = aim_N() - input.force_N.value_or(aim_N());
     m_axis.decided(decision.feed_mmPerS * input.revolution_s);
     return decision;
 }

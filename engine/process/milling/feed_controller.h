@@ -36,7 +36,7 @@ struct FeedDecision {
 /// (always running), air and entry, missing force, limits, and bumpless change between laws while cutting.
 ///
 ///   constant  the programmed feed          pi       the paper's (PiLaw)
-///   model     inversion of the plant with the estimated stiffness (modelFeed_mmPerRev), the more feedback the noisier
+///   model     inversion of the plant with the estimated stiffness (modelFeed_mmPerRev); the more feedback the noisier
 ///             the force; knows how late what is measured arrives and how the axis follows; the default
 ///   preview   the same, told beforehand how ln b changes by a blank profile
 ///
@@ -98,6 +98,12 @@ class FeedController {
     [[nodiscard]] FeedDecision decide(const RevolutionInput& input) noexcept;
     [[nodiscard]] double lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept;
     [[nodiscard]] double lnDepthAt(double position_mm) const noexcept;
+    /// Force the model laws steer for: a little below the reference.
+    [[nodiscard]] double aim_N() const noexcept { return m_params.reference_N * (1.0 - m_below); }
+    void takeAim() noexcept;
+    /// How much the depth has been turning from harder to easier and back lately, 0 … 1.
+    void watchTurns() noexcept;
+    [[nodiscard]] double modelShare(const RevolutionInput& input) const noexcept;
     void estimate(const RevolutionInput& input) noexcept;
 
     Params m_params;
@@ -108,6 +114,9 @@ class FeedController {
     BlankProfile m_blank{};
     double m_feed_mmPerS{0.0};  ///< last decision
     double m_lastError_N{0.0};
+    double m_below{0.0};  ///< share of the reference
+    double m_turns{0.0};  ///< of the slope, slowly forgotten
+    int m_slopeSign{0};   ///< of the last one that counted
     double m_blend_mmPerS{0.0};
     bool m_changed{false};  ///< law changed since the last revolution
     int m_period{1};

@@ -34,16 +34,20 @@ double forcePerFeed_NPerMm(const InversionModel& model, double reference_N, doub
 
 double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& model, const StiffnessEstimate& estimate,
                           double knownChange, double reference_N, int revolutionsInWork) noexcept {
+    constexpr double k95 = 1.96;
     const auto by = [&](double noisy, double quiet) { return noisy + estimate.quiet * (quiet - noisy); };
-    const double lead = estimate.slope > 0.0 ? by(params.leadHarderNoisy, params.leadHarder)
-                                             : by(params.leadEasierNoisy, params.leadEasier);
+    const bool entry = revolutionsInWork < params.entryRevolutions;
+    double lead = estimate.slope > 0.0 ? by(params.leadHarderNoisy, params.leadHarder)
+                                       : by(params.leadEasierNoisy, params.leadEasier);
+    lead *= std::pow(by(params.aheadLeadNoisy, params.aheadLead), estimate.ahead);
+    lead += entry ? params.entryLead : 0.0;
+    const double doubt = params.caution * std::max(0.0, estimate.half95 / k95 - params.sure);
     const Inversion plan =
-        invert(model, estimate.lnCb + lead * estimate.slope + knownChange, estimate.force_N, reference_N);
+        invert(model, estimate.lnCb + lead * estimate.slope + doubt + knownChange, estimate.force_N, reference_N);
     double share =
         plan.deadbeat_mmPerRev > plan.steady_mmPerRev ? by(params.recoverNoisy, params.recover) : params.backOff;
-    if (revolutionsInWork < params.entryRevolutions) {
-        share *= params.entryShare;
-    }
+    share *= entry ? params.entryShare : 1.0;
+    share *= std::pow(by(params.aheadShareNoisy, params.aheadShare), estimate.ahead);
     return plan.steady_mmPerRev + share * (plan.deadbeat_mmPerRev - plan.steady_mmPerRev);
 }
 

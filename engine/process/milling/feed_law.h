@@ -69,23 +69,37 @@ struct Inversion {
 /// How a model law mixes the two: all the way when it must back off, more gently when it may recover; and how far it
 /// trusts the slope of the estimate, more when the cut grows harder. Each for a clean force and for a noisy one.
 struct ModelLawParams {
-    double backOff{1.0};   ///< share of the deadbeat feed when the force is above the reference, [0, 1]
-    double recover{0.55};  ///< when it is below, [0, backOff]
+    double backOff{1.2};    ///< share of the deadbeat feed when the force is above the reference, [0, 1]
+    double recover{0.884};  ///< when it is below, [0, backOff]
     double recoverNoisy{0.45};
-    double leadHarder{1.3};  ///< revolutions ahead on a rising slope
+    double leadHarder{1.075};  ///< revolutions ahead on a rising slope
     double leadHarderNoisy{1.8};
-    double leadEasier{0.70};  ///< on a falling one
+    double leadEasier{0.628};  ///< on a falling one
     double leadEasierNoisy{0.55};
-    double entryShare{0.4};  ///< of both shares during the first `entryRevolutions` in the work
-    int entryRevolutions{15};
+    double entryShare{0.121};  ///< of both shares during the first `entryRevolutions` in the work
+    double entryLead{0.208};   ///< revolutions further ahead then: how late a force comes is not known yet
+    int entryRevolutions{33};
+    double aheadShare{1.01};  ///< of both shares for each revolution predicted since the last force
+    double aheadShareNoisy{1.0};
+    double aheadLead{0.936};  ///< of the lead
+    double aheadLeadNoisy{1.0};
+    double caution{0.238};  ///< ln(C b) is taken for larger by this share of its standard deviation above `sure`
+    double sure{0.0127};
 
     /// A noisy force: the model's feed counts this much, the rest is feedback from the last feed given,
     ///   f = f_last + (c_p (e − e_last) + c_i e_last)/b0,
     /// the paper's law with gains that follow the tool learnt. Two answers to the same noise shake less than one.
-    double modelShareNoisy{0.2};
+    double modelShareNoisy{0.25};
     double proportional{0.8};      ///< c_p
     double integral{0.14};         ///< c_i
     double leastB0_NPerMm{260.0};  ///< a softer tool is not given more gain
+
+    /// The safety net. The force is held from below: by `below` of the reference, by more where it comes late and the
+    /// depth turns. Where the depth turns often (a comb) it cannot be foretold: the model's feed counts less there.
+    double below{0.0081};
+    double belowLate{0.02};  ///< further, for each period of lateness, when the depth turns
+    double shareTurning{0.5};
+    double shareTurningLate{0.2};
 };
 
 /// Feed per revolution of the model law; `knownChange`: change of ln b in the coming revolution from a blank profile.

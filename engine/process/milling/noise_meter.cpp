@@ -11,12 +11,12 @@ constexpr double kRatio = 2.0;
 constexpr double kMemory = 0.997;            // of the weights per revolution
 constexpr double kMostSaid = 6.0;            // log-likelihood by which one force may tell a level from the best
 constexpr double kLeastLogWeight = -8.0;     // no level is ever ruled out for good
-constexpr double kUnknownWidth = 2.06;       // of ln deviation before anything was measured
+constexpr double kUnknownWidth = 0.697;      // of ln deviation before anything was measured
 constexpr double kAirWidth = 0.5;            // when air has been measured
 constexpr double kDifferenceShare = 0.6817;  // E[(F − F')²]/σ² of a noise cut off at 0
 constexpr double kAirMemory = 0.98;
 constexpr double kAirEnough = 8.0;  // revolutions in air from which their scatter says something
-constexpr double kHighest = 1.3;    // standard deviations up to which the noise may well be
+constexpr double kHighest = 2.3;    // standard deviations up to which the noise may well be
 constexpr double kReach = 4.0;      // standard deviations air does not reach
 }  // namespace
 

@@ -11,11 +11,15 @@ namespace kerf::milling {
 namespace {
 constexpr double kLeastLogWeight = -12.0;  // no filter is ever ruled out for good
 constexpr double k95 = 1.96;
-constexpr double kQuietPower = 8.0;        // how sharply quiet turns to noisy
-constexpr double kMostAirShare = 3.0;      // of the air force: noisier air than this does not raise it further
-constexpr double kSolved = 1e-6;           // relative, of l
-constexpr double kSmallestFeed_mm = 1e-6;  // keeps l^(m−1) finite
+
+constexpr double kMostAirShare = 3.0;  // of the air force: noisier air than this does not raise it further
+constexpr double kAheadMemory = 0.8, kAheadMemoryNoisy = 0.95;  // of the slope in a revolution not yet measured
+constexpr double kSolved = 1e-6;                                // relative, of l
+constexpr double kSmallestFeed_mm = 1e-6;                       // keeps l^(m−1) finite
 }  // namespace
+
+constexpr StiffnessEstimator::Quiet StiffnessEstimator::kLawQuiet{0.022, 7.0};
+constexpr StiffnessEstimator::Quiet StiffnessEstimator::kFilterQuiet{0.028, 6.0};
 
 StiffnessEstimator::StiffnessEstimator(const Params& params) noexcept : m_params(params), m_meter(params.assume) {
     for (std::size_t i = 0; i < kFilters; ++i) {
@@ -52,7 +56,7 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
             filter.begin(force_N, feed_mmPerRev, m_meter.noise().variance_N2);
         }
     } else {
-        const double quietness = quiet();
+        const double quietness = quiet(kFilterQuiet);
         m_meter.update(force_N, feed_mmPerRev, knownChange, m_estimate.kx_NPerMm, quietness);
         for (std::size_t i = 0; i < kFilters; ++i) {
             m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
@@ -71,9 +75,9 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
     combine();
 }
 
-double StiffnessEstimator::quiet() const noexcept {
+double StiffnessEstimator::quiet(const Quiet& quiet) const noexcept {
     const double noise_N = std::sqrt(m_meter.noise().variance_N2);
-    return 1.0 / (1.0 + std::pow(noise_N / m_params.quietNoise_N, kQuietPower));
+    return 1.0 / (1.0 + std::pow(noise_N / (quiet.share * m_params.reference_N), quiet.power));
 }
 
 double StiffnessEstimator::airForce_N() const noexcept {
@@ -95,9 +99,11 @@ StiffnessEstimate StiffnessEstimator::after(std::span<const double> feeds_mmPerR
     }
     const double m = m_params.assume.exponent;
     const double theta = m_params.assume.forceAngle_deg * std::numbers::pi / 180.0;
+    const double memory = kAheadMemoryNoisy + ahead.quiet * (kAheadMemory - kAheadMemoryNoisy);
     for (const double feed_mmPerRev : feeds_mmPerRev) {
         ahead.lnCb += ahead.slope;
-        ahead.slope *= ahead.slopeMemory;
+        ahead.slope *= memory * ahead.slopeMemory;
+        ++ahead.ahead;
         const double deflection_mm = ahead.force_N / std::tan(theta) / ahead.kx_NPerMm;
         const double cut_mm = std::max(solveCutFeed_mmPerRev(std::exp(ahead.lnCb) * std::cos(theta) / ahead.kx_NPerMm,
                                                              feed_mmPerRev + deflection_mm, m, kSolved),
@@ -110,7 +116,7 @@ StiffnessEstimate StiffnessEstimator::after(std::span<const double> feeds_mmPerR
 void StiffnessEstimator::coast(double feed_mmPerRev) noexcept {
     if (m_estimate.valid) {
         for (StiffnessFilter& filter : m_filters) {
-            filter.predict(feed_mmPerRev, 0.0, quiet());
+            filter.predict(feed_mmPerRev, 0.0, quiet(kFilterQuiet));
         }
         combine();
     }
@@ -137,7 +143,7 @@ void StiffnessEstimator::combine() noexcept {
     mixed.stepping /= total;
     mixed.slopeMemory /= total;
     mixed.noise_N = std::sqrt(m_meter.noise().variance_N2);
-    mixed.quiet = quiet();
+    mixed.quiet = quiet(kLawQuiet);
     mixed.kx_NPerMm = std::exp(lnKx / total);
     double variance = 0.0;  // within the filters and between them
     for (std::size_t i = 0; i < kFilters; ++i) {

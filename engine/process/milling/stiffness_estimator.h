@@ -24,6 +24,7 @@ struct StiffnessEstimate {
     double quiet{1.0};        ///< how clean the force is, 1 … 0
     double stepping{0.0};     ///< probability that a step is being cut into
     double slopeMemory{0.0};  ///< share of the slope left after a revolution
+    int ahead{0};             ///< revolutions predicted since the last force
 };
 
 /// Cutting stiffness when k_x is not known: filters at several k_x side by side, weighed by how well each explains the
@@ -43,7 +44,7 @@ class StiffnessEstimator {
         double likely_NPerMm{70.0 * kNewtonPerKilogramForce};   ///< centre of the weights before anything was cut
         double likelyWidth{0.8};                                ///< their standard deviation in ln k_x
         double airForce_N{20.0};                                ///< below: the tool does not cut
-        double quietNoise_N{8.5};  ///< noise of an averaged force at which it is half quiet, > 0
+        double reference_N{40.0 * kNewtonPerKilogramForce};     ///< what a noise counts against, > 0
     };
     explicit StiffnessEstimator(const Params& params) noexcept;
 
@@ -67,8 +68,13 @@ class StiffnessEstimator {
     void air(double force_N) noexcept { m_meter.air(force_N); }
 
  private:
+    struct Quiet {
+        double share;  ///< of the reference: noise at which a force is neither quiet nor noisy
+        double power;  ///< how sharply the one turns to the other
+    };
+    static const Quiet kLawQuiet, kFilterQuiet;
     void combine() noexcept;
-    [[nodiscard]] double quiet() const noexcept;
+    [[nodiscard]] double quiet(const Quiet& quiet) const noexcept;
 
     Params m_params;
     NoiseMeter m_meter;

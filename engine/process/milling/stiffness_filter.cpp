@@ -11,31 +11,40 @@ namespace kerf::milling {
 namespace {
 
 constexpr std::size_t kCalmWay = 0, kDriftWay = 1, kStepWay = 2;
-constexpr double kFirstDeviation = 0.5;       // of g after the first revolution
-constexpr double kFirstSlopeDeviation = 0.1;  // of v
+constexpr double kFirstDeviation = 0.5;         // of g after the first revolution
+constexpr double kFirstSlopeDeviation = 0.148;  // of v
 constexpr std::array<double, StiffnessFilter::kWays> kFirstProbability{0.2, 0.2, 0.6};
-constexpr double kModelNoise_N2 = 2.2;              // variance of what the plant leaves out
-constexpr double kSolved = 1e-6;                    // relative, of l: far below what a sensor can tell
+constexpr double kModelNoise_N2 = 7.55;             // variance of what the plant leaves out
+constexpr double kSolved = 1e-3;                    // relative, of the last step towards l: what is left is its square
 constexpr double kSmallestFeed_mm = 1e-6;           // keeps l^(m−1) finite
-constexpr double kSteepest = 0.5;                   // |v| per revolution: a sharp step, cut into in two
 constexpr double kSoftest = -5.0, kHardest = 15.0;  // g of anything a tool survives
 constexpr double kSurprising = 2.0;                 // squared surprise in standard deviations that counts as noise
 constexpr double kMostSurprising = 21.0;            // one force says no more than this about k_x
-constexpr double kLeastMixed = 0.011;  // what is less likely does not widen the other ways: a calm filter stays calm
-constexpr double kSurelyNoStep = 0.014, kSurelyStep = 0.33;  // probabilities between which a step enters the estimate
+constexpr double kLeastMixed = 0.00364;   // what is less likely does not widen the other ways: a calm filter stays calm
+constexpr double kSurelyNoStep = 0.0169;  // probability below which a step does not enter the estimate
 constexpr double kLeastProbability = 1e-9;
 
-/// From noisy to quiet.
-double between(double noisy, double quiet, double share) {
-    return noisy + share * (quiet - noisy);
-}
+// The tool runs into a step, and out of it, within about its own height: v jumps by a share of the feed, and back to 0.
+constexpr double kJump = 0.0122;             // of g itself: a step begins within a revolution
+constexpr double kSlopeAfterStep = 0.00411;  // standard deviation of v where a step ends
+
+/// A figure for a noisy force and for a quiet one.
+struct Range {
+    double noisy;
+    double quiet;
+    [[nodiscard]] double at(double share) const { return noisy + share * (quiet - noisy); }
+};
+constexpr Range kJumpPerFeed_perMm{0.0, 0.632};
+constexpr Range kHighestJump{0.0, 0.146};  // standard deviation of v at most
+constexpr Range kSteepest{0.5, 0.177};     // |v| per revolution
+constexpr Range kSurelyStep{0.33, 0.196};  // probability from which a step alone makes the estimate
 
 /// Probability per revolution to go from one way to another.
 double change(std::size_t from, std::size_t to, double quiet) {
     const std::array<std::array<double, StiffnessFilter::kWays>, StiffnessFilter::kWays> off{{
-        {0.0, 0.027, between(0.02, 0.2, quiet)},  // from calm
-        {0.2, 0.0, between(0.009, 0.2, quiet)},   // from drift
-        {0.0077, 0.26, 0.0},                      // from step
+        {0.0, 0.0213, Range{0.02, 0.0181}.at(quiet)},                           // from calm
+        {0.178, 0.0, Range{0.009, 0.0117}.at(quiet)},                           // from drift
+        {Range{0.0077, 0.0182}.at(quiet), Range{0.26, 0.0414}.at(quiet), 0.0},  // from step
     }};
     return from == to ? 1.0 - off[from][0] - off[from][1] - off[from][2] : off[from][to];
 }
@@ -51,11 +60,11 @@ StiffnessFilter::StiffnessFilter(const StiffnessAssumptions& assumptions, double
 StiffnessFilter::Walk StiffnessFilter::walkOf(std::size_t way, double quiet) noexcept {
     switch (way) {
         case kCalmWay:
-            return {0.00075, 0.0003, 0.5};
+            return {0.000316, 0.0000804, 0.998};
         case kDriftWay:
-            return {0.0023, 0.0007, 0.92};
-        default:  // a step in the blank is cut into within some ten revolutions
-            return {0.042, between(0.12, 0.2, quiet), between(0.97, 0.9, quiet)};
+            return {0.0034, 0.000347, 0.989};
+        default:
+            return {Range{0.042, 0.0201}.at(quiet), Range{0.12, 0.0929}.at(quiet), Range{0.97, 0.991}.at(quiet)};
     }
 }
 
@@ -72,7 +81,23 @@ void StiffnessFilter::begin(double force_N, double feed_mmPerRev, double noise_N
     combine();
 }
 
-void StiffnessFilter::mix() noexcept {
+StiffnessFilter::Way StiffnessFilter::turned(const Way& way, std::size_t from, std::size_t to, double feed_mmPerRev,
+                                             double quiet) noexcept {
+    Way turned = way;
+    if (to == kStepWay && from != kStepWay) {
+        const double jump = std::min(kJumpPerFeed_perMm.at(quiet) * feed_mmPerRev, kHighestJump.at(quiet));
+        turned.covariance(1, 1) += kJump * kJump;
+        turned.covariance(2, 2) += jump * jump;
+    } else if (from == kStepWay && to != kStepWay) {
+        turned.state[2] = 0.0;
+        turned.covariance.row(2).setZero();
+        turned.covariance.col(2).setZero();
+        turned.covariance(2, 2) = kSlopeAfterStep * kSlopeAfterStep;
+    }
+    return turned;
+}
+
+void StiffnessFilter::mix(double feed_mmPerRev) noexcept {
     const std::array<Way, kWays> before = m_ways;
     for (std::size_t to = 0; to < kWays; ++to) {
         Way& way = m_ways[to];
@@ -87,14 +112,16 @@ void StiffnessFilter::mix() noexcept {
             weight[from] = std::max(0.0, weight[from] / way.probability - (from == to ? 0.0 : kLeastMixed));
             total += weight[from];
         }
+        std::array<Way, kWays> coming{};
         way.state.setZero();
         for (std::size_t from = 0; from < kWays; ++from) {
-            way.state += weight[from] / total * before[from].state;
+            coming[from] = turned(before[from], from, to, feed_mmPerRev, m_quiet);
+            way.state += weight[from] / total * coming[from].state;
         }
         way.covariance.setZero();
         for (std::size_t from = 0; from < kWays; ++from) {
-            const Eigen::Vector4d off = before[from].state - way.state;
-            way.covariance += weight[from] / total * (before[from].covariance + off * off.transpose());
+            const Eigen::Vector4d off = coming[from].state - way.state;
+            way.covariance += weight[from] / total * (coming[from].covariance + off * off.transpose());
         }
     }
 }
@@ -129,7 +156,7 @@ void StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev, 
 
 void StiffnessFilter::predict(double feed_mmPerRev, double knownChange, double quiet) noexcept {
     m_quiet = quiet;
-    mix();
+    mix(feed_mmPerRev);
     for (std::size_t i = 0; i < kWays; ++i) {
         predict(m_ways[i], walkOf(i, quiet), feed_mmPerRev, knownChange);
     }
@@ -156,7 +183,7 @@ double StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
         way.covariance -= gain * cross.transpose();
         way.state[0] = std::max(way.state[0], 0.0);
         way.state[1] = std::clamp(way.state[1], kSoftest, kHardest);
-        way.state[2] = std::clamp(way.state[2], -kSteepest, kSteepest);
+        way.state[2] = std::clamp(way.state[2], -kSteepest.at(m_quiet), kSteepest.at(m_quiet));
     }
     const double most = *std::ranges::max_element(logLikelihood);
     double total = 0.0;
@@ -177,7 +204,7 @@ double StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
 void StiffnessFilter::combine() noexcept {
     // A step that is hardly likely, but as wide as a step is, would shake the estimate with every force.
     const double step = m_ways[kStepWay].probability;
-    m_share[kStepWay] = step * std::clamp((step - kSurelyNoStep) / (kSurelyStep - kSurelyNoStep), 0.0, 1.0);
+    m_share[kStepWay] = step * std::clamp((step - kSurelyNoStep) / (kSurelyStep.at(m_quiet) - kSurelyNoStep), 0.0, 1.0);
     const double others = m_ways[kCalmWay].probability + m_ways[kDriftWay].probability;
     for (const std::size_t i : {kCalmWay, kDriftWay}) {
         m_share[i] = m_ways[i].probability * (1.0 - m_share[kStepWay]) / others;

@@ -11,7 +11,7 @@ namespace kerf::milling {
 struct StiffnessAssumptions {
     double exponent{0.85};        ///< m, (0, 1]
     double forceAngle_deg{45.0};  ///< θ
-    double forceNoise_N{5.0};     ///< standard deviation of one averaged force before anything was learnt, > 0
+    double forceNoise_N{9.92};    ///< standard deviation of one averaged force before anything was learnt, > 0
     double meanShare{0.0};  ///< w: the measured force is (1 − w) F_y(i) + w F_y(i−1). 0: F_y at the end of the
                             ///< revolution (the paper's equations); 0.5: averaged over it, as a sensor does
 };
@@ -25,11 +25,13 @@ struct StiffnessAssumptions {
 ///   predict    g ← g + v + Δ, v ← ρ v,  l + (e^g cos θ/k_x) l^m = f_r + δ_x,  F_y ← e^g l^m sin θ
 ///   correct    with the measured force (1 − w) F_y(i) + w F_y(i−1); equations 1-6 of docs/milling.md, linearised at
 ///              the estimate
-///   ways       calm (g nearly stands), drift (v lasts a dozen revolutions: a ramp, wear), step (both walk)
+///   ways       calm (v stays: a wall, a long ramp), drift (v changes), step (v jumps when it begins, by so much per mm
+///              of feed, is 0 again when it ends, and walks between)
 ///
-/// Δ is a change of ln b known beforehand (blank profile), else 0. `quiet`: how clean the force is, 1 … 0; in a noisy
-/// one steps are told from noise by how long they last. Forces ≥ 0 in N, feeds ≥ 0 in mm/rev.
-/// All functions run in the cycle: no allocation, lock, throw or I/O.
+/// The jumps belong to the changes of way (turned()): a step is one change, not a walk, so a noisy force does not pass
+/// for one, and when it is over nothing is left of its slope. `quiet`: how clean the force is, 1 … 0: in a noisy one a
+/// step counts only when it lasts. Δ is a change of ln b known beforehand (blank profile), else 0. Forces ≥ 0 in N,
+/// feeds ≥ 0 in mm/rev. All functions run in the cycle: no allocation, lock, throw or I/O.
 class StiffnessFilter {
  public:
     static constexpr std::size_t kWays = 3;
@@ -76,7 +78,9 @@ class StiffnessFilter {
         double slopeMemory;     ///< ρ
     };
     [[nodiscard]] static Walk walkOf(std::size_t way, double quiet) noexcept;
-    void mix() noexcept;
+    [[nodiscard]] static Way turned(const Way& way, std::size_t from, std::size_t to, double feed_mmPerRev,
+                                    double quiet) noexcept;
+    void mix(double feed_mmPerRev) noexcept;
     void predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept;
     void combine() noexcept;
 
