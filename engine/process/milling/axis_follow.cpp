@@ -7,10 +7,10 @@
 namespace kerf::milling {
 namespace {
 constexpr double kMemory = 1.0 - 1.0 / 60.0;
-constexpr double kLeastError_mm2 = 1e-6;  // of one period: below nothing is to be gained
+constexpr double kLeastError_mm2 = 1e-5;  // of one period: below nothing is to be gained
 constexpr double kEvidence = 6.0;         // log-likelihood by which another pair must explain the feed better
 constexpr double kLeastShare = 0.05;      // of the mean: below, the feed at the begin of a period is not seen in it
-constexpr double kMuchBetter = 0.3;       // share of the squared error that a time constant must leave
+constexpr double kMuchBetter = -1.204;    // of the mean ln(error²) that a time constant must leave
 constexpr double kLarge = 0.3;            // change of the decided feed that counts as large
 constexpr double kHardest = 2.5;          // a lagging axis is driven at most so many times the change wanted
 constexpr std::array<double, AxisFollow::kLags> kLag_periods{0.0, 0.15, 0.3, 0.5, 0.8, 1.2, 2.0, 3.0};
@@ -46,16 +46,16 @@ void AxisFollow::measured(double feed_mm) noexcept {
             learn(late, feed_mm);
         }
         m_count = kMemory * m_count + 1.0;
-        const double floor_mm2 = kLeastError_mm2 * m_count;
+        m_usual_mm2 = std::exp(*std::ranges::min_element(m_lnError) / m_count);
         const auto doubt = [&](std::size_t i) {  // negative log-likelihood, up to what all share
-            return 0.5 * m_count * std::log(m_error_mm2[i] + floor_mm2) + (i == 0 ? 0.0 : kEvidence);
+            return 0.5 * m_lnDoubt[i] + (i == 0 ? 0.0 : kEvidence);
         };
         std::size_t best = 0;
-        for (std::size_t i = 1; i < m_error_mm2.size(); ++i) {
+        for (std::size_t i = 1; i < m_lnDoubt.size(); ++i) {
             best = doubt(i) < doubt(best) ? i : best;
         }
         const std::size_t prompt = best / kLags * kLags;  // the same, reached at once
-        best = m_error_mm2[best] + floor_mm2 < kMuchBetter * (m_error_mm2[prompt] + floor_mm2) ? best : prompt;
+        best = m_lnDoubt[best] < m_lnDoubt[prompt] + kMuchBetter * m_count ? best : prompt;
         // Who has the floor keeps it unless clearly beaten.
         const bool stays = m_best % kLags == 0 || best % kLags != 0;  // what is no longer much better goes at once
         m_best = !stays || doubt(best) + 1.0 < doubt(m_best) ? best : m_best;
@@ -76,8 +76,11 @@ void AxisFollow::learn(std::size_t late, double feed_mm) noexcept {
     const bool large = std::abs(m_decided_mm[late] - m_decided_mm[late + 1]) > kLarge * m_decided_mm[late + 1];
     const double least_mm2 = *std::ranges::min_element(error_mm2);
     for (std::size_t lag = 0; lag < kLags; ++lag) {
-        double& sum_mm2 = m_error_mm2[late * kLags + lag];
-        sum_mm2 = kMemory * sum_mm2 + (large ? least_mm2 : error_mm2[lag]);
+        const double told_mm2 = large ? least_mm2 : error_mm2[lag];
+        double& lnDoubt = m_lnDoubt[late * kLags + lag];
+        lnDoubt = kMemory * lnDoubt + std::log(told_mm2 + m_usual_mm2);
+        double& lnError = m_lnError[late * kLags + lag];
+        lnError = kMemory * lnError + std::log(told_mm2 + kLeastError_mm2);
     }
 }
 

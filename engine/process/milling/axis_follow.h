@@ -13,8 +13,9 @@ namespace kerf::milling {
 ///   f(i) = c + (v − c) s,  v' = c + (v − c) e^(−1/τ),  s = τ (1 − e^(−1/τ)),  c = decided(i − 1 − d)
 ///
 /// with f the mean feed of a period, v the feed at its begin, v' at its end, τ in periods. Every pair (d, τ) of a grid
-/// predicts each measured feed from the ones before; the errors are forgotten over some 60 periods. Before there is
-/// evidence, and while none of them explains what happens: d = 0, τ = 0. Feeds in mm per period, ≥ 0.
+/// predicts each measured feed from the ones before; the errors are forgotten over some 60 periods. They count by their
+/// logarithm (heavy tails): a few changes that the machine made at its own rate do not outweigh the many small ones.
+/// Before there is evidence, and while none of them explains what happens: d = 0, τ = 0. Feeds in mm per period, ≥ 0.
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
 class AxisFollow {
  public:
@@ -51,7 +52,9 @@ class AxisFollow {
     std::size_t m_known{0};                ///< of them
     double m_measured_mm{0.0};
     bool m_hasMeasured{false};
-    std::array<double, kLates * kLags> m_error_mm2{};  ///< forgotten sums
+    std::array<double, kLates * kLags> m_lnDoubt{};  ///< forgotten sums of ln(error² + what is usual)
+    std::array<double, kLates * kLags> m_lnError{};  ///< the same of ln(error² + what does not count)
+    double m_usual_mm2{1e-6};                        ///< error² of the best pair, as a geometric mean
     double m_count{0.0};
     std::size_t m_best{0};
     std::array<double, kLates> m_pending_mm{};

@@ -16,11 +16,13 @@ constexpr double kFewTurnsLate = 1.5, kManyTurnsLate = 3.0;
 constexpr double kMostBelow = 0.03;
 constexpr int kAimEarly = 60;  // revolutions in which the aim is taken, before the wall that is judged
 constexpr double kAimFast_rev = 20.0, kAimSlow_rev = 200.0;
-constexpr double kAbove = 1.02;  // of the reference: from here on a change of law does not feed faster
+constexpr double kUnknownNoise = 0.0253;  // of the reference: of a force about which nothing was learnt yet
+constexpr double kAbove = 1.02;           // of the reference: from here on a change of law does not feed faster
 
 StiffnessEstimator::Params stiffnessParams(const FeedController::Params& params) {
     StiffnessEstimator::Params stiffness = params.stiffness;
     stiffness.reference_N = params.reference_N;
+    stiffness.assume.forceNoise_N = kUnknownNoise * params.reference_N;
     return stiffness;
 }
 }  // namespace
