@@ -22,10 +22,8 @@ const char* kindKey(MeasurementKind kind) {
 }
 
 ProcessId processOfKey(const std::string& key) {
-    for (const ProcessId id : kAllProcesses) {
-        if (key == processKey(id)) {
-            return id;
-        }
+    if (const ProcessDescriptor* process = findProcess(std::string_view(key))) {
+        return process->id;
     }
     throw SqlFailure(sentenceForCode(11), 11, "unknown process " + key);
 }
@@ -133,7 +131,7 @@ std::vector<PartFigure> unpackFigures(ProcessId process, const std::string& json
     if (!object.is_object()) {
         return figures;
     }
-    for (const PartResultSpec& spec : partResultSpecs(process)) {
+    for (const auto& [spec, read] : partResultRows(process)) {
         const auto found = object.find(spec.key);
         if (found != object.end() && found->is_number()) {
             figures.push_back({spec.key, found->get<double>()});

@@ -8,7 +8,6 @@
 #include <QStandardPaths>
 #include <QStorageInfo>
 #include <algorithm>
-#include <limits>
 
 #include "app/console/logging.h"
 #include "app/console/part_report.h"
@@ -20,7 +19,6 @@
 #include "db/migrator.h"
 #include "engine/cycle/machine_alarms.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
-#include "engine/process/boring/boring_loop.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
 #include "ui/services/milling_service.h"
@@ -29,37 +27,30 @@
 namespace kerf::console {
 namespace {
 
-constexpr const char* kPartTypeName = "Cylinder 50";
-constexpr const char* kLotName = "1";
+/// Everything else is a module.
+bool builtIn(const std::string& machine) {
+    return machine == "simulator" || machine == "diamond-lathe" || machine == "replay";
+}
+
 constexpr int kPoll_ms = 200;
 constexpr int kPortLook_ms = 600'000;
 
-/// The diamond turning lathe and a recorded day have no boring spindle.
-bool bores(const Options& options) {
-    return options.machine != "diamond-lathe" && options.machine != "replay";
-}
-
-/// Parts of that process ever made, up to and with `last` (all when empty).
-std::uint32_t madeUpTo(PartReader& reader, ProcessId process, std::optional<PartId> last) {
-    PartQuery query;
-    query.process = process;
-    if (last) {
-        query.before = *last + 1;
-    }
-    const auto count = reader.count(query, std::numeric_limits<std::uint32_t>::max());
-    return count ? static_cast<std::uint32_t>(*count) : 0;
-}
-
 }  // namespace
 
-ConsoleApplication::ConsoleApplication(Options options) : m_options(std::move(options)) {}
+ConsoleApplication::ConsoleApplication(Options options, std::vector<std::unique_ptr<Room>> rooms)
+    : m_options(std::move(options)), m_rooms(std::move(rooms)) {
+    for (const ProcessDescriptor* process : processes()) {
+        if (const Room* known = room(process->id)) {
+            m_pages.push_back(known->page());
+        }
+    }
+}
 
 ConsoleApplication::~ConsoleApplication() {
     m_shift.reset();
     m_poll.stop();
     m_live.reset();  // silent from now on
     m_shop.reset();
-    m_shopMemory.reset();
     m_window.reset();
     if (m_engine) {
         m_engine->stop();  // no new parts; then all that has been made goes to the disk
@@ -71,10 +62,8 @@ ConsoleApplication::~ConsoleApplication() {
             spdlog::warn("{} finished parts wait beside the data file for the next start", waiting);
         }
     }
-    m_serviceChanges.reset();
     m_quality.reset();
     m_shiftDesk.reset();
-    m_lots.reset();
     m_modes.reset();
     m_stops.reset();
     m_rooms.clear();
@@ -113,12 +102,28 @@ Result<void> ConsoleApplication::start() {
     }
     m_look->apply(preferences);
     openRooms();
-    if (bores(m_options)) {
-        openLots();
-    } else {
-        QTimer::singleShot(0, this, &ConsoleApplication::openWindow);  // ready() comes from the event loop, always
-    }
+    waitForRoom(0);
     return {};
+}
+
+/// ready() or failed() comes from the event loop, always.
+void ConsoleApplication::waitForRoom(std::size_t next) {
+    if (next == m_rooms.size()) {
+        QTimer::singleShot(0, this, &ConsoleApplication::openWindow);
+        return;
+    }
+    m_rooms[next]->whenOpen([this, next](const Result<void>& opened) {
+        if (opened) {
+            waitForRoom(next + 1);
+        } else {
+            const QString why = ui::sentenceText(opened.error());
+            QTimer::singleShot(0, this, [this, why] { emit failed(why); });
+        }
+    });
+}
+
+BoringRoom* ConsoleApplication::boring() const noexcept {
+    return static_cast<BoringRoom*>(room(ProcessId::Boring));
 }
 
 Room* ConsoleApplication::room(ProcessId process) const noexcept {
@@ -129,9 +134,6 @@ Room* ConsoleApplication::room(ProcessId process) const noexcept {
 
 void ConsoleApplication::makeEngine() {
     std::vector<std::unique_ptr<ProcessLoop>> loops;
-    if (bores(m_options)) {
-        loops.push_back(std::make_unique<BoringLoop>());
-    }
     for (const auto& room : m_rooms) {
         loops.push_back(room->makeLoop());
     }
@@ -146,6 +148,9 @@ void ConsoleApplication::makeEngine() {
 void ConsoleApplication::openRooms() {
     Room::Context context{*m_engine, *m_writer, *m_reader, m_options, m_databasePath, [this] { return author(); },
                           rights()};
+    context.simulator = m_simulator.get();
+    context.nobody = kAuthor;
+    context.accepted = [this](const QString& line) { emit accepted(line); };
     if (m_sensors) {
         context.temperatures = m_sensors->thermalSensors();
     } else if (!m_recordedSensors.empty()) {
@@ -195,12 +200,8 @@ Result<void> ConsoleApplication::openData() {
 }
 
 Result<void> ConsoleApplication::openMachine() {
-    for (auto& room : standardRooms()) {
-        if (room->fits(m_options.machine)) {
-            m_rooms.push_back(std::move(room));
-        }
-    }
-    if (m_options.machine == "linuxcnc") {
+    std::erase_if(m_rooms, [this](const auto& room) { return !room->fits(m_options.machine); });
+    if (!builtIn(m_options.machine)) {
         auto machine = loadMachine(m_options.machine, m_options.described);
         if (!machine) {
             return tl::unexpected(machine.error());
@@ -216,8 +217,8 @@ Result<void> ConsoleApplication::openMachine() {
     params.seed = m_options.seed;
     params.machineSeed = m_options.machineSeed;
     params.changeAtPart = m_options.changeAtPart;
-    params.partsSoFar = madeUpTo(*m_reader, bores(m_options) ? ProcessId::Boring : ProcessId::Turning, {});
-    params.diamondLathe = !bores(m_options);
+    params.partsSoFar = madeUpTo(*m_reader, boring() != nullptr ? ProcessId::Boring : ProcessId::Turning, {});
+    params.diamondLathe = boring() == nullptr;
     Simulator::Plants plants;
     for (const auto& room : m_rooms) {
         if (auto plant = room->makePlant(m_options)) {
@@ -259,58 +260,8 @@ Result<void> ConsoleApplication::joinSensors() {
     return m_machine->connect();
 }
 
-void ConsoleApplication::openLots() {
-    BoringLotRequest first;
-    first.machineName = std::string(m_machine->capabilities().machineName.data());
-    first.machineKind = m_options.machine;
-    first.partTypeName = std::string(kPartTypeName);
-    first.lotName = std::string(kLotName);
-    first.lotSize = m_options.lotSize;
-    first.author = std::string(kAuthor);
-    StoredBoringService::Links links{*m_writer, *m_engine};
-    links.rights = rights();
-    links.records = m_reader.get();
-    links.gauge = [this](const ServicePart& part, const BoringRecipe& recipe,
-                         double overhang_mm) -> std::optional<double> {
-        if (!m_simulator) {
-            return std::nullopt;
-        }
-        const Simulator::Bore bore{recipe.targetDiameter_mm, recipe.targetDeflection_mm, recipe.phi_deg};
-        const Simulator::GaugedPart gauged{part.id, part.sequence, madeUpTo(*m_reader, ProcessId::Boring, part.id),
-                                           part.feed};
-        return m_simulator->gaugeReading_mm(gauged, overhang_mm, bore);
-    };
-    m_lots = std::make_unique<StoredBoringLots>(links, *m_reader, first, [this] { lotIsOpen(); });
-    const std::string folder = QFileInfo(QString::fromStdString(m_databasePath)).absolutePath().toStdString();
-    m_shopMemory = std::make_unique<ShopMemoryLink>(folder, m_databasePath, m_simulator != nullptr);
-    m_lots->drawOnShop([this](const std::string& partType, StoredBoringLots::ShopLotsTold told) {
-        m_shopMemory->ask(partType, std::move(told));
-    });
-    m_serviceChanges = m_lots->service().onChanged([this] { announceAccepted(); });
-    m_lots->start([this](const Result<void>& opened) {
-        if (opened) {
-            QTimer::singleShot(0, this, &ConsoleApplication::openWindow);
-        } else {
-            const QString why = ui::sentenceText(opened.error());
-            QTimer::singleShot(0, this, [this, why] { emit failed(why); });
-        }
-    });
-}
-
-void ConsoleApplication::lotIsOpen() {
-    const StoredBoringService& service = m_lots->service().stored();
-    if (!service.restartFinding().empty()) {
-        spdlog::warn("{}", service.restartFinding().english());
-    }
-    for (const BorePartView& part : service.view().parts) {
-        for (const BoreMeasurementView& measurement : part.measurements) {
-            m_lastAnnounced = std::max(m_lastAnnounced, measurement.id);
-        }
-    }
-}
-
 void ConsoleApplication::openWindow() {
-    m_window = std::make_unique<ui::MainWindow>(*m_look, services());
+    m_window = std::make_unique<ui::MainWindow>(*m_look, services(), ui::standardPages(m_pages));
     connect(&m_window->client(), &ui::EngineClient::alarmArrived, this, &ConsoleApplication::keepAlarm);
     if (m_options.ownThread) {
         m_engine->start();
@@ -324,14 +275,16 @@ void ConsoleApplication::openWindow() {
     }
     if (m_simulator) {
         // A day that is on record has been prepared already.
-        const bool fresh = m_lots || !(m_reader->parts({}) && !m_reader->parts({})->empty());
+        BoringRoom* const bores = boring();
+        const bool fresh = bores != nullptr || !(m_reader->parts({}) && !m_reader->parts({})->empty());
         const SimulatedShift::Params shift{
             fresh ? m_options.preparedParts : 0, m_options.autoOperator, m_options.simulationSpeed, [this] {
                 return std::ranges::all_of(m_rooms, [this](const auto& room) { return room->prepared(*m_engine); });
             }};
-        m_shift = std::make_unique<SimulatedShift>(shift, *m_engine, m_lots ? &m_lots->service() : nullptr);
+        m_shift =
+            std::make_unique<SimulatedShift>(shift, *m_engine, bores != nullptr ? &bores->lots().service() : nullptr);
     }
-    m_quality->start(m_lots ? &m_lots->service() : nullptr);
+    m_quality->start(boring() != nullptr ? &boringLots().service() : nullptr);
     if (m_options.machine == "linuxcnc") {
         connect(&m_portLook, &QTimer::timeout, this, &ConsoleApplication::lookAtPort);
         m_portLook.start(kPortLook_ms);
@@ -344,9 +297,6 @@ void ConsoleApplication::openWindow() {
 }
 
 void ConsoleApplication::poll() {
-    if (m_lots) {
-        m_lots->poll();
-    }
     for (const auto& room : m_rooms) {
         room->poll();
     }
@@ -484,24 +434,6 @@ void ConsoleApplication::acknowledgeAlarm(AlarmCode code, const QString& author)
             m_writer->submit(AcknowledgeAlarm{row.id, author.toStdString()}, {});
         }
     }
-}
-
-void ConsoleApplication::announceAccepted() {
-    const BoringServiceView& view = m_lots->service().view();
-    MeasurementId newest = m_lastAnnounced;
-    for (const BorePartView& part : view.parts) {
-        for (const BoreMeasurementView& measurement : part.measurements) {
-            if (measurement.id > m_lastAnnounced) {
-                newest = std::max(newest, measurement.id);
-                const BoringSchedule& next = view.nextSchedule;
-                emit accepted(
-                    QString::asprintf("accepted %lld part %u depth %u diameter_mm %.17g next %u %.17g %.17g %.17g",
-                                      static_cast<long long>(measurement.id), part.number, measurement.depth,
-                                      measurement.diameter_mm, next.revision, next.lnC, next.alpha, next.beta));
-            }
-        }
-    }
-    m_lastAnnounced = newest;
 }
 
 void ConsoleApplication::saveSetting(const std::string& key, const std::string& value, const std::string& reason) {

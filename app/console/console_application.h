@@ -11,16 +11,15 @@
 #include "app/console/loop_modes.h"
 #include "app/console/options.h"
 #include "app/console/quality_desk.h"
+#include "app/console/rooms/boring_room.h"
 #include "app/console/rooms/room.h"
 #include "app/console/sensor_service.h"
 #include "app/console/sensors.h"
 #include "app/console/shift_desk.h"
 #include "app/console/shop_link.h"
-#include "app/console/shop_memory_link.h"
 #include "app/console/simulated_shift.h"
 #include "app/console/simulator.h"
 #include "app/console/stop_keeper.h"
-#include "app/service/boring/boring_lots.h"
 #include "app/service/data/data_keeper.h"
 #include "app/service/engine_gate.h"
 #include "app/service/rights.h"
@@ -42,7 +41,7 @@ class ConsoleApplication : public QObject {
     /// Who acts where nobody has signed on.
     static constexpr const char* kAuthor = "Kerf";
 
-    explicit ConsoleApplication(Options options);
+    explicit ConsoleApplication(Options options, std::vector<std::unique_ptr<Room>> rooms = standardRooms());
     /// Stops the engine, then waits until everything that has been made is on the disk.
     ~ConsoleApplication() override;
 
@@ -54,9 +53,9 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] ui::MainWindow* window() const noexcept { return m_window.get(); }
     [[nodiscard]] Engine& engine() noexcept { return *m_engine; }
     /// @pre the machine bores
-    [[nodiscard]] StoredBoringService& boringService() noexcept { return m_lots->service().stored(); }
+    [[nodiscard]] StoredBoringService& boringService() noexcept { return boringLots().service().stored(); }
     /// @pre the machine bores
-    [[nodiscard]] StoredBoringLots& boringLots() noexcept { return *m_lots; }
+    [[nodiscard]] StoredBoringLots& boringLots() noexcept { return boring()->lots(); }
     [[nodiscard]] MachinePort& machine() noexcept { return *m_machine; }
     /// Null with a real machine.
     [[nodiscard]] Simulator* simulator() const noexcept { return m_simulator.get(); }
@@ -81,8 +80,9 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] Result<void> joinSensors();
     void makeEngine();
     void openRooms();
-    void openLots();
-    void lotIsOpen();
+    void waitForRoom(std::size_t next);
+    /// Null where nothing is bored.
+    [[nodiscard]] BoringRoom* boring() const noexcept;
     void openWindow();
     void poll();
     void lookAtPort();
@@ -97,7 +97,6 @@ class ConsoleApplication : public QObject {
     void serveFiles(ui::Services& services);
     void serveShift(ui::Services& services);
     void acknowledgeAlarm(AlarmCode code, const QString& author);
-    void announceAccepted();
     void saveSetting(const std::string& key, const std::string& value, const std::string& reason = {});
 
     Options m_options;
@@ -105,6 +104,7 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<db::DataFile> m_dataFile;
     std::unique_ptr<db::DatabaseReader> m_reader;
     std::vector<std::unique_ptr<Room>> m_rooms;  ///< those that fit the machine
+    ui::PageList m_pages;                        ///< of all processes, in their order
     std::unique_ptr<Simulator> m_simulator;
     std::unique_ptr<MachinePort> m_realMachine;
     std::unique_ptr<DescribedMachine> m_described;         ///< null without a machine file
@@ -116,15 +116,12 @@ class ConsoleApplication : public QObject {
     std::unique_ptr<DataKeeper> m_keeper;
     std::unique_ptr<EngineGate> m_gate;  ///< the engine as the pages see it
     std::unique_ptr<db::WriterThread> m_writer;
-    std::unique_ptr<StoredBoringLots> m_lots;  ///< null where nothing is bored
     std::unique_ptr<QualityDesk> m_quality;
     std::unique_ptr<ShiftDesk> m_shiftDesk;
-    std::unique_ptr<Subscription> m_serviceChanges;
     std::unique_ptr<StopKeeper> m_stops;
     std::unique_ptr<LoopModes> m_modes;
     std::unique_ptr<LivePublisher> m_live;  ///< for gateways
     std::unique_ptr<ShopLink> m_shop;
-    std::unique_ptr<ShopMemoryLink> m_shopMemory;
     QTimer m_poll;
     QTimer m_portLook;
     bool m_portOpen{false};
@@ -133,7 +130,6 @@ class ConsoleApplication : public QObject {
     ui::SignOnSettings m_savedSignOn{};
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<SimulatedShift> m_shift;
-    MeasurementId m_lastAnnounced{0};
     Background m_background;
 };
 

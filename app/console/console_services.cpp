@@ -11,7 +11,6 @@
 #include <QStorageInfo>
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <memory>
 
 #include "app/console/logging.h"
@@ -25,10 +24,8 @@
 #include "db/migrator.h"
 #include "engine/cycle/machine_alarms.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
-#include "engine/process/boring/boring_loop.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
-#include "ui/services/milling_service.h"
 #include "ui/shell/pin_seal.h"
 
 namespace kerf::console {
@@ -43,10 +40,6 @@ ui::Services ConsoleApplication::services() {
             }});
     }
     ui::Services services{*m_gate};
-    if (m_lots) {
-        services.boringService = &m_lots->service();
-        services.boringLots = m_lots.get();
-    }
     if (m_sensors && !m_sensors->file().gauges.empty()) {
         services.nextGaugeFrame = [this]() -> std::optional<ui::GaugeLineFrame> {
             const auto seen = m_sensors->nextGaugeFrame();
@@ -145,11 +138,9 @@ void ConsoleApplication::serveShift(ui::Services& services) {
         links.rights = rights();
         links.specOf = [this](AlarmCode code) { return m_engine->alarmSpec(code); };
         links.raise = [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); };
-        links.toolIsNew = [this, milling = services.millingService](ProcessId process, const std::string& author) {
-            if (process == ProcessId::Boring && m_lots) {
-                m_lots->service().announceChange(BoringChange::Insert, author, [](const Result<void>&) {});
-            } else if (process == ProcessId::Milling && milling != nullptr) {
-                milling->newTool(author, [](const Result<void>&) {});
+        links.toolIsNew = [this](ProcessId process, const std::string& author) {
+            if (Room* known = room(process)) {
+                known->toolIsNew(author);
             }
         };
         m_shiftDesk = std::make_unique<ShiftDesk>(std::move(links));

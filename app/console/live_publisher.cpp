@@ -64,7 +64,7 @@ std::string liveText(const Status& status, const Capabilities& capabilities, con
     }
     live[QLatin1String("temp_degC")] = temps;
     QJsonArray loops;
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         const LoopStatus& loop = status.loops[static_cast<std::size_t>(id)];
         if (loop.fitted) {
             loops.append(QJsonObject{{QStringLiteral("process"), QLatin1String(processKey(id))},

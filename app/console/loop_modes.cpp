@@ -30,7 +30,7 @@ LoopMode modeOf(const std::string& name) {
 
 LoopModes::LoopModes(EngineApi& engine, SettingsReader& settings, Save save)
     : m_engine(engine), m_save(std::move(save)) {
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         const auto stored = settings.setting(keyOf(process));
         LoopMode& kept = m_kept[static_cast<std::size_t>(process)];
         kept = m_engine.capabilities().simulated ? LoopMode::Control : LoopMode::Advise;
@@ -41,7 +41,7 @@ LoopModes::LoopModes(EngineApi& engine, SettingsReader& settings, Save save)
 }
 
 void LoopModes::restore() {
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         const auto index = static_cast<std::size_t>(process);
         if (m_engine.capabilities().process[index].fitted) {
             Command command;
@@ -53,7 +53,7 @@ void LoopModes::restore() {
 
 void LoopModes::poll() {
     const Status& status = m_engine.status();
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         const auto index = static_cast<std::size_t>(process);
         const LoopStatus& loop = status.loops[index];
         if (!loop.fitted) {

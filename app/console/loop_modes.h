@@ -27,8 +27,8 @@ class LoopModes {
  private:
     EngineApi& m_engine;
     Save m_save;
-    std::array<LoopMode, kProcessCount> m_kept{};
-    std::array<bool, kProcessCount> m_inForce{};  ///< the engine has taken the kept mode: from now on changes count
+    std::array<LoopMode, kProcessPlaces> m_kept{};
+    std::array<bool, kProcessPlaces> m_inForce{};  ///< the engine has taken the kept mode: from now on changes count
 };
 
 }  // namespace kerf::console

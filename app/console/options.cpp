@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <regex>
 #include <vector>
 
 #include "app/machines/machine_file.h"
+#include "app/machines/machine_module_loader.h"
 
 namespace kerf::console {
 
@@ -15,9 +19,11 @@ namespace {
 /// "simulator", or "replay" and a file. @throws CLI::ParseError
 void takeMachine(const std::vector<std::string>& words, Options& options) {
     const bool replay = words[0] == "replay";
-    const bool known = replay || words[0] == "simulator" || words[0] == "diamond-lathe" || words[0] == "linuxcnc";
-    if (!known) {
-        throw CLI::ValidationError("--machine", words[0] + " not in {simulator,diamond-lathe,linuxcnc,replay}");
+    std::vector<std::string> known = machineModules();
+    known.insert(known.begin(), {"simulator", "diamond-lathe"});
+    known.emplace_back("replay");
+    if (std::ranges::find(known, words[0]) == known.end()) {
+        throw CLI::ValidationError("--machine", fmt::format("{} not in {{{}}}", words[0], fmt::join(known, ",")));
     }
     if (replay != (words.size() == 2)) {
         throw CLI::ValidationError("--machine",
@@ -40,7 +46,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     app.add_option(
            "--machine", machine,
            "Machine to work with: simulator (the built-in machining centre), diamond-lathe (the built-in diamond "
-           "turning lathe), linuxcnc, or replay FILE (a recorded day comes again)")
+           "turning lathe), linuxcnc or another module beside the program, or replay FILE (a recorded day comes again)")
         ->expected(1, 2)
         ->capture_default_str();
     app.add_option(

@@ -63,8 +63,10 @@ void QualityDesk::lookAtNewest() {
     const auto newest = m_links.reader.parts(query);
     const PartId id = newest && !newest->empty() ? newest->front().id : 0;
     if (m_newest != id) {
-        for (const ProcessId process : {ProcessId::Milling, ProcessId::Turning, ProcessId::Tapping}) {
-            lots.push_back(partsWithoutLot(process));
+        for (const ProcessDescriptor* process : processes()) {
+            if (!process->partResults.empty()) {
+                lots.push_back(partsWithoutLot(process->id));
+            }
         }
         m_changed = true;
     }

@@ -28,10 +28,10 @@ Sentence lifeSentence(const ToolLife& tool) {
             return Sentence(KERF_TEXT("The turning tool has made %1 of %2 parts."), parts, life);
         case ProcessId::Tapping:
             return Sentence(KERF_TEXT("The tap has cut %1 of %2 threads."), parts, life);
-        case ProcessId::Thermal:
-            break;
+        case ProcessId::Thermal:  // has no tool
+            return {};
     }
-    return {};
+    return Sentence(KERF_TEXT("The tool has made %1 of %2 parts."), parts, life);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ StopSlot slotOf(const std::string& text) {
 
 StopKeeper::StopKeeper(EngineApi& engine, SettingsReader& settings, Save save)
     : m_engine(engine), m_save(std::move(save)) {
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         if (const auto stored = settings.setting(keyOf(process)); stored && *stored) {
             m_kept[static_cast<std::size_t>(process)] = slotOf(**stored);
         }
@@ -59,7 +59,7 @@ void StopKeeper::restore() {
 
 void StopKeeper::poll() {
     const Status& status = m_engine.status();
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         const auto index = static_cast<std::size_t>(process);
         const StopSlot now = joined(m_kept[index], status.stops[index].slot);
         if (now != m_kept[index]) {

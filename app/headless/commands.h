@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 
 /// Each adds its process's commands to `kerf`. A command's callback does the work, prints, and throws BadInput.
 namespace kerf::headless {
@@ -24,5 +25,10 @@ void addRehearseCommand(CLI::App& kerf);
 
 /// Many consoles, one PostgreSQL: init, enroll, status, push, verify.
 void addShopCommands(CLI::App& kerf);
+
+/// In the order `kerf --help` shows them.
+inline constexpr std::array kCommands{addBoringCommands,  addMillingCommands, addTurningCommands, addTappingCommands,
+                                      addThermalCommands, addDataCommands,    addQualityCommands, addSensorCommands,
+                                      addMachineCommands, addRehearseCommand, addShopCommands};
 
 }  // namespace kerf::headless

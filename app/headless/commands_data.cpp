@@ -37,13 +37,19 @@ struct DataOptions {
     bool localTime{false};
 };
 
+std::vector<std::string> processKeys() {
+    std::vector<std::string> keys;
+    for (const ProcessDescriptor* process : processes()) {
+        keys.emplace_back(process->key);
+    }
+    return keys;
+}
+
 PartQuery queryOf(const DataOptions& options) {
     PartQuery query;
     query.text = options.text;
-    for (const ProcessId id : kAllProcesses) {
-        if (options.process == processKey(id)) {
-            query.process = id;
-        }
+    if (const ProcessDescriptor* process = findProcess(std::string_view(options.process))) {
+        query.process = process->id;
     }
     return query;
 }
@@ -200,7 +206,7 @@ void addDataCommands(CLI::App& kerf) {
         ->required()
         ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "audit"}));
     exporting->add_option("--process", options->process, "Only parts of this process")
-        ->check(CLI::IsMember({"boring", "milling", "turning", "thermal", "tapping"}));
+        ->check(CLI::IsMember(processKeys()));
     exporting->add_option("--search", options->text,
                           "Only parts whose serial number begins with, or whose lot or part type contains this text");
     exporting->add_option("--separator", options->separator, "Between fields: , ; | or tab")

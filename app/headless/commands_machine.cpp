@@ -133,7 +133,7 @@ Json capabilitiesJson(const Capabilities& c) {
     json["z_trim"] = capabilityJson(c.zTrim);
     json["temperatures"] = capabilityJson(c.temperatures);
     json["cycle_start"] = capabilityJson(c.cycleStart);
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         json["loops"][processKey(id)] = capabilityJson(c.process[static_cast<std::size_t>(id)]);
     }
     return json;
@@ -276,7 +276,7 @@ void addMachineCommands(CLI::App& kerf) {
     const auto add = [&](const char* name, const char* what, void (*run)(const MachineOptions&)) {
         auto* command = machine->add_subcommand(name, what);
         command->add_option("--machine", options->machine, "Which machine")
-            ->check(CLI::IsMember({"linuxcnc"}))
+            ->check(CLI::IsMember(machineModules()))
             ->capture_default_str();
         command->add_option("--machine-file", options->file,
                             "Machine file (JSON, docs/linuxcnc.md): units, geometry, travel, limits, hosts");

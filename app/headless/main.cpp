@@ -20,17 +20,9 @@ int main(int argc, char** argv) {
         "CSV or JSON on stdout, diagnostics on stderr. Exit 0 done, 2 wrong usage, 3 bad input.",
         "kerf");
     kerf.require_subcommand(1);
-    kerf::headless::addBoringCommands(kerf);
-    kerf::headless::addMillingCommands(kerf);
-    kerf::headless::addTurningCommands(kerf);
-    kerf::headless::addTappingCommands(kerf);
-    kerf::headless::addThermalCommands(kerf);
-    kerf::headless::addDataCommands(kerf);
-    kerf::headless::addQualityCommands(kerf);
-    kerf::headless::addSensorCommands(kerf);
-    kerf::headless::addMachineCommands(kerf);
-    kerf::headless::addRehearseCommand(kerf);
-    kerf::headless::addShopCommands(kerf);
+    for (const auto& add : kerf::headless::kCommands) {
+        add(kerf);
+    }
     try {
         kerf.parse(argc, argv);
         kerf::files::finishOut();  // what was printed by other means is on the disk, or this is no success

@@ -46,10 +46,9 @@ LotId idOf(const std::vector<LotRow>& lots, const std::string& wanted, const std
                                    wanted, fmt::join(named, ", ")));
     }
     if (named.empty()) {
-        for (const ProcessId process : kAllProcesses) {
-            if (wanted == processKey(process) && process != ProcessId::Boring && process != ProcessId::Thermal) {
-                return partsWithoutLot(process);
-            }
+        if (const ProcessDescriptor* process = findProcess(std::string_view(wanted));
+            process != nullptr && !process->partResults.empty()) {
+            return partsWithoutLot(process->id);
         }
         throw BadInput(
             fmt::format("{}: there is no lot '{}'; expected the name or number of a lot, or milling, turning "

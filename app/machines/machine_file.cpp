@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/machines/machine_module_loader.h"
 #include "app/sensors/json_keys.h"
 #include "app/sensors/sensor_file.h"
 
@@ -79,22 +80,19 @@ AxisTravel travelFrom(const Json& json, const std::string& where) {
     return travel;
 }
 
-std::array<bool, kProcessCount> hostsFrom(const JsonKeys& keys) {
-    std::array<bool, kProcessCount> hosts{};
+std::array<bool, kProcessPlaces> hostsFrom(const JsonKeys& keys) {
+    std::array<bool, kProcessPlaces> hosts{};
     for (std::size_t i = 0; const Json& one : keys.list("hosts")) {
         const std::string word = one.is_string() ? one.get<std::string>() : one.dump();
-        bool known = false;
-        for (const ProcessId id : kAllProcesses) {
-            if (word == processKey(id)) {
-                known = true;
-                hosts[static_cast<std::size_t>(id)] = true;
+        if (const ProcessDescriptor* process = findProcess(std::string_view(word))) {
+            hosts[static_cast<std::size_t>(process->id)] = true;
+        } else {
+            std::vector<std::string_view> names;
+            for (const ProcessDescriptor* known : processes()) {
+                names.emplace_back(known->key);
             }
-        }
-        if (!known) {
             throw MachineFileFault(
-                fmt::format("hosts[{}]: '{}' is no process; expected boring, milling, turning, "
-                            "thermal or tapping.",
-                            i, word));
+                fmt::format("hosts[{}]: '{}' is no process; expected one of {}.", i, word, fmt::join(names, ", ")));
         }
         ++i;
     }
@@ -161,8 +159,9 @@ MachineFile machineFrom(const Json& json) {
     keys.only({"machine", "name", "units", "spindle", "axes", "outputs", "force", "hosts", "commands"},
               "of a machine file");
     MachineFile file;
-    file.machine = keys.choice<std::string>(
-        "machine", {{"linuxcnc", "linuxcnc"}, {"simulator", "simulator"}, {"diamond-lathe", "diamond-lathe"}});
+    std::vector<std::string> machines = machineModules();
+    machines.insert(machines.end(), {"simulator", "diamond-lathe"});
+    file.machine = keys.oneOf("machine", machines);
     MachineDescription& machine = file.description;
     if (keys.has("name")) {
         machine.name = keys.name("name");
@@ -254,7 +253,7 @@ nlohmann::ordered_json machineFileJson(const MachineFile& file) {
     }
     json["force"] = forceJson(machine.force);
     json["hosts"] = nlohmann::ordered_json::array();
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         if (machine.hosts[static_cast<std::size_t>(id)]) {
             json["hosts"].push_back(processKey(id));
         }

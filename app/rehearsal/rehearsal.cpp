@@ -136,18 +136,18 @@ class Run {
         StopSlots stops = in.stops;
         if (m_console != nullptr) {
             m_keptStops = m_console->stops();  // as the console's data file has them
-            for (std::size_t i = 0; i < kProcessCount; ++i) {
+            for (std::size_t i = 0; i < kProcessPlaces; ++i) {
                 stops[i] = joined(stops[i], m_keptStops[i]);
             }
             m_console->drainAlarms(m_alarms);
             m_console->countParts(m_summary.partsFinished, m_summary.partsAborted);
-            for (const ProcessId id : kAllProcesses) {
+            for (const ProcessId id : allProcesses()) {
                 m_row.states[static_cast<std::size_t>(id)] = m_console->state(id);
             }
         }
         m_row.stopLatched = anyStop(stops);
         m_row.stopReason.clear();
-        for (const ProcessId id : kAllProcesses) {
+        for (const ProcessId id : allProcesses()) {
             const StopSlot& slot = stops[static_cast<std::size_t>(id)];
             if (slot.active() && m_row.stopReason.empty()) {
                 const std::string reason = m_console != nullptr ? m_console->stopReason(id) : std::string();
@@ -174,7 +174,7 @@ class Run {
 
     void judge() {
         if (m_row.console) {
-            for (std::size_t i = 0; i < kProcessCount; ++i) {
+            for (std::size_t i = 0; i < kProcessPlaces; ++i) {
                 m_summary.states[i].try_emplace(m_row.states[i], m_row.t_s);
             }
         }
@@ -239,7 +239,7 @@ class Run {
     std::unique_ptr<Console> m_console;
     InjectedFaults m_faults{};
     MachineInputs m_unheard{};
-    std::array<LoopMode, kProcessCount> m_modes{};
+    std::array<LoopMode, kProcessPlaces> m_modes{};
     StopSlots m_keptStops{};
     StopSlots m_stopsBefore{};
     std::map<AlarmCode, std::string> m_titles{};

@@ -26,7 +26,7 @@ struct Row {
     std::string stopReason{};
     double plannedFeed_mmPerS{0.0};
     bool console{false};  ///< false: dead; there are no states then
-    std::array<LoopState, kProcessCount> states{};
+    std::array<LoopState, kProcessPlaces> states{};
     std::vector<AlarmCode> alarms{};  ///< that stand, by code
 };
 
@@ -52,8 +52,8 @@ struct CommandSeen {
 struct Summary {
     static constexpr double kSettle_s = 0.5;
     std::uint64_t cycles{0};
-    std::array<std::map<LoopState, double>, kProcessCount> states{};  ///< first time of each
-    std::map<AlarmCode, double> alarms{};                             ///< first time of each
+    std::array<std::map<LoopState, double>, kProcessPlaces> states{};  ///< first time of each
+    std::map<AlarmCode, double> alarms{};                              ///< first time of each
     std::map<AlarmCode, std::string> titles{};
     std::vector<StopSeen> stops{};
     std::vector<CommandSeen> commands{};

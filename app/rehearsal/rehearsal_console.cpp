@@ -10,7 +10,7 @@
 
 namespace kerf::rehearsal {
 
-Console::Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessCount>& modes,
+Console::Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessPlaces>& modes,
                  const StopSlots& keptStops)
     : m_taps(std::make_unique<TapExchange>()), m_thermal(std::make_unique<ThermalExchange>()) {
     const Capabilities& capabilities = machine.capabilities();
@@ -36,7 +36,7 @@ Console::Console(MachinePort& machine, const Setups& setups, const std::array<Lo
     gains.accept = true;
     gains.production = true;
     (void)send(gains);
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         (void)send(SetLoopMode{id, modes[static_cast<std::size_t>(id)]});
     }
 }

@@ -20,7 +20,7 @@ namespace kerf::rehearsal {
 /// does: stops as the data file keeps them first, then setups and modes.
 class Console {
  public:
-    Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessCount>& modes,
+    Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessPlaces>& modes,
             const StopSlots& keptStops);
 
     void step(std::int64_t now_ns);

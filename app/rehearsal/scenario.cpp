@@ -119,10 +119,10 @@ class Keys {
     std::set<std::string> m_read{};
 };
 
-std::array<std::pair<const char*, ProcessId>, kProcessCount> processTable() {
-    std::array<std::pair<const char*, ProcessId>, kProcessCount> table;
-    for (std::size_t i = 0; i < kProcessCount; ++i) {
-        table[i] = {processKey(kAllProcesses[i]), kAllProcesses[i]};
+std::vector<std::pair<const char*, ProcessId>> processTable() {
+    std::vector<std::pair<const char*, ProcessId>> table;
+    for (const ProcessDescriptor* process : processes()) {
+        table.emplace_back(process->key, process->id);
     }
     return table;
 }

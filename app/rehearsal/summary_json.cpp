@@ -34,7 +34,7 @@ Json summaryJson(const Scenario& scenario, const Summary& summary) {
     json["duration_s"] = scenario.duration_s;
     json["cycles"] = summary.cycles;
     json["states_first_s"] = Json::object();
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         Json& states = json["states_first_s"][processKey(id)] = Json::object();
         for (const auto& [state, t_s] : summary.states[static_cast<std::size_t>(id)]) {
             states[stateKey(state)] = t_s;

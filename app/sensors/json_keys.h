@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -57,6 +58,14 @@ class JsonKeys {
             words.emplace_back(known);
         }
         refuseWord(key, word, words);
+    }
+    /// One of these words.
+    [[nodiscard]] std::string oneOf(const std::string& key, const std::vector<std::string>& words) const {
+        std::string word = text(key);
+        if (std::ranges::find(words, word) == words.end()) {
+            refuseWord(key, word, words);
+        }
+        return word;
     }
 
  private:

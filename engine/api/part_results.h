@@ -7,17 +7,9 @@
 
 #include "engine/api/status.h"
 
-/// The figures of a finished part beside its measurements: declared once per process, stored under their keys, shown
-/// by table, detail and export.
+/// The figures of a finished part beside its measurements: declared once in its process's descriptor, stored under
+/// their keys, shown by table, detail and export.
 namespace kerf {
-
-/// One figure: `key` ends in the stored unit ("waviness_um").
-struct PartResultSpec {
-    const char* key{""};
-    const char* label{""};  ///< KERF_TEXT
-    const char* unit{""};   ///< stored unit, "" for a ratio or count
-    int decimals{1};
-};
 
 struct PartResult {
     const PartResultSpec* spec{nullptr};  ///< never null
@@ -25,7 +17,7 @@ struct PartResult {
 };
 
 /// In the order a page shows them; the first is the one that matters.
-[[nodiscard]] std::span<const PartResultSpec> partResultSpecs(ProcessId process) noexcept;
+[[nodiscard]] std::span<const PartResultRow> partResultRows(ProcessId process) noexcept;
 /// Null: not a figure of this process (a file of a later version).
 [[nodiscard]] const PartResultSpec* findPartResult(ProcessId process, std::string_view key) noexcept;
 /// What this part has; figures that are not finite or do not apply are left out. Allocates: never in the cycle.

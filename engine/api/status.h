@@ -6,15 +6,11 @@
 #include <type_traits>
 
 #include "engine/api/command.h"
+#include "engine/api/process_types.h"
 #include "engine/core/alarm.h"
 #include "engine/core/histogram.h"
 #include "engine/core/process.h"
 #include "engine/port/machine_port.h"
-#include "engine/process/boring/boring_types.h"
-#include "engine/process/milling/milling_types.h"
-#include "engine/process/tapping/tapping_types.h"
-#include "engine/process/thermal/thermal_types.h"
-#include "engine/process/turning/turning_types.h"
 
 namespace kerf {
 
@@ -38,7 +34,7 @@ struct CycleStats {
 };
 
 /// The whole engine at one instant; the newest one wins (LatestValue).
-struct Status {
+struct Status : ProcessStatuses {
     std::int64_t machineTime_ns{0};
     std::uint64_t cycle{0};
     LinkState link{LinkState::Down};
@@ -59,14 +55,9 @@ struct Status {
     ProcessId programProcess{ProcessId::Boring};
     std::uint32_t partSequence{0};
     CommandResult lastCommand{};
-    std::array<CommandResult, 8> recentCommands{};  ///< newest first; lastCommand is the first of them
-    std::array<StopStatus, kProcessCount> stops{};  ///< of each process; released by number (ReleaseStop)
-    std::array<LoopStatus, kProcessCount> loops{};
-    BoringStatus boring{};
-    TurningStatus turning{};
-    TappingStatus tapping{};
-    MillingStatus milling{};
-    ThermalStatus thermal{};
+    std::array<CommandResult, 8> recentCommands{};   ///< newest first; lastCommand is the first of them
+    std::array<StopStatus, kProcessPlaces> stops{};  ///< of each process; released by number (ReleaseStop)
+    std::array<LoopStatus, kProcessPlaces> loops{};
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);
@@ -92,20 +83,15 @@ struct Sample {
 static_assert(std::is_trivially_copyable_v<Sample>);
 
 /// A finished (or aborted) part, on its way from the cycle to the database.
-struct PartRecord {
+struct PartRecord : ProcessRecords {
     ProcessId process{ProcessId::Boring};
     std::uint32_t partSequence{0};
     bool complete{true};       ///< false: aborted
     std::int64_t begin_ns{0};  ///< machine time
     std::int64_t end_ns{0};
-    std::int64_t lot{0};  ///< the lot whose recipe it was begun with; 0: none was named, the active one counts
-    BoringSchedule schedule{};
-    FeedTrace feed{};
+    std::int64_t lot{0};      ///< the lot whose recipe it was begun with; 0: none was named, the active one counts
     double forceMean_N{0.0};  ///< of processes that measure force
     double forcePeak_N{0.0};
-    TurningRecord turning{};
-    MillingCut milling{};
-    TapPart tap{};
 };
 static_assert(std::is_trivially_copyable_v<PartRecord>);
 

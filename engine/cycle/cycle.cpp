@@ -116,7 +116,7 @@ void Cycle::watchMachine() noexcept {
 void Cycle::showStops() noexcept {
     const StopSlots before = m_events.stops;
     m_inputs.stops = m_events.stops = m_limiter.stops().all();
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         const auto index = static_cast<std::size_t>(id);
         const StopSlot& slot = m_inputs.stops[index];
         if (slot.active() && slot.cause != 0) {
@@ -273,7 +273,7 @@ void Cycle::publish(const CycleStats& stats) noexcept {
     status.partSequence = m_inputs.partSequence;
     status.lastCommand = m_recentCommands[0];
     status.recentCommands = m_recentCommands;
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         const auto index = static_cast<std::size_t>(id);
         status.stops[index] = m_limiter.stops().status(id);
         status.loops[index] = describe(id);

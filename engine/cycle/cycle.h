@@ -68,7 +68,7 @@ class Cycle {
 
     MachinePort& m_port;
     std::vector<std::unique_ptr<ProcessLoop>> m_loops;
-    std::array<ProcessLoop*, kProcessCount> m_byProcess{};
+    std::array<ProcessLoop*, kProcessPlaces> m_byProcess{};
     EngineRings& m_rings;
     EventSink m_events;
     Supervisor m_supervisor;
@@ -76,9 +76,9 @@ class Cycle {
     MachineInputs m_inputs{};
     MachineOutputs m_outputs{};
     LimitReport m_limitReport{};
-    std::array<LoopOutputs, kProcessCount> m_wishes{};
-    std::array<LoopVerdict, kProcessCount> m_verdicts{};
-    std::array<LoopMode, kProcessCount> m_modes{};
+    std::array<LoopOutputs, kProcessPlaces> m_wishes{};
+    std::array<LoopVerdict, kProcessPlaces> m_verdicts{};
+    std::array<LoopMode, kProcessPlaces> m_modes{};
     std::array<CommandResult, 8> m_recentCommands{};
     std::int64_t m_lastTime_ns{0};
     std::uint64_t m_cycles{0};

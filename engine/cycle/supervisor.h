@@ -38,7 +38,7 @@ class Supervisor {
     struct Loop {
         LoopMode mode{LoopMode::Off};
     };
-    std::array<Loop, kProcessCount> m_loops{};
+    std::array<Loop, kProcessPlaces> m_loops{};
     bool m_held{false};
     bool m_lost{false};   ///< the machine has stopped or was lost, and nobody has looked since
     bool m_ready{false};  ///< in the last cycle

@@ -17,10 +17,6 @@ constexpr std::size_t indexOf(ProcessId id) {
     return static_cast<std::size_t>(id);
 }
 
-constexpr bool mayScaleFeed(ProcessId id) {
-    return id == ProcessId::Boring || id == ProcessId::Milling;
-}
-
 bool finite(const std::optional<double>& value) {
     return value.has_value() && std::isfinite(*value);
 }
@@ -36,6 +32,23 @@ std::optional<double> plannedScale(const LoopOutputs& owner, const MachineInputs
         return std::clamp(inputs.plannedFeedScale.value, 0.0, 1.0);
     }
     return finite(owner.plannedFeedScale) ? std::optional(std::clamp(*owner.plannedFeedScale, 0.0, 1.0)) : std::nullopt;
+}
+
+/// Of the outputs that nobody's program owns: what those wish who have them; of two the first.
+LoopOutputs grantedAtAnyTime(const std::array<LoopOutputs, kProcessPlaces>& wishes) {
+    LoopOutputs granted;
+    for (const ProcessDescriptor* process : processes()) {
+        const LoopOutputs& wish = wishes[indexOf(process->id)];
+        for (std::size_t axis = 0; process->may.workOffset && axis < kAxisCount; ++axis) {
+            if (!granted.workOffset_um[axis]) {
+                granted.workOffset_um[axis] = wish.workOffset_um[axis];
+            }
+        }
+        if (process->may.toolTrim && !granted.toolTrim_um) {
+            granted.toolTrim_um = wish.toolTrim_um;
+        }
+    }
+    return granted;
 }
 
 bool ready(const MachineInputs& inputs) {
@@ -109,15 +122,15 @@ void OutputLimiter::limitFeedScale(const LoopOutputs& owner, const MachineInputs
     m_last.lossScale = planned ? *planned : m_scaled ? 0.0 : 1.0;
 }
 
-void OutputLimiter::limitOffsets(const LoopOutputs& thermal, const MachineInputs& inputs, double step_s, bool frozen,
+void OutputLimiter::limitOffsets(const LoopOutputs& granted, const MachineInputs& inputs, double step_s, bool frozen,
                                  LimitReport& report) noexcept {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const Reading& applied_um = inputs.workOffset_um[axis];
         if (!m_offsetKnown[axis] || !applied_um.good()) {
             adoptOffset(axis, applied_um);
         }
-        if (m_workOffsetFitted && !frozen && finite(thermal.workOffset_um[axis])) {
-            const double wanted = *thermal.workOffset_um[axis];
+        if (m_workOffsetFitted && !frozen && finite(granted.workOffset_um[axis])) {
+            const double wanted = *granted.workOffset_um[axis];
             const double target = std::clamp(wanted, -m_limits.workOffsetMax_um, m_limits.workOffsetMax_um);
             const double step = m_limits.workOffsetRate_umPerS * step_s;
             report.workOffset[axis] = target != wanted;
@@ -126,16 +139,16 @@ void OutputLimiter::limitOffsets(const LoopOutputs& thermal, const MachineInputs
     }
 }
 
-void OutputLimiter::limitTrims(const LoopOutputs& turning, const LoopOutputs& tapping, bool tapRuns, double step_s,
+void OutputLimiter::limitTrims(const LoopOutputs& granted, const LoopOutputs& servoOwner, double step_s,
                                LimitReport& report) noexcept {
-    const double trimWanted = m_toolTrimFitted && finite(turning.toolTrim_um) ? *turning.toolTrim_um : 0.0;
+    const double trimWanted = m_toolTrimFitted && finite(granted.toolTrim_um) ? *granted.toolTrim_um : 0.0;
     const double trimTarget = std::clamp(trimWanted, -m_limits.toolTrimMax_um, m_limits.toolTrimMax_um);
     const double trimStep = m_limits.toolTrimRate_umPerS * step_s;
     report.toolTrim = trimTarget != trimWanted;
     m_last.toolTrim_um = stepped(m_last.toolTrim_um, trimTarget, trimStep, trimStep);
 
-    const bool wished = m_zTrimFitted && tapRuns && finite(tapping.zTrim_um);
-    const double zTrimWanted = wished ? *tapping.zTrim_um : 0.0;
+    const bool wished = m_zTrimFitted && finite(servoOwner.zTrim_um);
+    const double zTrimWanted = wished ? *servoOwner.zTrim_um : 0.0;
     const double zTrimTarget = std::clamp(zTrimWanted, -m_limits.zTrimMax_um, m_limits.zTrimMax_um);
     const double zTrimStep = (wished ? m_limits.zTrimRate_umPerS : m_limits.zTrimReturn_umPerS) * step_s;
     m_last.zTrim_um = stepped(m_last.zTrim_um, zTrimTarget, zTrimStep, zTrimStep);
@@ -150,7 +163,7 @@ void OutputLimiter::limitReset(bool wished, double step_s) noexcept {
 
 bool OutputLimiter::admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept {
     if (auto* gains = std::get_if<SetServoGains>(&request.action)) {
-        if (process != ProcessId::Tapping) {
+        if (!authorityOf(process).servo) {
             return false;
         }
         for (double* gain : {&gains->gains.spindleKp_perS, &gains->gains.zKp_perS}) {
@@ -167,7 +180,7 @@ bool OutputLimiter::admitRequest(ProcessId process, PortRequest& request, LimitR
         return start->process == process && start->plannedFeedScale > 0.0 && start->plannedFeedScale <= 1.0;
     }
     if (std::holds_alternative<RetractInSync>(request.action)) {
-        return process == ProcessId::Tapping;
+        return authorityOf(process).servo;
     }
     return true;
 }
@@ -227,7 +240,7 @@ void OutputLimiter::sendRequest(const MachineInputs& inputs, LimitReport& report
             ++next;
             continue;
         }
-        if (start != nullptr && mayScaleFeed(start->process) && m_feedScaleFitted) {
+        if (start != nullptr && authorityOf(start->process).feedScale && m_feedScaleFitted) {
             m_startScale = start->plannedFeedScale;
             m_startNumber = request.number;
             m_startWait_s = 0.0;
@@ -244,16 +257,19 @@ void OutputLimiter::sendRequest(const MachineInputs& inputs, LimitReport& report
     m_waitingCount -= next;
 }
 
-MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessCount>& wishes, const MachineInputs& inputs,
+MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessPlaces>& wishes, const MachineInputs& inputs,
                                     double dt_s, LimitReport& report) noexcept {
     report = LimitReport{};
     const double step_s = std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kMostPeriods * m_period_s) : 0.0;
     const bool running = inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused;
     const ProcessId owner = inputs.programProcess;
     static constexpr LoopOutputs kNoWish{};
-    const LoopOutputs& feedOwner = mayScaleFeed(owner) ? wishes[indexOf(owner)] : kNoWish;
+    const ProcessAuthority may = authorityOf(owner);
+    const LoopOutputs& feedOwner = may.feedScale ? wishes[indexOf(owner)] : kNoWish;
+    const LoopOutputs& servoOwner = running && may.servo ? wishes[indexOf(owner)] : kNoWish;
+    const LoopOutputs granted = grantedAtAnyTime(wishes);
 
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         m_stops.set(id, wishes[indexOf(id)].stop, inputs.time_ns);
         if (wishes[indexOf(id)].outOfWork) {
             m_stops.turnedOut(id);
@@ -271,12 +287,11 @@ MachineOutputs OutputLimiter::apply(const std::array<LoopOutputs, kProcessCount>
     }
     m_last.feedHold = anyStopOf(m_stops.all(), StopKind::FeedHold) || (running && wishes[indexOf(owner)].feedHold);
     limitReset(running && wishes[indexOf(owner)].forceReset, step_s);
-    limitOffsets(wishes[indexOf(ProcessId::Thermal)], inputs, step_s, frozen, report);
+    limitOffsets(granted, inputs, step_s, frozen, report);
     if (!frozen) {
-        limitTrims(wishes[indexOf(ProcessId::Turning)], wishes[indexOf(ProcessId::Tapping)],
-                   running && owner == ProcessId::Tapping, step_s, report);
+        limitTrims(granted, servoOwner, step_s, report);
     }
-    for (const ProcessId id : kAllProcesses) {
+    for (const ProcessId id : allProcesses()) {
         if (const PortRequest& request = wishes[indexOf(id)].request; request.number != 0) {
             takeRequest(id, request, report);
         }

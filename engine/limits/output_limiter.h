@@ -25,9 +25,9 @@ struct LimitReport {
 
 /// The one place every output passes.
 ///
-/// Authority: feed scale and hold belong to the process whose program runs (boring, milling); the work offset to
-/// thermal; the tool trim to turning; servo gains, Z trim and synchronous retract to tapping. A wish from anybody else,
-/// or one that is not finite, does not exist.
+/// Authority (ProcessDescriptor::may): the feed scale belongs to the process whose program runs, if it has it (boring,
+/// milling), as the hold does; the work offset to thermal; the tool trim to turning; servo gains, Z trim and
+/// synchronous retract to tapping. A wish from anybody else, or one that is not finite, does not exist.
 ///
 /// Without a wish: the feed scale stays where it is while a program runs, or falls to the one that makes the planned
 /// feed, and returns to 1 between programs; the work offset keeps its last value; tool and Z trim go to zero. So a loop
@@ -52,7 +52,7 @@ class OutputLimiter {
 
     /// One cycle. `wishes[p]` are the outputs of process p that may act (empty but for stops for loops that do not
     /// control).
-    [[nodiscard]] MachineOutputs apply(const std::array<LoopOutputs, kProcessCount>& wishes,
+    [[nodiscard]] MachineOutputs apply(const std::array<LoopOutputs, kProcessPlaces>& wishes,
                                        const MachineInputs& inputs, double dt_s, LimitReport& report) noexcept;
 
     [[nodiscard]] StopLatch& stops() noexcept { return m_stops; }
@@ -69,9 +69,9 @@ class OutputLimiter {
     void adoptOffset(std::size_t axis, const Reading& applied_um) noexcept;
     void limitFeedScale(const LoopOutputs& owner, const MachineInputs& inputs, bool running, double step_s,
                         LimitReport& report) noexcept;
-    void limitOffsets(const LoopOutputs& thermal, const MachineInputs& inputs, double step_s, bool frozen,
+    void limitOffsets(const LoopOutputs& granted, const MachineInputs& inputs, double step_s, bool frozen,
                       LimitReport& report) noexcept;
-    void limitTrims(const LoopOutputs& turning, const LoopOutputs& tapping, bool tapRuns, double step_s,
+    void limitTrims(const LoopOutputs& granted, const LoopOutputs& servoOwner, double step_s,
                     LimitReport& report) noexcept;
     void limitReset(bool wished, double step_s) noexcept;
     [[nodiscard]] bool admitRequest(ProcessId process, PortRequest& request, LimitReport& report) const noexcept;

@@ -19,7 +19,7 @@ void StopLatch::set(ProcessId process, const StopWish& wish, std::int64_t now_ns
 }
 
 void StopLatch::join(const StopSlots& kept, std::int64_t now_ns) noexcept {
-    for (std::size_t i = 0; i < kProcessCount; ++i) {
+    for (std::size_t i = 0; i < kProcessPlaces; ++i) {
         const StopSlot before = m_slots[i];
         m_slots[i] = joined(before, kept[i]);
         if (m_slots[i].number != before.number) {

@@ -31,8 +31,8 @@ class StopLatch {
 
  private:
     StopSlots m_slots{};
-    std::array<Sentence, kProcessCount> m_reasons{};
-    std::array<std::int64_t, kProcessCount> m_since_ns{};
+    std::array<Sentence, kProcessPlaces> m_reasons{};
+    std::array<std::int64_t, kProcessPlaces> m_since_ns{};
 };
 
 /// What a loop remembers of its own stop: tells it once when it has been released.

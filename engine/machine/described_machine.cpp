@@ -25,7 +25,7 @@ void describe(Capabilities& capabilities, const MachineDescription& machine) noe
     if (machine.force.bandwidth_Hz && capabilities.force.bandwidth_Hz > 0.0) {
         capabilities.force.bandwidth_Hz = std::min(capabilities.force.bandwidth_Hz, *machine.force.bandwidth_Hz);
     }
-    for (std::size_t i = 0; i < kProcessCount; ++i) {
+    for (std::size_t i = 0; i < kProcessPlaces; ++i) {
         if (!machine.hosts[i] && capabilities.process[i].fitted) {
             capabilities.process[i] = {false,
                                        Sentence(KERF_TEXT("The machine file does not name this process under hosts."))};

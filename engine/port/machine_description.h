@@ -42,8 +42,9 @@ struct MachineDescription {
     std::optional<double> highestSpeed_rpm{};         ///< of the spindle
     OutputLimits limits{};                            ///< of what Kerf may write
     DescribedForce force{};
-    std::array<bool, kProcessCount> hosts{true, true, true, true, true};  ///< by ProcessId: Kerf may do it here
-    std::string commandHost{"127.0.0.1"};                                 ///< of linuxcncrsh; this computer only
+    /// By ProcessId: Kerf may do it here.
+    std::array<bool, kProcessPlaces> hosts{true, true, true, true, true, true, true, true};
+    std::string commandHost{"127.0.0.1"};  ///< of linuxcncrsh; this computer only
     std::uint16_t commandPort{5007};
     std::string passwordFile{};  ///< two words, mode 0600; empty: KERF_LINUXCNC_PASSWORDS, else the well-known ones
 };

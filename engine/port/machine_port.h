@@ -51,7 +51,7 @@ struct Capabilities {
     Capability toolTrim{};    ///< fast trim of the tool's depth
     Capability gauge{};       ///< a bore gauge whose readings the port passes on
     Capability cycleStart{};  ///< Kerf may start a part program (else the operator does, at the control)
-    std::array<Capability, kProcessCount> process{};  ///< which loops this machine can host
+    std::array<Capability, kProcessPlaces> process{};  ///< which loops this machine can host
     bool simulated{false};
 };
 

@@ -33,7 +33,7 @@ struct StopSlot {
     [[nodiscard]] constexpr bool active() const noexcept { return number > released; }
     friend constexpr bool operator==(const StopSlot&, const StopSlot&) = default;
 };
-using StopSlots = std::array<StopSlot, kProcessCount>;
+using StopSlots = std::array<StopSlot, kProcessPlaces>;
 static_assert(std::is_trivially_copyable_v<StopSlots>);
 
 /// A stop as the screen shows it.

@@ -2989,26 +2989,6 @@
             <translation>Note the number and call service.</translation>
         </message>
         <message>
-            <source>Boring</source>
-            <translation>Boring</translation>
-        </message>
-        <message>
-            <source>Milling</source>
-            <translation>Milling</translation>
-        </message>
-        <message>
-            <source>Turning</source>
-            <translation>Turning</translation>
-        </message>
-        <message>
-            <source>Thermal</source>
-            <translation>Thermal</translation>
-        </message>
-        <message>
-            <source>Tapping</source>
-            <translation>Tapping</translation>
-        </message>
-        <message>
             <source>off</source>
             <translation>off</translation>
         </message>
@@ -3039,6 +3019,10 @@
         <message>
             <source>control</source>
             <translation>control</translation>
+        </message>
+        <message>
+            <source>process %1</source>
+            <translation>process %1</translation>
         </message>
     </context>
     <context>
@@ -6770,6 +6754,38 @@
         <message>
             <source>There is no shop in the database: this lot begins without other machines' lots.</source>
             <translation>There is no shop in the database: this lot begins without other machines' lots.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>Boring</translation>
+        </message>
+        <message>
+            <source>Change the set-up of a process</source>
+            <translation>Change the set-up of a process</translation>
+        </message>
+        <message>
+            <source>Kerf does not know this process on a LinuxCNC.</source>
+            <translation>Kerf does not know this process on a LinuxCNC.</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>Milling</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>Tapping</translation>
+        </message>
+        <message>
+            <source>The tool has made %1 of %2 parts.</source>
+            <translation>The tool has made %1 of %2 parts.</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>Thermal</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>Turning</translation>
         </message>
     </context>
     <context>

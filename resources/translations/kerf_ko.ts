@@ -2984,26 +2984,6 @@
             <translation>번호를 적어 두고 서비스에 연락하십시오.</translation>
         </message>
         <message>
-            <source>Boring</source>
-            <translation>보링</translation>
-        </message>
-        <message>
-            <source>Milling</source>
-            <translation>밀링</translation>
-        </message>
-        <message>
-            <source>Turning</source>
-            <translation>선삭</translation>
-        </message>
-        <message>
-            <source>Thermal</source>
-            <translation>열변위</translation>
-        </message>
-        <message>
-            <source>Tapping</source>
-            <translation>탭 가공</translation>
-        </message>
-        <message>
             <source>off</source>
             <translation>꺼짐</translation>
         </message>
@@ -3034,6 +3014,10 @@
         <message>
             <source>control</source>
             <translation>제어</translation>
+        </message>
+        <message>
+            <source>process %1</source>
+            <translation>공정 %1</translation>
         </message>
     </context>
     <context>
@@ -6765,6 +6749,38 @@
         <message>
             <source>There is no shop in the database: this lot begins without other machines' lots.</source>
             <translation>데이터베이스에 공장 자료가 없습니다. 이 로트는 다른 기계의 로트 없이 시작합니다.</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>보링</translation>
+        </message>
+        <message>
+            <source>Change the set-up of a process</source>
+            <translation>공정 설정 변경</translation>
+        </message>
+        <message>
+            <source>Kerf does not know this process on a LinuxCNC.</source>
+            <translation>Kerf는 LinuxCNC에서 이 공정을 알지 못합니다.</translation>
+        </message>
+        <message>
+            <source>Milling</source>
+            <translation>밀링</translation>
+        </message>
+        <message>
+            <source>Tapping</source>
+            <translation>탭 가공</translation>
+        </message>
+        <message>
+            <source>The tool has made %1 of %2 parts.</source>
+            <translation>공구: %2개 중 %1개 가공.</translation>
+        </message>
+        <message>
+            <source>Thermal</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>선삭</translation>
         </message>
     </context>
     <context>

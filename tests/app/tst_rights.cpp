@@ -15,6 +15,7 @@
 #include "engine/process/boring/plant.h"
 #include "tests/db/db_test_support.h"
 #include "tests/support/fake_engine.h"
+#include "ui/services/command_deeds.h"
 
 using namespace kerf;
 
@@ -382,13 +383,20 @@ const std::vector<Row>& rows() {
 
 }  // namespace
 
+/// Of a process that has no row in the table of deeds.
+struct SetBrush {
+    static constexpr ProcessId kProcess{5};
+};
+
 /// Who may do what, and what is written down: every deed of the table, at the service that does it.
 class TestRights : public QObject {
     Q_OBJECT
  private slots:
     void everyDeedHasARow() {
         // Their services live in the console: tst_sensors_page; ShiftDesk::add asks for all of the shift's.
-        std::set<Deed> tested{Deed::SensorPlace, Deed::ShiftWords, Deed::ToolChange, Deed::ToolLife};
+        // ProcessSetup is for processes that have no row: aProcessWithoutARowIsASetters.
+        std::set<Deed> tested{Deed::SensorPlace, Deed::ShiftWords, Deed::ToolChange, Deed::ToolLife,
+                              Deed::ProcessSetup};
         for (const Row& row : rows())
             tested.insert(row.deed);
         QCOMPARE(tested.size(), kDeedCount);
@@ -397,6 +405,12 @@ class TestRights : public QObject {
             QVERIFY2(keys.insert(one.key).second, one.key);
             QVERIFY(*one.name != '\0');
         }
+    }
+    void aProcessWithoutARowIsASetters() {
+        QVERIFY(DeedOf{}(SetBrush{}) == Deed::ProcessSetup);
+        QVERIFY(permissionOf(Deed::ProcessSetup).least == Trust::Setter);
+        QVERIFY(DeedOf{}(LoadMillingSetup{}) == Deed::MillingLimits);
+        QVERIFY(!DeedOf{}(AbortTap{}).has_value());
     }
     void whoMayAndWhatIsKept() {
         Shop shop;

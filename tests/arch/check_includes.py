@@ -8,8 +8,8 @@ import sys
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 
 # folder -> prefixes it may include; the longest matching folder counts
-PROCESSES = ("boring", "milling", "turning", "thermal", "tapping")
-TYPES = [f"engine/process/{p}/{p}_{kind}.h" for p in PROCESSES for kind in ("types", "fields")]
+PROCESSES = sorted(p.name for p in (ROOT / "engine/process").iterdir() if p.is_dir())
+TYPES = [f"engine/process/{p}/{p}_{kind}.h" for p in PROCESSES for kind in ("types", "fields", "commands")]
 ALLOWED = {
     "engine/core": ["engine/core/"],
     "engine/port": ["engine/core/", "engine/port/"],

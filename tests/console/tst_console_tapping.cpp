@@ -138,7 +138,7 @@ class TestConsoleTapping : public QObject {
         query.process = ProcessId::Tapping;
         QTRY_COMPARE_WITH_TIMEOUT((*reader)->parts(query)->size(), std::size_t{3}, 10'000);
         const auto parts = (*reader)->parts(query);
-        QCOMPARE(parts->front().figures.size(), partResultSpecs(ProcessId::Tapping).size());
+        QCOMPARE(parts->front().figures.size(), partResultRows(ProcessId::Tapping).size());
         QVERIFY(parts->front().complete);
     }
     void switchesTheLanguage() {

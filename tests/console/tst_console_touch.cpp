@@ -204,7 +204,7 @@ class TestConsoleTouch : public QObject {
     }
     void everyFieldIsServed_data() {
         QTest::addColumn<QString>("page");
-        for (const ui::PageEntry& page : ui::standardPages()) {
+        for (const ui::PageEntry& page : window()->pages()) {
             QTest::newRow(page.key) << QString::fromLatin1(page.key);
         }
     }
@@ -213,7 +213,7 @@ class TestConsoleTouch : public QObject {
         QFETCH(QString, page);
         m_unserved.clear();
         goTo(page, {});
-        const bool first = page == QLatin1String(ui::standardPages().front().key);
+        const bool first = page == QLatin1String(window()->pages().front().key);
         const QWidget* place = first ? static_cast<QWidget*>(window()) : window()->page(page.toLatin1().constData());
         QVERIFY(place != nullptr);
         check(place, page);

@@ -73,7 +73,7 @@ class TestStore : public QObject {
         const auto detail = shop.reader()->part(id);
         QVERIFY(detail && *detail);
         const std::vector<PartFigure>& figures = (*detail)->part.figures;
-        QCOMPARE(figures.size(), partResultSpecs(ProcessId::Milling).size() - 1);
+        QCOMPARE(figures.size(), partResultRows(ProcessId::Milling).size() - 1);
         QCOMPARE(figures[0].key, std::string("waviness_um"));
         QCOMPARE(figures[0].value, 52.25);
         QCOMPARE(figures[1].key, std::string("force_peak_N"));

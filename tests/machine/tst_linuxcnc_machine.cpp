@@ -206,7 +206,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         kerf::Capabilities quick = m_machine->capabilities();
         quick.limits.workOffsetRate_umPerS = 100.0;
         kerf::OutputLimiter limiter(quick);
-        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes{};
         wishes[static_cast<std::size_t>(kerf::ProcessId::Thermal)].workOffset_um[2] = 12.0;
         kerf::LimitReport report;
         limiter.adopt(m_inputs, quick);

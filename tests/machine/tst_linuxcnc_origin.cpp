@@ -26,7 +26,7 @@ class TestLinuxCncOrigin : public QObject {
         Capabilities quick = m_machine->capabilities();
         quick.limits.workOffsetRate_umPerS = 100.0;
         OutputLimiter limiter(quick);
-        std::array<LoopOutputs, kProcessCount> wishes{};
+        std::array<LoopOutputs, kProcessPlaces> wishes{};
         wishes[static_cast<std::size_t>(ProcessId::Thermal)].workOffset_um[2] = shift_um;
         LimitReport report;
         m_machine->read(test::monotonic_ns(), m_inputs);

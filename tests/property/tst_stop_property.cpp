@@ -84,7 +84,7 @@ class Story {
     void happen() {
         const double dice = m_random.uniform();
         Event event;
-        event.process = dice < 0.1 ? kAllProcesses[m_random.nextU64() % kProcessCount] : m_scenario.process;
+        event.process = dice < 0.1 ? allProcesses()[m_random.nextU64() % allProcesses().size()] : m_scenario.process;
         m_silentCycles = 0;
         if (dice < 0.35) {
             event.deed = Deed::Start;
@@ -143,12 +143,12 @@ class Story {
             m_kept = m_console->stops();
         }
         const bool stoppedBefore = anyStop(m_before);
-        for (std::size_t i = 0; i < kProcessCount; ++i) {
+        for (std::size_t i = 0; i < kProcessPlaces; ++i) {
             now[i] = joined(now[i], m_console != nullptr && !silent ? m_kept[i] : m_before[i]);
             const bool turnedOut = m_before[i].kind == StopKind::InWork;
             if (m_before[i].active() && (!now[i].active() || now[i].kind < m_before[i].kind) && !turnedOut) {
                 complain(QStringLiteral("a stop of %1 went without a release")
-                             .arg(QLatin1String(processKey(kAllProcesses[i]))));
+                             .arg(QLatin1String(processKey(static_cast<ProcessId>(i)))));
             }
             m_everStopped = m_everStopped || now[i].active();
         }
@@ -184,7 +184,7 @@ class Story {
     Scenario m_scenario{};
     std::unique_ptr<SimulatedMachine> m_machine;
     std::unique_ptr<Console> m_console;
-    std::array<LoopMode, kProcessCount> m_modes{};
+    std::array<LoopMode, kProcessPlaces> m_modes{};
     InjectedFaults m_faults{};
     MachineInputs m_unheard{};
     StopSlots m_kept{};
@@ -209,7 +209,7 @@ class TestStopProperty : public QObject {
  private slots:
     void noSequenceLowersAStop_data() {
         QTest::addColumn<int>("process");
-        for (const ProcessId process : kAllProcesses) {
+        for (const ProcessId process : allProcesses()) {
             QTest::addRow("%s", processKey(process)) << static_cast<int>(process);
         }
     }

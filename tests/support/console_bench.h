@@ -31,7 +31,7 @@ class ConsoleBench {
         m_options = options;
         m_options.dataDir = m_folder.path().toStdString();
         m_options.ownThread = m_ownThread || m_options.machine == "linuxcnc";
-        m_console = std::make_unique<console::ConsoleApplication>(m_options);
+        m_console = std::make_unique<console::ConsoleApplication>(m_options, m_rooms());
         m_failure.clear();
         QObject::connect(m_console.get(), &console::ConsoleApplication::ready, m_console.get(), [this] {
             m_console->window()->resize(1280, 800);
@@ -56,6 +56,10 @@ class ConsoleBench {
     void goOn() { m_pacer.start(kTurn_ms); }
     /// From the next start on.
     void setOwnThread(bool own) { m_ownThread = own; }
+
+    using Rooms = std::function<std::vector<std::unique_ptr<console::Room>>()>;
+    /// From the next start on: other processes than the console's own.
+    void setRooms(Rooms rooms) { m_rooms = std::move(rooms); }
 
     [[nodiscard]] bool up() const { return m_console && m_console->window() != nullptr; }
     [[nodiscard]] const QString& failure() const { return m_failure; }
@@ -117,6 +121,7 @@ class ConsoleBench {
     QTemporaryDir m_folder;
     QTimer m_pacer;
     bool m_ownThread{false};
+    Rooms m_rooms{console::standardRooms};
     console::Options m_options;
     QString m_failure;
     std::unique_ptr<console::ConsoleApplication> m_console;

@@ -16,7 +16,7 @@ namespace kerf::test {
 class FakeEngine : public EngineApi {
  public:
     FakeEngine() {
-        for (std::size_t i = 0; i < kProcessCount; ++i) {
+        for (std::size_t i = 0; i < kProcessPlaces; ++i) {
             fake.loops[i].reason = Sentence(KERF_TEXT("not fitted yet"));
         }
         LoopStatus& boring = loop(ProcessId::Boring);

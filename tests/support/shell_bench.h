@@ -8,6 +8,11 @@
 #include "engine/core/random.h"
 #include "tests/support/fake_boring_service.h"
 #include "tests/support/fake_engine.h"
+#include "ui/pages/boring/boring_page.h"
+#include "ui/pages/milling/milling_page.h"
+#include "ui/pages/tapping/tapping_page.h"
+#include "ui/pages/thermal/thermal_page.h"
+#include "ui/pages/turning/turning_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/theme/look.h"
 
@@ -26,9 +31,15 @@ inline constexpr AlarmSpec kSensorAlarm{401,
                                         KERF_TEXT("It is left out; the interval is wider."),
                                         KERF_TEXT("Check its mounting.")};
 
+/// The pages as the console has them.
+inline ui::PageList allPages() {
+    return ui::standardPages({ui::boringPageEntry(), ui::millingPageEntry(), ui::turningPageEntry(),
+                              ui::thermalPageEntry(), ui::tappingPageEntry()});
+}
+
 /// The console's frame on a fake engine with a plausible machine behind it.
 struct ShellBench {
-    explicit ShellBench(ui::PageList pages = ui::standardPages(), ui::Preferences preferences = {}) : look(96.0) {
+    explicit ShellBench(ui::PageList pages = allPages(), ui::Preferences preferences = {}) : look(96.0) {
         look.apply(preferences);
         engine.specs[kToolAlarm.code] = kToolAlarm;
         engine.specs[kSensorAlarm.code] = kSensorAlarm;

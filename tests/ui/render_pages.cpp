@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     p.language = args.value(5) == QStringLiteral("ko") ? Language::Korean : Language::English;
     p.brightness = args.value(6) == QStringLiteral("dark") ? Brightness::Dark : Brightness::Light;
     p.length = args.value(7) == QStringLiteral("inch") ? LengthUnit::Inch : LengthUnit::Millimetre;
-    kerf::test::ShellBench bench(standardPages(), p);
+    kerf::test::ShellBench bench(kerf::test::allPages(), p);
     bench.window->resize(args.value(2, QStringLiteral("1280")).toInt(), args.value(3, QStringLiteral("800")).toInt());
     bench.window->show();
     bench.raise(kerf::test::kSensorAlarm);

@@ -89,7 +89,7 @@ class TestFitting : public QObject {
         Preferences preferences;
         preferences.language = Language(language);
         preferences.scale = scale;
-        ShellBench bench(standardPages(), preferences);
+        ShellBench bench(kerf::test::allPages(), preferences);
         MainWindow& window = *bench.window;
         for (LoopStatus& loop : bench.engine.fake.loops) {
             loop.fitted = true;
@@ -144,7 +144,7 @@ class TestFitting : public QObject {
         for (const Language language : {Language::English, Language::Korean}) {
             Preferences preferences;
             preferences.language = language;
-            ShellBench bench(standardPages(), preferences);
+            ShellBench bench(kerf::test::allPages(), preferences);
             bench.window->resize(1280, 800);
             bench.window->show();
             bench.window->client().stop();

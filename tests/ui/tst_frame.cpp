@@ -106,7 +106,7 @@ class TestFrame : public QObject {
     }
     void everyPageIsExplained() {
         const std::vector<HelpText> texts = helpTexts();
-        for (const PageEntry& entry : standardPages()) {
+        for (const PageEntry& entry : kerf::test::allPages()) {
             const QString key = QStringLiteral("page:") + QLatin1String(entry.key);
             QVERIFY2(std::ranges::any_of(texts, [&](const HelpText& text) { return key == QLatin1String(text.key); }),
                      qPrintable(key));

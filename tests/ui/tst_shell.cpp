@@ -53,7 +53,7 @@ class TestShell : public QObject {
         preferences.brightness = Brightness(brightness);
         preferences.scale = scale;
         preferences.length = LengthUnit(unit);
-        ShellBench bench(standardPages(), preferences);
+        ShellBench bench(kerf::test::allPages(), preferences);
         bench.window->resize(size);
         bench.window->show();
         bench.window->session().signOn(QStringLiteral("Kim Minji"));

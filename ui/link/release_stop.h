@@ -23,9 +23,8 @@ template <class Wanted>
 [[nodiscard]] std::optional<ProcessId> firstStopped(const Status& status, const Wanted& wanted) {
     const auto found = std::ranges::find_if(
         status.stops, [&](const StopStatus& stop) { return stop.slot.active() && wanted(stop.slot.kind); });
-    return found == status.stops.end()
-               ? std::nullopt
-               : std::optional(kAllProcesses[static_cast<std::size_t>(found - status.stops.begin())]);
+    return found == status.stops.end() ? std::nullopt
+                                       : std::optional(static_cast<ProcessId>(found - status.stops.begin()));
 }
 /// A stop that a person may release after a look.
 [[nodiscard]] inline std::optional<ProcessId> stoppedProcess(const Status& status) {

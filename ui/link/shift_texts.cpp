@@ -87,7 +87,7 @@ QString deedText(const std::string& action) {
         }
     }
     const QString text = QString::fromStdString(action);
-    for (const ProcessId process : kAllProcesses) {  // "tapping tuning kept"
+    for (const ProcessId process : allProcesses()) {  // "tapping tuning kept"
         const QString key = QLatin1String(processKey(process)) + u' ';
         if (text.startsWith(key) && text.endsWith(QStringLiteral(" kept"))) {
             return Shift::tr("%1: %2").arg(processName(process), keptText(text.mid(key.size()).chopped(5)));

@@ -113,19 +113,8 @@ QString figureText(ProcessId process, const PartFigure& figure, const UnitSystem
 }
 
 QString processName(ProcessId id) {
-    switch (id) {
-        case ProcessId::Boring:
-            return Words::tr("Boring");
-        case ProcessId::Milling:
-            return Words::tr("Milling");
-        case ProcessId::Turning:
-            return Words::tr("Turning");
-        case ProcessId::Thermal:
-            return Words::tr("Thermal");
-        case ProcessId::Tapping:
-            return Words::tr("Tapping");
-    }
-    return {};
+    const ProcessDescriptor* process = findProcess(id);
+    return process != nullptr ? engineText(process->name) : Words::tr("process %1").arg(static_cast<int>(id) + 1);
 }
 
 QString stateName(LoopState state) {

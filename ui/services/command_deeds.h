@@ -9,9 +9,13 @@
 
 namespace kerf {
 
-/// One line per command: a new one does not compile before it has its place here.
+/// One line per command. A command of a process that has none is a change of its set-up, which is a setter's; one of
+/// the whole engine does not compile before it has its place here.
 struct DeedOf {
     using DeedOrNone = std::optional<Deed>;
+    template <class Command>
+    requires requires { Command::kProcess; }
+    DeedOrNone operator()(const Command&) const { return Deed::ProcessSetup; }
     DeedOrNone operator()(std::monostate) const { return std::nullopt; }
     DeedOrNone operator()(const ReleaseHold&) const { return std::nullopt; }
     DeedOrNone operator()(const SetSimulationSpeed&) const { return std::nullopt; }

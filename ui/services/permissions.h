@@ -61,6 +61,7 @@ enum class Deed : std::uint8_t {
     QualityGauge,
     QualityStudy,
     QualityFiles,
+    ProcessSetup,
     Count,
 };
 inline constexpr std::size_t kDeedCount = static_cast<std::size_t>(Deed::Count);
@@ -118,6 +119,7 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
     {Deed::QualityGauge, Trust::Setter, false, "quality.gauge", KERF_TEXT("Change the register of gauges")},
     {Deed::QualityStudy, Trust::Setter, false, "quality.study", KERF_TEXT("Keep the study of a gauge")},
     {Deed::QualityFiles, Trust::Setter, false, "quality.files", KERF_TEXT("Set where Q-DAS files appear")},
+    {Deed::ProcessSetup, Trust::Setter, false, "process.setup", KERF_TEXT("Change the set-up of a process")},
 }};
 static_assert([] {
     for (std::size_t i = 0; i < kDeedCount; ++i) {

@@ -222,7 +222,8 @@ void MainWindow::buildFrame() {
                               [this](const char* key) { showPage(key); },
                               [this](const QString& sentence) { m_alarmBar->notify(sentence); },
                               [this](std::function<void()> action) { withOperator(std::move(action)); },
-                              [this](Role least, std::function<void()> action) { withRole(least, std::move(action)); }};
+                              [this](Role least, std::function<void()> action) { withRole(least, std::move(action)); },
+                              &m_pages};
     for (const PageEntry& entry : m_pages) {
         Page* made = entry.make(context);
         made->setProperty("pageKey", QLatin1String(entry.key));

@@ -35,7 +35,7 @@ class TouchKeyboard;
 class MainWindow : public QMainWindow {
     Q_OBJECT
  public:
-    MainWindow(Look& look, Services services, PageList pages = standardPages(), QWidget* parent = nullptr);
+    MainWindow(Look& look, Services services, PageList pages, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     void showPage(const char* key);

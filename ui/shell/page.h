@@ -16,6 +16,8 @@
 
 namespace kerf::ui {
 
+struct PageEntry;
+
 /// What a page works with. All references live as long as the page.
 struct PageContext {
     Look& look;
@@ -30,6 +32,7 @@ struct PageContext {
     std::function<void(std::function<void()> action)> withOperator;
     /// The same for what only some may do: asks who is there when nobody is, and says why not when it is refused.
     std::function<void(Role least, std::function<void()> action)> withRole{};
+    const std::vector<PageEntry>* pages{nullptr};  ///< of this console; null: a page alone
     void withPermission(Deed deed, std::function<void()> action) const {
         withRole ? withRole(permissionOf(deed).least, std::move(action)) : withOperator(std::move(action));
     }
@@ -72,7 +75,7 @@ struct KeyFigure {
     std::vector<double> course{};
 };
 
-/// One row of the navigation. A room plugs in its page with one PageEntry in standardPages() (ui/shell/page_list.cpp).
+/// One row of the navigation. A process hands in its own with its room (app/console/rooms).
 struct PageEntry {
     const char* key{""};                 ///< "boring": object name, settings, screenshots
     std::function<QString()> title{};    ///< translated, asked again when the language changes
@@ -82,7 +85,7 @@ struct PageEntry {
 };
 
 using PageList = std::vector<PageEntry>;
-/// The pages of this build, in the order of the navigation.
-[[nodiscard]] PageList standardPages();
+/// All pages in the order of the navigation: Overview, those of the processes, and what they have in common.
+[[nodiscard]] PageList standardPages(PageList ofProcesses);
 
 }  // namespace kerf::ui

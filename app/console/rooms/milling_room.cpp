@@ -6,8 +6,13 @@
 
 #include "engine/process/milling/hard_machine.h"
 #include "engine/process/milling/milling_loop.h"
+#include "ui/pages/milling/milling_page.h"
 
 namespace kerf::console {
+
+ui::PageEntry MillingRoom::page() const {
+    return ui::millingPageEntry();
+}
 
 bool MillingRoom::fits(const std::string& machineKind) const {
     return machineKind != "diamond-lathe";
@@ -56,6 +61,10 @@ void MillingRoom::serve(ui::Services& services) {
 
 bool MillingRoom::prepared(EngineApi& engine) {
     return !m_service || cutBeforehand(engine, ProcessId::Milling, engine.status().milling.partsCut, 2);
+}
+
+void MillingRoom::toolIsNew(const std::string& author) {
+    m_service->newTool(author, [](const Result<void>&) {});
 }
 
 void MillingRoom::poll() {

@@ -11,12 +11,14 @@ namespace kerf::console {
 class MillingRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Milling; }
+    [[nodiscard]] ui::PageEntry page() const override;
     [[nodiscard]] bool fits(const std::string& machineKind) const override;
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    void toolIsNew(const std::string& author) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,18 @@
 #include "engine/cycle/process_loop.h"
 #include "engine/machine/simulated/simulated_process.h"
 #include "ui/services/thermal_service.h"
+#include "ui/shell/page.h"
 #include "ui/shell/services.h"
 
 namespace kerf::console {
 
-/// One process on the console: what it brings to the simulated machine and to the engine, and its service. GUI thread.
+class Simulator;
+
+/// One process on the console: what it brings to the simulated machine and to the engine, and its service and its
+/// page. GUI thread.
 ///
-/// Order of the calls: makePlant (simulated machines only), makeLoop, open, serve, then poll a few times per second.
+/// Order of the calls: makePlant (simulated machines only), makeLoop, open, whenOpen, serve, then poll a few times per
+/// second.
 /// The engine is stopped before a room is destroyed.
 class Room {
  public:
@@ -32,6 +38,9 @@ class Room {
         const std::string& databasePath;      ///< for connections of a worker's own
         std::function<std::string()> author;  ///< who is signed on; "Kerf" when nobody is
         Rights rights;
+        Simulator* simulator{nullptr};                        ///< null: a real machine
+        std::string nobody{};                                 ///< who acts where nobody has signed on
+        std::function<void(const QString& line)> accepted{};  ///< a measurement is accepted (--print-acceptances)
         std::vector<ThermalSensorView> temperatures{};  ///< of the sensor file; empty: those of the machine itself
     };
 
@@ -41,6 +50,7 @@ class Room {
     virtual ~Room() = default;
 
     [[nodiscard]] virtual ProcessId process() const noexcept = 0;
+    [[nodiscard]] virtual ui::PageEntry page() const = 0;
     /// Whether a machine of this kind (--machine) can have this process at all.
     [[nodiscard]] virtual bool fits(const std::string& machineKind) const = 0;
     /// May be null.
@@ -48,9 +58,14 @@ class Room {
     [[nodiscard]] virtual std::unique_ptr<ProcessLoop> makeLoop() = 0;
     /// Make the service, load what was kept, send the loop its first setup.
     virtual void open(const Context&) {}
+    using Opened = std::function<void(const Result<void>&)>;
+    /// `then` is called once, when what open() has begun is done, at once or from the event loop.
+    virtual void whenOpen(Opened then) { then({}); }
     /// Hand the service to the pages.
     virtual void serve(ui::Services&) {}
     virtual void poll() {}
+    /// A person has said that a new tool is in.
+    virtual void toolIsNew(const std::string& /*author*/) {}
     /// The simulated day before the operator comes: so that no page is empty. Called again and again, with the
     /// machine's state, until it says true.
     [[nodiscard]] virtual bool prepared(EngineApi&) { return true; }
@@ -59,7 +74,10 @@ class Room {
 /// Has this process of the simulated machine cut `wanted` parts? Starts the next one when the machine is free.
 [[nodiscard]] bool cutBeforehand(EngineApi& engine, ProcessId process, std::uint32_t cut, std::uint32_t wanted);
 
-/// The rooms beside boring, in the order of the navigation.
+/// Parts of that process ever made, up to and with `last` (all when empty).
+[[nodiscard]] std::uint32_t madeUpTo(PartReader& reader, ProcessId process, std::optional<PartId> last);
+
+/// All processes of the console. The one list to add a process to.
 [[nodiscard]] std::vector<std::unique_ptr<Room>> standardRooms();
 
 }  // namespace kerf::console

@@ -10,6 +10,7 @@
 #include "engine/machine/simulated/simulated_tapping.h"
 #include "engine/process/tapping/tapping_loop.h"
 #include "engine/process/tapping/trial_machine.h"
+#include "ui/pages/tapping/tapping_page.h"
 
 namespace kerf::console {
 namespace {
@@ -39,6 +40,10 @@ std::vector<tapping::StoredTuning> storedTunings(RoomRecordReader& reader) {
 }
 
 }  // namespace
+
+ui::PageEntry TappingRoom::page() const {
+    return ui::tappingPageEntry();
+}
 
 bool TappingRoom::fits(const std::string& machineKind) const {
     return machineKind != "diamond-lathe";

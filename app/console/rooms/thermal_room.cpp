@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/process/thermal/thermal_loop.h"
+#include "ui/pages/thermal/thermal_page.h"
 
 namespace kerf::console {
 namespace {
@@ -47,10 +48,13 @@ std::optional<SimulatedThermal::Memory> memoryFrom(const QString& file) {
 
 }  // namespace
 
-bool ThermalRoom::fits(const std::string& machineKind) const {
-    // On LinuxCNC temperatures come with a sensor file; without one the loop says that there are none.
-    return machineKind == "simulator" || machineKind == "diamond-lathe" || machineKind == "linuxcnc" ||
-           machineKind == "replay";
+ui::PageEntry ThermalRoom::page() const {
+    return ui::thermalPageEntry();
+}
+
+/// On a real machine temperatures come with a sensor file; without one the loop says that there are none.
+bool ThermalRoom::fits(const std::string&) const {
+    return true;
 }
 
 std::unique_ptr<SimulatedProcess> ThermalRoom::makePlant(const Options& options) {

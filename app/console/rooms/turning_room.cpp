@@ -4,6 +4,7 @@
 #include "engine/machine/simulated/simulated_turning.h"
 #include "engine/process/turning/hard_lathe.h"
 #include "engine/process/turning/turning_loop.h"
+#include "ui/pages/turning/turning_page.h"
 
 namespace kerf::console {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 constexpr double kMotionSensorNoise_um = 0.005;  ///< the lathe's gap sensor at the tool post: the process is identified
 
 }  // namespace
+
+ui::PageEntry TurningRoom::page() const {
+    return ui::turningPageEntry();
+}
 
 bool TurningRoom::fits(const std::string& machineKind) const {
     return machineKind == "diamond-lathe";

@@ -10,6 +10,7 @@ namespace kerf::console {
 class TurningRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Turning; }
+    [[nodiscard]] ui::PageEntry page() const override;
     [[nodiscard]] bool fits(const std::string& machineKind) const override;
     [[nodiscard]] std::unique_ptr<SimulatedProcess> makePlant(const Options& options) override;
     [[nodiscard]] std::unique_ptr<ProcessLoop> makeLoop() override;

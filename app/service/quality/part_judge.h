@@ -34,7 +34,7 @@ class PartJudge {
     LotReader& m_lots;
     RoomRecordReader& m_records;
     std::map<LotId, std::vector<Characteristic>> m_byLot{};
-    std::array<std::optional<std::vector<Characteristic>>, kAllProcesses.size()> m_byProcess{};
+    std::array<std::optional<std::vector<Characteristic>>, kProcessPlaces> m_byProcess{};
 };
 
 }  // namespace kerf

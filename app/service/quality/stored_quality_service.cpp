@@ -219,7 +219,7 @@ void StoredQualityService::readRecords() {
         }
         std::ranges::sort(m_gauges, {}, &Gauge::identity);
     }
-    for (const ProcessId process : kAllProcesses) {
+    for (const ProcessId process : allProcesses()) {
         const auto rows = m_links.records.roomRecords(process, kDispositionRecord, {}, kMostRecords);
         for (const RoomRecordRow& row : rows ? *rows : std::vector<RoomRecordRow>{}) {
             const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);

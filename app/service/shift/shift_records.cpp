@@ -280,10 +280,11 @@ Result<ShiftView> readShift(const ShiftSources& from, int back, std::int64_t now
 
 Result<std::vector<ToolLife>> readTools(PartReader& parts, RoomRecordReader& records) {
     std::vector<ToolLife> tools;
-    for (const ProcessId process : kAllProcesses) {
-        if (process == ProcessId::Thermal) {
+    for (const ProcessDescriptor* descriptor : processes()) {
+        if (!descriptor->makesParts) {
             continue;
         }
+        const ProcessId process = descriptor->id;
         ToolLife tool;
         tool.process = process;
         const auto changes = records.roomRecords(process, kToolChange, {}, 1);

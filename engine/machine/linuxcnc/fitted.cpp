@@ -74,6 +74,9 @@ Capabilities capabilitiesOf(const std::optional<Fitted>& fitted, const Described
         set(*capability, false, noSignal);
     }
     const auto host = [&c](ProcessId id) -> Capability& { return c.process[static_cast<std::size_t>(id)]; };
+    for (std::size_t place = 0; place < kProcessPlaces; ++place) {
+        set(c.process[place], false, why(Sentence(KERF_TEXT("Kerf does not know this process on a LinuxCNC."))));
+    }
     set(host(ProcessId::Boring), c.feedScale.fitted, c.feedScale.why);
     // What is not known yet is not ruled out: a mode kept from yesterday waits for the machine.
     set(host(ProcessId::Milling), !known || (c.feedScale.fitted && c.forceSensor.fitted),

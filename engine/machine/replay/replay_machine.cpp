@@ -29,10 +29,8 @@ ReplayMachine::ReplayMachine(std::vector<ReplayRow> rows, std::uint16_t count) :
     m_capabilities.workOffset = {true, {}};
     const bool gaps = std::ranges::any_of(m_rows, &ReplayRow::measured);
     m_capabilities.gapSensors = {gaps, gaps ? Sentence{} : Sentence(KERF_TEXT("No drift was measured on that day."))};
-    for (const ProcessId id : kAllProcesses) {
-        m_capabilities.process[static_cast<std::size_t>(id)] = {id == ProcessId::Thermal,
-                                                                id == ProcessId::Thermal ? Sentence{} : recorded};
-    }
+    m_capabilities.process.fill({false, recorded});
+    m_capabilities.process[static_cast<std::size_t>(ProcessId::Thermal)] = {true, {}};
     m_frame.count = count;
 }
 

@@ -74,9 +74,9 @@ SimulatedMachine::SimulatedMachine(const Params& params, std::vector<std::unique
     m_capabilities.feedScale.fitted = true;
     m_capabilities.workOffset.fitted = true;
     m_capabilities.cycleStart.fitted = true;
-    for (const ProcessId id : kAllProcesses) {
-        Capability& host = m_capabilities.process[static_cast<std::size_t>(id)];
-        host.fitted = find(id) != nullptr;
+    for (std::size_t place = 0; place < kProcessPlaces; ++place) {
+        Capability& host = m_capabilities.process[place];
+        host.fitted = find(static_cast<ProcessId>(place)) != nullptr;
         if (!host.fitted) {
             host.why = params.absentProcess;
         }
@@ -280,10 +280,10 @@ void SimulatedMachine::write(const MachineOutputs& outputs) noexcept {
     if (m_injected.value().linkDown) {
         return;  // the cable is cut: nothing arrives
     }
-    for (std::size_t i = 0; i < kProcessCount; ++i) {
+    for (std::size_t i = 0; i < kProcessPlaces; ++i) {
         const StopSlot before = m_stops[i];
         m_stops[i] = joined(before, outputs.stops[i]);
-        SimulatedProcess* process = find(kAllProcesses[i]);
+        SimulatedProcess* process = find(static_cast<ProcessId>(i));
         if (before.active() && before.kind == StopKind::InWork && !m_stops[i].active() && process != nullptr) {
             process->takenOut();
         }

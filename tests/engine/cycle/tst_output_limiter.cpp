@@ -56,7 +56,7 @@ kerf::LoopOutputs anyWish() {
 constexpr double kRounding = 1e-9;
 constexpr double kMostTime_s = kerf::OutputLimiter::kMostPeriods * 1e-3;  // that one late cycle counts for
 
-using Wishes = std::array<kerf::LoopOutputs, kerf::kProcessCount>;
+using Wishes = std::array<kerf::LoopOutputs, kerf::kProcessPlaces>;
 
 /// After so many cycles of the same wishes.
 kerf::MachineOutputs after(kerf::OutputLimiter& limiter, const Wishes& wishes, const kerf::MachineInputs& inputs,
@@ -98,7 +98,7 @@ class TestOutputLimiter : public QObject {
             kerf::MachineOutputs last;
             const int steps = *rc::gen::inRange(1, 40);
             for (int i = 0; i < steps; ++i) {
-                std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes;
+                std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes;
                 for (auto& wish : wishes) {
                     wish = anyWish();
                 }
@@ -107,7 +107,7 @@ class TestOutputLimiter : public QObject {
                 inputs.program = *rc::gen::element(kerf::ProgramState::Idle, kerf::ProgramState::Running,
                                                    kerf::ProgramState::Paused);
                 inputs.programProcess = *rc::gen::elementOf(
-                    std::vector<kerf::ProcessId>(kerf::kAllProcesses.begin(), kerf::kAllProcesses.end()));
+                    std::vector<kerf::ProcessId>(kerf::allProcesses().begin(), kerf::allProcesses().end()));
                 const double dt_s =
                     *rc::gen::element(0.0, 0.001, 0.0002, 1.0, -1.0, std::numeric_limits<double>::quiet_NaN());
                 const double step_s = dt_s > 0.0 ? std::min(dt_s, kMostTime_s) : 0.0;
@@ -151,7 +151,7 @@ class TestOutputLimiter : public QObject {
     }
     void programEndBringsTheFeedBackToProgrammed() {
         kerf::OutputLimiter limiter(fullMachine());
-        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes{};
         kerf::MachineInputs inputs;
         inputs.program = kerf::ProgramState::Running;
         wishes[0].feedScale = 0.3;
@@ -174,7 +174,7 @@ class TestOutputLimiter : public QObject {
         kerf::MachineInputs inputs;
         inputs.workOffset_um[1] = {-17.0, 0, kerf::Quality::Good};
         limiter.adopt(inputs, fullMachine());
-        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes{};
         wishes[3].workOffset_um[1] = -17.0;
         kerf::LimitReport report;
         inputs.workOffset_um[1].quality = kerf::Quality::Stale;  // switched off …
@@ -361,7 +361,7 @@ class TestOutputLimiter : public QObject {
     }
     void limitsSayWhenTheyAreAtWork() {
         kerf::OutputLimiter limiter(fullMachine());
-        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes{};
         kerf::MachineInputs inputs;
         inputs.program = kerf::ProgramState::Running;
         wishes[0].feedScale = 9.0;
@@ -374,7 +374,7 @@ class TestOutputLimiter : public QObject {
     }
     void unfittedOutputsStayNeutral() {
         kerf::OutputLimiter limiter(kerf::Capabilities{});
-        std::array<kerf::LoopOutputs, kerf::kProcessCount> wishes{};
+        std::array<kerf::LoopOutputs, kerf::kProcessPlaces> wishes{};
         wishes[0].feedScale = 0.2;
         wishes[3].workOffset_um[0] = 5.0;
         wishes[2].toolTrim_um = 1.0;

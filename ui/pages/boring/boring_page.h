@@ -106,4 +106,7 @@ class BoringPage : public Page {
     bool m_behind{true};
 };
 
+/// Its row in the navigation and its card on Overview.
+[[nodiscard]] PageEntry boringPageEntry();
+
 }  // namespace kerf::ui

@@ -63,4 +63,7 @@ class MillingPage : public Page {
     QHBoxLayout* m_buttons{nullptr};
 };
 
+/// Its row in the navigation and its card on Overview.
+[[nodiscard]] PageEntry millingPageEntry();
+
 }  // namespace kerf::ui

@@ -82,9 +82,27 @@ void LoopCard::mouseReleaseEvent(QMouseEvent*) {
     emit opened();
 }
 
+namespace {
+
+PageList processEntries(const PageContext& context) {
+    PageList entries = context.pages != nullptr ? *context.pages : PageList{};
+    std::erase_if(entries, [](const PageEntry& entry) { return !entry.process; });
+    return entries;
+}
+
+const LoopStatus& loopOf(const PageEntry& entry, const Status& status) {
+    return status.loops[static_cast<std::size_t>(*entry.process)];
+}
+
+KeyFigure figureOf(const PageEntry& entry, const Services& services, const Status& status) {
+    return entry.keyFigure ? entry.keyFigure(services, status) : KeyFigure{};
+}
+
+}  // namespace
+
 OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
     : Page(context, parent),
-      m_entries(standardPages()),
+      m_entries(processEntries(context)),
       m_grid(new QGridLayout(this)),
       m_machine(new Card(context.look, this)),
       m_machineLamp(new Lamp(context.look, this)),
@@ -95,16 +113,7 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
       m_parts(new NumberDisplay(context.look, "", 0, TextSize::Card, this)),
       m_start(new ActionButton(context.look, this)),
       m_release(new ActionButton(context.look, this)) {
-    for (const ProcessId process : kAllProcesses) {
-        PageEntry entry;
-        entry.key = processKey(process);
-        entry.title = [process] { return processName(process); };
-        entry.process = process;
-        for (const PageEntry& known : m_entries) {
-            if (known.process == process) {
-                entry.keyFigure = known.keyFigure;
-            }
-        }
+    for (const PageEntry& entry : m_entries) {
         auto* card = new LoopCard(look(), entry, this);
         connect(card, &LoopCard::opened, this, [this, key = entry.key] { this->context().showPage(key); });
         card->hide();
@@ -118,8 +127,8 @@ OverviewPage::OverviewPage(const PageContext& context, QWidget* parent)
 
 void OverviewPage::arrange(const Status& status) {
     std::vector<bool> fitted;
-    for (const LoopStatus& loop : status.loops) {
-        fitted.push_back(loop.fitted);
+    for (const PageEntry& entry : m_entries) {
+        fitted.push_back(loopOf(entry, status).fitted);
     }
     if (fitted == m_arranged) {
         return;
@@ -185,7 +194,7 @@ void OverviewPage::buildMachine() {
 ProcessId OverviewPage::mainProcess() const {
     const auto& loops = context().client.status().loops;
     const auto first = std::ranges::find_if(loops, &LoopStatus::fitted);
-    return first == loops.end() ? ProcessId::Boring : kAllProcesses[static_cast<std::size_t>(first - loops.begin())];
+    return first == loops.end() ? ProcessId::Boring : static_cast<ProcessId>(first - loops.begin());
 }
 
 QString OverviewPage::whyNoStart() const {
@@ -284,17 +293,12 @@ void OverviewPage::onStatus(const Status& status) {
     }
     arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
-        KeyFigure figure;
-        for (const PageEntry& entry : m_entries) {
-            if (entry.process == kAllProcesses[i] && entry.keyFigure) {
-                figure = entry.keyFigure(context().services, status);
-            }
-        }
+        const KeyFigure figure = figureOf(m_entries[i], context().services, status);
         if (sample) {
             m_cards[i]->sample(figure);
         }
         if (sample && isVisible()) {
-            m_cards[i]->show(status.loops[i], figure);
+            m_cards[i]->show(loopOf(m_entries[i], status), figure);
         }
     }
     if (sample && status.actualFeed_mmPerS.good()) {
@@ -346,13 +350,7 @@ void OverviewPage::refresh() {
     showShop();
     arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
-        KeyFigure figure;
-        for (const PageEntry& entry : m_entries) {
-            if (entry.process == kAllProcesses[i] && entry.keyFigure) {
-                figure = entry.keyFigure(context().services, status);
-            }
-        }
-        m_cards[i]->show(status.loops[i], figure);
+        m_cards[i]->show(loopOf(m_entries[i], status), figureOf(m_entries[i], context().services, status));
     }
     m_start->reconsider();
     m_release->reconsider();

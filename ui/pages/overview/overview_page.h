@@ -67,7 +67,7 @@ class OverviewPage : public Page {
     void release();
     [[nodiscard]] QString machineSentence() const;
 
-    PageList m_entries;
+    PageList m_entries;  ///< of the processes; one card each
     std::vector<LoopCard*> m_cards;
     std::vector<bool> m_arranged;  ///< which are fitted, as arranged
     QGridLayout* m_grid;

@@ -166,9 +166,9 @@ void PartsPage::refresh() {
         const int chosen = std::max(0, m_process->currentIndex());
         m_process->clear();
         m_process->addItem(tr("All processes"));
-        for (const ProcessId process : kAllProcesses) {
-            if (process != ProcessId::Thermal) {  // makes no parts
-                m_process->addItem(processName(process), static_cast<int>(process));
+        for (const ProcessDescriptor* process : processes()) {
+            if (process->makesParts) {
+                m_process->addItem(processName(process->id), static_cast<int>(process->id));
             }
         }
         m_process->setCurrentIndex(chosen);

@@ -283,9 +283,11 @@ void QualityPage::listLots() {
                             QVariant::fromValue(static_cast<qlonglong>(allLotsOf(lot.partType))));
         }
     }
-    for (const ProcessId process : {ProcessId::Milling, ProcessId::Turning, ProcessId::Tapping}) {
-        m_lots->addItem(tr("%1: newest parts").arg(processName(process)),
-                        QVariant::fromValue(static_cast<qlonglong>(partsWithoutLot(process))));
+    for (const ProcessDescriptor* process : processes()) {
+        if (!process->partResults.empty()) {
+            m_lots->addItem(tr("%1: newest parts").arg(processName(process->id)),
+                            QVariant::fromValue(static_cast<qlonglong>(partsWithoutLot(process->id))));
+        }
     }
     m_lots->setCurrentIndex(std::max(0, m_lots->findData(chosen)));
 }

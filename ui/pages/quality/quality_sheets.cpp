@@ -144,7 +144,7 @@ void QualitySheets::openLimits(ProcessId process) {
     lower->setObjectName(QStringLiteral("limitLower"));
     upper->setObjectName(QStringLiteral("limitUpper"));
     why->setObjectName(QStringLiteral("limitWhy"));
-    for (const PartResultSpec& spec : partResultSpecs(process)) {
+    for (const auto& [spec, read] : partResultRows(process)) {
         QString label = engineText(spec.label);
         if (spec.unit[0] != '\0') {
             label += QStringLiteral(" [%1]").arg(QString::fromUtf8(spec.unit));

@@ -79,4 +79,7 @@ class TappingPage : public Page {
     QElapsedTimer m_sinceText;
 };
 
+/// Its row in the navigation and its card on Overview.
+[[nodiscard]] PageEntry tappingPageEntry();
+
 }  // namespace kerf::ui

@@ -67,4 +67,7 @@ class ThermalPage : public Page {
     std::uint64_t m_shownRevision{0};
 };
 
+/// Its row in the navigation and its card on Overview.
+[[nodiscard]] PageEntry thermalPageEntry();
+
 }  // namespace kerf::ui

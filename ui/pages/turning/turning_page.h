@@ -74,4 +74,7 @@ class TurningPage : public Page {
 /// Overview's card: the predicted surface.
 [[nodiscard]] KeyFigure turningFigure(const Services& services, const Status& status);
 
+/// Its row in the navigation and its card on Overview.
+[[nodiscard]] PageEntry turningPageEntry();
+
 }  // namespace kerf::ui

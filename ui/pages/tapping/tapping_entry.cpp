@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/texts.h"
+#include "ui/pages/tapping/tapping_page.h"
+#include "ui/pages/tapping/tapping_texts.h"
+#include "ui/services/tapping_service.h"
+
+#include <QCoreApplication>
+
+namespace kerf::ui {
+namespace {
+
+struct Pages {
+    Q_DECLARE_TR_FUNCTIONS(Pages)
+};
+
+/// Error of the last tap in the work; its course is the production taps' sum of errors.
+KeyFigure tappingFigure(const Services& services, const Status& status) {
+    KeyFigure figure;
+    figure.label = Pages::tr("Last tap, p-p in the work");
+    figure.unit = "um";
+    figure.decimals = kErrorDecimals;
+    if (status.tapping.taps > 0 && status.tapping.last.samples > 0) {
+        figure.value = status.tapping.last.engagedPp_um;
+    }
+    if (services.tappingService != nullptr) {
+        for (const float saec_mm : services.tappingService->view().productionSaec_mm) {
+            figure.course.push_back(static_cast<double>(saec_mm));
+        }
+    }
+    return figure;
+}
+
+}  // namespace
+
+PageEntry tappingPageEntry() {
+    return {processKey(ProcessId::Tapping), [] { return processName(ProcessId::Tapping); }, ProcessId::Tapping,
+            [](const PageContext& context) -> Page* { return new TappingPage(context); }, tappingFigure};
+}
+
+}  // namespace kerf::ui
