@@ -118,7 +118,7 @@ void EngineThread::run() noexcept {
             const auto wall = static_cast<double>(end_ns - windowBegin_ns);
             m_stats.achievedSpeed = static_cast<double>(m_machineTime_ns - windowMachine_ns) / wall;
             // A share of more than 1 % of all periods in the last second is worth a line to the operator.
-            const auto periods = static_cast<double>((end_ns - windowBegin_ns) / m_period_ns);
+            const double periods = wall / static_cast<double>(m_period_ns);
             m_cycle.reportOverruns(static_cast<double>(m_stats.overruns - windowOverruns) > 0.01 * periods &&
                                    !m_simulated);
             windowBegin_ns = end_ns;

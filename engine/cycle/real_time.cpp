@@ -46,7 +46,8 @@ int populate(dl_phdr_info* info, std::size_t /*size*/, void* data) {
             const std::uintptr_t begin = (info->dlpi_addr + segment.p_vaddr) & ~(pageSize - 1);
             const std::uintptr_t end = info->dlpi_addr + segment.p_vaddr + segment.p_memsz;
             // Older kernels do not know it and say so; then the first cycles touch what they need.
-            (void)madvise(reinterpret_cast<void*>(begin), end - begin, MADV_POPULATE_READ);
+            auto* const from = reinterpret_cast<void*>(begin);  // NOLINT(performance-no-int-to-ptr): an address
+            (void)madvise(from, end - begin, MADV_POPULATE_READ);
         }
     }
     return 0;
