@@ -27,7 +27,7 @@ class EngineGate final : public EngineApi {
 
     [[nodiscard]] std::optional<std::uint32_t> send(const Command& command) noexcept override;
     void holdAll() noexcept override { m_links.engine.holdAll(); }
-    [[nodiscard]] const Status& status() noexcept override { return m_links.engine.status(); }
+    [[nodiscard]] Status status() noexcept override { return m_links.engine.status(); }
     [[nodiscard]] const Capabilities& capabilities() const noexcept override { return m_links.engine.capabilities(); }
     [[nodiscard]] std::size_t drainSamples(std::span<Sample> samples) noexcept override {
         return m_links.engine.drainSamples(samples);

@@ -23,8 +23,8 @@ class EngineApi {
     [[nodiscard]] virtual std::optional<std::uint32_t> send(const Command& command) noexcept = 0;
     /// All loops off, last offset held. An atomic flag read first in every cycle: cannot be refused, any thread.
     virtual void holdAll() noexcept = 0;
-    /// The newest status; the reference stays valid and constant until the next call.
-    [[nodiscard]] virtual const Status& status() noexcept = 0;
+    /// The newest status, a copy: what a caller holds nobody else's call changes.
+    [[nodiscard]] virtual Status status() noexcept = 0;
     /// What the machine can do.
     [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
     /// Take up to samples.size() chart samples, oldest first; returns how many.

@@ -44,7 +44,7 @@ void Engine::holdAll() noexcept {
     m_rings.holdsAsked.fetch_add(1, std::memory_order_acq_rel);
 }
 
-const Status& Engine::status() noexcept {
+Status Engine::status() noexcept {
     (void)m_rings.status.refresh();
     return m_rings.status.value();
 }

@@ -31,7 +31,7 @@ class Engine final : public EngineApi {
 
     [[nodiscard]] std::optional<std::uint32_t> send(const Command& command) noexcept override;
     void holdAll() noexcept override;
-    [[nodiscard]] const Status& status() noexcept override;
+    [[nodiscard]] Status status() noexcept override;
     [[nodiscard]] const Capabilities& capabilities() const noexcept override { return m_port.capabilities(); }
     [[nodiscard]] std::size_t drainSamples(std::span<Sample> samples) noexcept override;
     [[nodiscard]] bool nextAlarm(AlarmEvent& event) noexcept override { return m_rings.alarms.tryPop(event); }

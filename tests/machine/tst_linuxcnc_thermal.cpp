@@ -59,7 +59,7 @@ class TestLinuxCncThermal : public QObject {
                                               [&](const CommandResult& r) { return r.number == *number && r.done; });
                });
     }
-    [[nodiscard]] const ThermalStatus& thermal() { return m_engine->status().thermal; }
+    [[nodiscard]] ThermalStatus thermal() { return m_engine->status().thermal; }
     [[nodiscard]] double largestShift_um() {
         double largest = 0.0;
         for (const Reading& shift : thermal().shifted_um) {

@@ -65,7 +65,7 @@ class Watched {
         ++cycles;
     }
     [[nodiscard]] Engine& engine() { return *m_engine; }
-    [[nodiscard]] const Status& status() { return m_engine->status(); }
+    [[nodiscard]] Status status() { return m_engine->status(); }
     template <class Action>
     void send(const Action& action) {
         Command command;

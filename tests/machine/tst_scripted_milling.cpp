@@ -85,7 +85,7 @@ class TestScriptedMilling : public QObject {
         step();
         return m_engine->status().lastCommand;
     }
-    [[nodiscard]] const MillingStatus& milling() { return m_engine->status().milling; }
+    [[nodiscard]] MillingStatus milling() { return m_engine->status().milling; }
     /// Under control, and the control has begun the program that it was asked for.
     void begin() {
         MillingSetup setup;

@@ -53,7 +53,7 @@ struct BoringBench {
         engine->runCycles(1);
         return engine->status().lastCommand;
     }
-    [[nodiscard]] const LoopStatus& loop() {
+    [[nodiscard]] LoopStatus loop() {
         return engine->status().loops[static_cast<std::size_t>(ProcessId::Boring)];
     }
     /// Runs until `condition` holds; false after `most` cycles.

@@ -44,7 +44,7 @@ class FakeEngine : public EngineApi {
         return m_number;
     }
     void holdAll() noexcept override { ++holds; }
-    const Status& status() noexcept override { return fake; }
+    Status status() noexcept override { return fake; }
     const Capabilities& capabilities() const noexcept override { return caps; }
     std::size_t drainSamples(std::span<Sample> out) noexcept override {
         const std::size_t count = std::min(out.size(), samples.size());

@@ -51,8 +51,8 @@ struct MillingBench {
         engine->runCycles(1);
         return engine->status().lastCommand;
     }
-    [[nodiscard]] const Status& status() { return engine->status(); }
-    [[nodiscard]] const LoopStatus& loop() {
+    [[nodiscard]] Status status() { return engine->status(); }
+    [[nodiscard]] LoopStatus loop() {
         return engine->status().loops[static_cast<std::size_t>(ProcessId::Milling)];
     }
     template <class Condition>

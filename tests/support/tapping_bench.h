@@ -72,7 +72,7 @@ struct TappingBench {
         return execute(StartPart{ProcessId::Tapping}).done &&
                runUntil([before](const TappingStatus& s) { return s.taps > before && s.phase == TapPhase::Idle; });
     }
-    [[nodiscard]] const TappingStatus& tapping() { return engine->status().tapping; }
+    [[nodiscard]] TappingStatus tapping() { return engine->status().tapping; }
     [[nodiscard]] const ServoGains& gains() { return engine->cycle().inputs().servoGains; }
     void drainAlarms() {
         AlarmEvent event;

@@ -78,8 +78,8 @@ struct ThermalBench {
         runMinutes(minutes + 0.1);
         return begun;
     }
-    [[nodiscard]] const ThermalStatus& thermal() { return engine->status().thermal; }
-    [[nodiscard]] const LoopStatus& loop() {
+    [[nodiscard]] ThermalStatus thermal() { return engine->status().thermal; }
+    [[nodiscard]] LoopStatus loop() {
         return engine->status().loops[static_cast<std::size_t>(ProcessId::Thermal)];
     }
     /// True drift plus shift, the largest of the axes, µm.

@@ -49,8 +49,8 @@ struct TurningBench {
                execute(StartPart{ProcessId::Turning}).done;
     }
     void run(double seconds) { engine->runCycles(static_cast<std::uint64_t>(seconds * 5000.0)); }
-    [[nodiscard]] const TurningStatus& status() { return engine->status().turning; }
-    [[nodiscard]] const LoopStatus& loop() {
+    [[nodiscard]] TurningStatus status() { return engine->status().turning; }
+    [[nodiscard]] LoopStatus loop() {
         return engine->status().loops[static_cast<std::size_t>(ProcessId::Turning)];
     }
     /// RMS of the tool's true motion over the next seconds.
