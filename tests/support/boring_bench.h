@@ -53,9 +53,7 @@ struct BoringBench {
         engine->runCycles(1);
         return engine->status().lastCommand;
     }
-    [[nodiscard]] LoopStatus loop() {
-        return engine->status().loops[static_cast<std::size_t>(ProcessId::Boring)];
-    }
+    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Boring)]; }
     /// Runs until `condition` holds; false after `most` cycles.
     template <class Condition>
     bool runUntil(Condition condition, int most = 60'000) {

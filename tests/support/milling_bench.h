@@ -52,9 +52,7 @@ struct MillingBench {
         return engine->status().lastCommand;
     }
     [[nodiscard]] Status status() { return engine->status(); }
-    [[nodiscard]] LoopStatus loop() {
-        return engine->status().loops[static_cast<std::size_t>(ProcessId::Milling)];
-    }
+    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Milling)]; }
     template <class Condition>
     bool runUntil(Condition condition, int most = 200'000) {
         for (int i = 0; i < most; ++i) {

@@ -79,9 +79,7 @@ struct ThermalBench {
         return begun;
     }
     [[nodiscard]] ThermalStatus thermal() { return engine->status().thermal; }
-    [[nodiscard]] LoopStatus loop() {
-        return engine->status().loops[static_cast<std::size_t>(ProcessId::Thermal)];
-    }
+    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Thermal)]; }
     /// True drift plus shift, the largest of the axes, µm.
     [[nodiscard]] double worstResidual_um() {
         double worst = 0.0;

@@ -50,9 +50,7 @@ struct TurningBench {
     }
     void run(double seconds) { engine->runCycles(static_cast<std::uint64_t>(seconds * 5000.0)); }
     [[nodiscard]] TurningStatus status() { return engine->status().turning; }
-    [[nodiscard]] LoopStatus loop() {
-        return engine->status().loops[static_cast<std::size_t>(ProcessId::Turning)];
-    }
+    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Turning)]; }
     /// RMS of the tool's true motion over the next seconds.
     double motionRms_um(double seconds) {
         double square_um2 = 0.0;
