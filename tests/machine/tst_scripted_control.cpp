@@ -340,7 +340,7 @@ class TestScriptedControl : public QObject {
         QCOMPARE(m_inputs.program, ProgramState::Running);
         OutputLimiter limiter(m_machine->capabilities());
         limiter.adopt(m_inputs, m_machine->capabilities());
-        std::array<LoopOutputs, kProcessCount> wishes{};
+        std::array<LoopOutputs, kProcessPlaces> wishes{};
         wishes[0].feedScale = 0.9;
         LimitReport report;
         for (int i = 0; i < 500; ++i) {
