@@ -2,6 +2,7 @@
 #include "app/console/preferences.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 
@@ -13,6 +14,8 @@ constexpr const char* kLength = "ui.length_unit";
 constexpr const char* kTemperature = "ui.temperature_unit";
 constexpr const char* kTheme = "ui.theme";
 constexpr const char* kScale = "ui.scale";
+constexpr std::array<const char*, ui::Preferences::kRoles> kWordings{"ui.wording_operator", "ui.wording_setter",
+                                                                     "ui.wording_engineer"};
 constexpr const char* kAutoSignOff = "session.auto_sign_off_min";
 constexpr int kLongestSignOff_min = 24 * 60;
 
@@ -27,6 +30,10 @@ std::string temperatureKey(ui::TemperatureUnit unit) {
 }
 std::string themeKey(ui::Brightness brightness) {
     return brightness == ui::Brightness::Dark ? "dark" : "light";
+}
+
+std::string wordingKey(ui::Wording wording) {
+    return wording == ui::Wording::Symbols ? "symbols" : "shop";
 }
 
 std::optional<std::string> read(SettingsReader& settings, const char* key) {
@@ -48,6 +55,12 @@ ui::Preferences storedPreferences(SettingsReader& settings) {
         const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), scale);
         if (error == std::errc{} && scale >= ui::Metrics::kMinScale && scale <= ui::Metrics::kMaxScale) {
             stored.scale = scale;
+        }
+    }
+    for (std::size_t role = 0; role < kWordings.size(); ++role) {
+        const auto text = read(settings, kWordings[role]);
+        if (text == "symbols" || text == "shop") {
+            stored.wordings[role] = text == "symbols" ? ui::Wording::Symbols : ui::Wording::Shop;
         }
     }
     return stored;
@@ -86,6 +99,9 @@ void savePreferences(const ui::Preferences& before, const ui::Preferences& now, 
     keep(kTemperature, temperatureKey(before.temperature), temperatureKey(now.temperature));
     keep(kTheme, themeKey(before.brightness), themeKey(now.brightness));
     keep(kScale, std::to_string(before.scale), std::to_string(now.scale));
+    for (std::size_t role = 0; role < kWordings.size(); ++role) {
+        keep(kWordings[role], wordingKey(before.wordings[role]), wordingKey(now.wordings[role]));
+    }
 }
 
 void saveSignOn(const ui::SignOnSettings& before, const ui::SignOnSettings& now, const SaveSetting& save,

@@ -1076,6 +1076,58 @@
             <source>How many times stronger the law could act before the force begins to swing; below two it is close.</source>
             <translation>How many times stronger the law could act before the force begins to swing; below two it is close.</translation>
         </message>
+        <message>
+            <source>Unevenness</source>
+            <translation>Unevenness</translation>
+        </message>
+        <message>
+            <source>How far the face is from flat on average (root mean square), as predicted from the force.</source>
+            <translation>How far the face is from flat on average (root mean square), as predicted from the force.</translation>
+        </message>
+        <message>
+            <source>Highest to lowest point</source>
+            <translation>Highest to lowest point</translation>
+        </message>
+        <message>
+            <source>Peak to valley of the last whole revolution, as predicted from the force.</source>
+            <translation>Peak to valley of the last whole revolution, as predicted from the force.</translation>
+        </message>
+        <message>
+            <source>Without the trim</source>
+            <translation>Without the trim</translation>
+        </message>
+        <message>
+            <source>What the unevenness would be if the trim stood still: the difference is the loop's work.</source>
+            <translation>What the unevenness would be if the trim stood still: the difference is the loop's work.</translation>
+        </message>
+        <message>
+            <source>By how much stronger the cut may answer than it was identified before the loop rings.</source>
+            <translation>By how much stronger the cut may answer than it was identified before the loop rings.</translation>
+        </message>
+        <message>
+            <source>Phase margin</source>
+            <translation>Phase margin</translation>
+        </message>
+        <message>
+            <source>By which angle the answer may come later before the loop rings.</source>
+            <translation>By which angle the answer may come later before the loop rings.</translation>
+        </message>
+        <message>
+            <source>Delay margin</source>
+            <translation>Delay margin</translation>
+        </message>
+        <message>
+            <source>By how much time the answer may come later before the loop rings.</source>
+            <translation>By how much time the answer may come later before the loop rings.</translation>
+        </message>
+        <message>
+            <source>Modulus margin</source>
+            <translation>Modulus margin</translation>
+        </message>
+        <message>
+            <source>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</source>
+            <translation>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>
@@ -1478,6 +1530,10 @@
             <source>Shift</source>
             <translation>Shift</translation>
         </message>
+        <message>
+            <source>Tuned tap, p-p in the work</source>
+            <translation>Tuned tap, p-p in the work</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -1802,6 +1858,18 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+        <message>
+            <source>Figures in</source>
+            <translation>Figures in</translation>
+        </message>
+        <message>
+            <source>Shop words</source>
+            <translation>Shop words</translation>
+        </message>
+        <message>
+            <source>Symbols</source>
+            <translation>Symbols</translation>
         </message>
     </context>
     <context>
@@ -2758,18 +2826,6 @@
             <translation>no reading</translation>
         </message>
         <message>
-            <source>regression on few sensors</source>
-            <translation>regression on few sensors</translation>
-        </message>
-        <message>
-            <source>network, guarded</source>
-            <translation>network, guarded</translation>
-        </message>
-        <message>
-            <source>network, as printed</source>
-            <translation>network, as printed</translation>
-        </message>
-        <message>
             <source>%1 min</source>
             <translation>%1 min</translation>
         </message>
@@ -2797,31 +2853,12 @@
             <source>Drift, %1</source>
             <translation>Drift, %1</translation>
         </message>
-        <message>
-            <source>hierarchical over days</source>
-            <translation>hierarchical over days</translation>
-        </message>
     </context>
     <context>
         <name>ToolMemory</name>
         <message>
-            <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
-            <comment>part type, parts, figures of a tool</comment>
-            <translation>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</translation>
-        </message>
-        <message>
             <source>left out by %1: %2</source>
             <translation>left out by %1: %2</translation>
-        </message>
-        <message>
-            <source>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</source>
-            <comment>how many, value, interval</comment>
-            <translation>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</translation>
-        </message>
-        <message>
-            <source>, ln(C·b) %1 ± %2</source>
-            <comment>expected of the first part</comment>
-            <translation>, ln(C·b) %1 ± %2</translation>
         </message>
         <message>
             <source>Tools before</source>
@@ -2846,6 +2883,21 @@
         <message>
             <source>Close</source>
             <translation>Close</translation>
+        </message>
+        <message>
+            <source>%1, %2 parts: %3 %4 N/mm, %5 %6</source>
+            <comment>part type, parts, two figures of a tool with their names</comment>
+            <translation>%1, %2 parts: %3 %4 N/mm, %5 %6</translation>
+        </message>
+        <message>
+            <source>Begins from %1 tools before: %2 %3 N/mm (%4 to %5)</source>
+            <comment>how many, name, value, interval</comment>
+            <translation>Begins from %1 tools before: %2 %3 N/mm (%4 to %5)</translation>
+        </message>
+        <message>
+            <source>, %1 %2 ± %3</source>
+            <comment>name and value expected of the first part</comment>
+            <translation>, %1 %2 ± %3</translation>
         </message>
     </context>
     <context>
@@ -2976,6 +3028,261 @@
         <message>
             <source>scrap</source>
             <translation>scrap</translation>
+        </message>
+    </context>
+    <context>
+        <name>Vocabulary</name>
+        <message>
+            <source>How the bar bends</source>
+            <translation>How the bar bends</translation>
+        </message>
+        <message>
+            <source>Estimated law</source>
+            <translation>Estimated law</translation>
+        </message>
+        <message>
+            <source>by feed</source>
+            <translation>by feed</translation>
+        </message>
+        <message>
+            <source>by overhang</source>
+            <translation>by overhang</translation>
+        </message>
+        <message>
+            <source>as a whole</source>
+            <translation>as a whole</translation>
+        </message>
+        <message>
+            <source>Tool: how hard it cuts, per part</source>
+            <translation>Tool: how hard it cuts, per part</translation>
+        </message>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>Tool: mean ln(C·b) per part</translation>
+        </message>
+        <message>
+            <source>how hard it cuts</source>
+            <translation>how hard it cuts</translation>
+        </message>
+        <message>
+            <source>how hard it cuts now</source>
+            <translation>how hard it cuts now</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>ln(C·b) now</translation>
+        </message>
+        <message>
+            <source>tool stiffness</source>
+            <translation>tool stiffness</translation>
+        </message>
+        <message>
+            <source>reserve before it swings, times</source>
+            <translation>reserve before it swings, times</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>gain margin, times</translation>
+        </message>
+        <message>
+            <source>unevenness, on average</source>
+            <translation>unevenness, on average</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>highest to lowest point</source>
+            <translation>highest to lowest point</translation>
+        </message>
+        <message>
+            <source>P-V of a revolution</source>
+            <translation>P-V of a revolution</translation>
+        </message>
+        <message>
+            <source>unevenness without the trim</source>
+            <translation>unevenness without the trim</translation>
+        </message>
+        <message>
+            <source>RMS without the trim</source>
+            <translation>RMS without the trim</translation>
+        </message>
+        <message>
+            <source>Reserves and trim</source>
+            <translation>Reserves and trim</translation>
+        </message>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>Loop margins and trim</translation>
+        </message>
+        <message>
+            <source>may be stronger, times</source>
+            <translation>may be stronger, times</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>gain, times</translation>
+        </message>
+        <message>
+            <source>may be shifted by</source>
+            <translation>may be shifted by</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>phase</translation>
+        </message>
+        <message>
+            <source>may come later by</source>
+            <translation>may come later by</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>more delay</translation>
+        </message>
+        <message>
+            <source>distance from ringing</source>
+            <translation>distance from ringing</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>smallest |1 + L|</translation>
+        </message>
+        <message>
+            <source>share of the last force</source>
+            <translation>share of the last force</translation>
+        </message>
+        <message>
+            <source>force of the depth now</source>
+            <translation>force of the depth now</translation>
+        </message>
+        <message>
+            <source>force of the depth before</source>
+            <translation>force of the depth before</translation>
+        </message>
+        <message>
+            <source>doubt, log</source>
+            <translation>doubt, log</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>covariance, log</translation>
+        </message>
+        <message>
+            <source>Drift of the origin, predicted</source>
+            <translation>Drift of the origin, predicted</translation>
+        </message>
+        <message>
+            <source>Drift δ̂ of the origin, ± 1.96 σ</source>
+            <translation>Drift δ̂ of the origin, ± 1.96 σ</translation>
+        </message>
+        <message>
+            <source>drift</source>
+            <translation>drift</translation>
+        </message>
+        <message>
+            <source>line: predicted, band: 95 % interval, dots: measured</source>
+            <translation>line: predicted, band: 95 % interval, dots: measured</translation>
+        </message>
+        <message>
+            <source>line: δ̂, band: ± 1.96 σ, dots: δ measured</source>
+            <translation>line: δ̂, band: ± 1.96 σ, dots: δ measured</translation>
+        </message>
+        <message>
+            <source>a few thermocouples, straight lines</source>
+            <translation>a few thermocouples, straight lines</translation>
+        </message>
+        <message>
+            <source>regression on few sensors</source>
+            <translation>regression on few sensors</translation>
+        </message>
+        <message>
+            <source>all days together, and today</source>
+            <translation>all days together, and today</translation>
+        </message>
+        <message>
+            <source>hierarchical over days</source>
+            <translation>hierarchical over days</translation>
+        </message>
+        <message>
+            <source>network of thermocouples</source>
+            <translation>network of thermocouples</translation>
+        </message>
+        <message>
+            <source>network, guarded</source>
+            <translation>network, guarded</translation>
+        </message>
+        <message>
+            <source>network, as first published</source>
+            <translation>network, as first published</translation>
+        </message>
+        <message>
+            <source>network, as printed</source>
+            <translation>network, as printed</translation>
+        </message>
+        <message>
+            <source>How spindle and Z are matched</source>
+            <translation>How spindle and Z are matched</translation>
+        </message>
+        <message>
+            <source>Gains</source>
+            <translation>Gains</translation>
+        </message>
+        <message>
+            <source>spindle, how firm, 1/s</source>
+            <translation>spindle, how firm, 1/s</translation>
+        </message>
+        <message>
+            <source>spindle Kp, 1/s</source>
+            <translation>spindle Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z, how firm, 1/s</source>
+            <translation>Z, how firm, 1/s</translation>
+        </message>
+        <message>
+            <source>Z Kp, 1/s</source>
+            <translation>Z Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z, ahead with speed</source>
+            <translation>Z, ahead with speed</translation>
+        </message>
+        <message>
+            <source>Z speed FF</source>
+            <translation>Z speed FF</translation>
+        </message>
+        <message>
+            <source>Z, ahead with accel.</source>
+            <translation>Z, ahead with accel.</translation>
+        </message>
+        <message>
+            <source>Z accel. FF</source>
+            <translation>Z accel. FF</translation>
+        </message>
+        <message>
+            <source>How far Z is off the thread, %1, over spindle revolutions in and out</source>
+            <translation>How far Z is off the thread, %1, over spindle revolutions in and out</translation>
+        </message>
+        <message>
+            <source>Contour error E_r, %1, over spindle revolutions in and out</source>
+            <translation>Contour error E_r, %1, over spindle revolutions in and out</translation>
+        </message>
+        <message>
+            <source>errors added up, %1</source>
+            <translation>errors added up, %1</translation>
+        </message>
+        <message>
+            <source>SAEC = Σ |E_r|, %1</source>
+            <translation>SAEC = Σ |E_r|, %1</translation>
+        </message>
+        <message>
+            <source>widest error in the work, %1</source>
+            <translation>widest error in the work, %1</translation>
+        </message>
+        <message>
+            <source>E_r p-p in the work, %1</source>
+            <translation>E_r p-p in the work, %1</translation>
         </message>
     </context>
     <context>
@@ -7531,12 +7838,14 @@
     <context>
         <name>kerf::ui::EstimatePanel</name>
         <message>
-            <source>Estimated law, 95 % intervals</source>
-            <translation>Estimated law, 95 % intervals</translation>
+            <source>%1, 95 % intervals</source>
+            <comment>of estimated figures</comment>
+            <translation>%1, 95 % intervals</translation>
         </message>
         <message>
-            <source>Estimated law (%1), 95 % intervals</source>
-            <translation>Estimated law (%1), 95 % intervals</translation>
+            <source>%1 (%2), 95 % intervals</source>
+            <comment>estimated figures, by which estimator</comment>
+            <translation>%1 (%2), 95 % intervals</translation>
         </message>
     </context>
     <context>
@@ -7650,10 +7959,6 @@
     <context>
         <name>kerf::ui::GainsPanel</name>
         <message>
-            <source>Gains</source>
-            <translation>Gains</translation>
-        </message>
-        <message>
             <source>before</source>
             <translation>before</translation>
         </message>
@@ -7664,22 +7969,6 @@
         <message>
             <source>next</source>
             <translation>next</translation>
-        </message>
-        <message>
-            <source>spindle Kp, 1/s</source>
-            <translation>spindle Kp, 1/s</translation>
-        </message>
-        <message>
-            <source>Z Kp, 1/s</source>
-            <translation>Z Kp, 1/s</translation>
-        </message>
-        <message>
-            <source>Z speed FF</source>
-            <translation>Z speed FF</translation>
-        </message>
-        <message>
-            <source>Z accel. FF</source>
-            <translation>Z accel. FF</translation>
         </message>
         <message>
             <source>trim, %1</source>
@@ -8549,26 +8838,6 @@
     <context>
         <name>kerf::ui::MarginPanel</name>
         <message>
-            <source>Loop margins and trim</source>
-            <translation>Loop margins and trim</translation>
-        </message>
-        <message>
-            <source>gain, times</source>
-            <translation>gain, times</translation>
-        </message>
-        <message>
-            <source>phase</source>
-            <translation>phase</translation>
-        </message>
-        <message>
-            <source>more delay</source>
-            <translation>more delay</translation>
-        </message>
-        <message>
-            <source>smallest |1 + L|</source>
-            <translation>smallest |1 + L|</translation>
-        </message>
-        <message>
             <source>Margins appear as soon as a law acts.</source>
             <translation>Margins appear as soon as a law acts.</translation>
         </message>
@@ -8789,10 +9058,6 @@
         <message>
             <source>reference force</source>
             <translation>reference force</translation>
-        </message>
-        <message>
-            <source>gain margin, times</source>
-            <translation>gain margin, times</translation>
         </message>
         <message>
             <source>peak of this cut</source>
@@ -9069,16 +9334,8 @@
     <context>
         <name>kerf::ui::MillingToolPanel</name>
         <message>
-            <source>Tool: mean ln(C·b) per part</source>
-            <translation>Tool: mean ln(C·b) per part</translation>
-        </message>
-        <message>
             <source>part</source>
             <translation>part</translation>
-        </message>
-        <message>
-            <source>ln(C·b)</source>
-            <translation>ln(C·b)</translation>
         </message>
         <message>
             <source>The wear of the tool appears here after its first part.</source>
@@ -9087,10 +9344,6 @@
         <message>
             <source>Mean cutting stiffness over the parts cut with this tool</source>
             <translation>Mean cutting stiffness over the parts cut with this tool</translation>
-        </message>
-        <message>
-            <source>ln(C·b) now</source>
-            <translation>ln(C·b) now</translation>
         </message>
         <message>
             <source>change the tool</source>
@@ -9227,10 +9480,6 @@
     </context>
     <context>
         <name>kerf::ui::OffsetPanel</name>
-        <message>
-            <source>Drift of the origin, predicted</source>
-            <translation>Drift of the origin, predicted</translation>
-        </message>
         <message>
             <source>at limit</source>
             <translation>at limit</translation>
@@ -9726,10 +9975,6 @@
         <message>
             <source>law</source>
             <translation>law</translation>
-        </message>
-        <message>
-            <source>covariance, log</source>
-            <translation>covariance, log</translation>
         </message>
         <message>
             <source>excitation %1: enough to learn from</source>
@@ -10617,18 +10862,6 @@
             <translation>Surface as the force shows it</translation>
         </message>
         <message>
-            <source>RMS</source>
-            <translation>RMS</translation>
-        </message>
-        <message>
-            <source>P-V of a revolution</source>
-            <translation>P-V of a revolution</translation>
-        </message>
-        <message>
-            <source>RMS without the trim</source>
-            <translation>RMS without the trim</translation>
-        </message>
-        <message>
             <source>No tone of this machine is known.</source>
             <translation>No tone of this machine is known.</translation>
         </message>
@@ -10771,23 +11004,8 @@
             <translation>This machine does not tap with Kerf. The page fills when its tapping loop is fitted.</translation>
         </message>
         <message>
-            <source>Contour error, %1, over spindle revolutions in and out</source>
-            <comment>unit</comment>
-            <translation>Contour error, %1, over spindle revolutions in and out</translation>
-        </message>
-        <message>
             <source>Trial taps</source>
             <translation>Trial taps</translation>
-        </message>
-        <message>
-            <source>sum of errors (SAEC), %1</source>
-            <comment>unit</comment>
-            <translation>sum of errors (SAEC), %1</translation>
-        </message>
-        <message>
-            <source>p-p in the work, %1</source>
-            <comment>unit</comment>
-            <translation>p-p in the work, %1</translation>
         </message>
         <message>
             <source>Error p-p, %1, over time per hole</source>
@@ -10828,14 +11046,6 @@
         <message>
             <source>Drift over time, %1</source>
             <translation>Drift over time, %1</translation>
-        </message>
-        <message>
-            <source>line: predicted, band: 95 % interval, dots: measured</source>
-            <translation>line: predicted, band: 95 % interval, dots: measured</translation>
-        </message>
-        <message>
-            <source>drift</source>
-            <translation>drift</translation>
         </message>
         <message>
             <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>

@@ -1076,6 +1076,58 @@
             <source>How many times stronger the law could act before the force begins to swing; below two it is close.</source>
             <translation>절삭력이 흔들리기 시작하기까지 법칙이 몇 배 더 강해질 수 있는지입니다. 2배보다 작으면 가깝습니다.</translation>
         </message>
+        <message>
+            <source>Unevenness</source>
+            <translation>표면 요철</translation>
+        </message>
+        <message>
+            <source>How far the face is from flat on average (root mean square), as predicted from the force.</source>
+            <translation>절삭력에서 예측한 값으로, 면이 평면에서 평균적으로(제곱평균제곱근) 얼마나 벗어났는지입니다.</translation>
+        </message>
+        <message>
+            <source>Highest to lowest point</source>
+            <translation>가장 높은 곳과 낮은 곳의 차</translation>
+        </message>
+        <message>
+            <source>Peak to valley of the last whole revolution, as predicted from the force.</source>
+            <translation>절삭력에서 예측한, 마지막 한 바퀴의 가장 높은 곳과 가장 낮은 곳의 차입니다.</translation>
+        </message>
+        <message>
+            <source>Without the trim</source>
+            <translation>보정이 없을 때</translation>
+        </message>
+        <message>
+            <source>What the unevenness would be if the trim stood still: the difference is the loop's work.</source>
+            <translation>보정이 멈춰 있었다면 표면 요철이 얼마였을지입니다. 그 차이가 루프가 한 일입니다.</translation>
+        </message>
+        <message>
+            <source>By how much stronger the cut may answer than it was identified before the loop rings.</source>
+            <translation>식별된 것보다 절삭이 몇 배까지 더 세게 반응해도 루프가 떨리지 않는지입니다.</translation>
+        </message>
+        <message>
+            <source>Phase margin</source>
+            <translation>위상 여유</translation>
+        </message>
+        <message>
+            <source>By which angle the answer may come later before the loop rings.</source>
+            <translation>반응이 어느 각도만큼 늦어져도 루프가 떨리지 않는지입니다.</translation>
+        </message>
+        <message>
+            <source>Delay margin</source>
+            <translation>지연 여유</translation>
+        </message>
+        <message>
+            <source>By how much time the answer may come later before the loop rings.</source>
+            <translation>반응이 얼마의 시간만큼 늦어져도 루프가 떨리지 않는지입니다.</translation>
+        </message>
+        <message>
+            <source>Modulus margin</source>
+            <translation>모듈러스 여유</translation>
+        </message>
+        <message>
+            <source>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</source>
+            <translation>개루프가 떨리기 시작하는 점에서 가장 가까운 거리입니다. 1이면 안정, 0이면 떨립니다.</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>
@@ -1478,6 +1530,10 @@
             <source>Shift</source>
             <translation>근무조</translation>
         </message>
+        <message>
+            <source>Tuned tap, p-p in the work</source>
+            <translation>튜닝한 탭, 가공 구간 p-p</translation>
+        </message>
     </context>
     <context>
         <name>PartReport</name>
@@ -1802,6 +1858,18 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+        <message>
+            <source>Figures in</source>
+            <translation>수치 이름</translation>
+        </message>
+        <message>
+            <source>Shop words</source>
+            <translation>현장 용어</translation>
+        </message>
+        <message>
+            <source>Symbols</source>
+            <translation>기호</translation>
         </message>
     </context>
     <context>
@@ -2753,18 +2821,6 @@
             <translation>읽히지 않음</translation>
         </message>
         <message>
-            <source>regression on few sensors</source>
-            <translation>소수 센서 회귀</translation>
-        </message>
-        <message>
-            <source>network, guarded</source>
-            <translation>신경망, 보호형</translation>
-        </message>
-        <message>
-            <source>network, as printed</source>
-            <translation>신경망, 논문 그대로</translation>
-        </message>
-        <message>
             <source>%1 min</source>
             <translation>%1분</translation>
         </message>
@@ -2792,31 +2848,12 @@
             <source>Drift, %1</source>
             <translation>열변위, %1</translation>
         </message>
-        <message>
-            <source>hierarchical over days</source>
-            <translation>일별 계층 모델</translation>
-        </message>
     </context>
     <context>
         <name>ToolMemory</name>
         <message>
-            <source>%1, %2 parts: k_x %3 N/mm, ln(C·b) %4</source>
-            <comment>part type, parts, figures of a tool</comment>
-            <translation>%1, 공작물 %2개: k_x %3 N/mm, ln(C·b) %4</translation>
-        </message>
-        <message>
             <source>left out by %1: %2</source>
             <translation>제외함 (%1): %2</translation>
-        </message>
-        <message>
-            <source>Begins from %1 tools before: k_x %2 N/mm (%3 to %4)</source>
-            <comment>how many, value, interval</comment>
-            <translation>이전 공구 %1개에서 시작: k_x %2 N/mm (%3 ~ %4)</translation>
-        </message>
-        <message>
-            <source>, ln(C·b) %1 ± %2</source>
-            <comment>expected of the first part</comment>
-            <translation>, ln(C·b) %1 ± %2</translation>
         </message>
         <message>
             <source>Tools before</source>
@@ -2841,6 +2878,21 @@
         <message>
             <source>Close</source>
             <translation>닫기</translation>
+        </message>
+        <message>
+            <source>%1, %2 parts: %3 %4 N/mm, %5 %6</source>
+            <comment>part type, parts, two figures of a tool with their names</comment>
+            <translation>%1, 공작물 %2개: %3 %4 N/mm, %5 %6</translation>
+        </message>
+        <message>
+            <source>Begins from %1 tools before: %2 %3 N/mm (%4 to %5)</source>
+            <comment>how many, name, value, interval</comment>
+            <translation>이전 공구 %1개에서 시작: %2 %3 N/mm (%4 ~ %5)</translation>
+        </message>
+        <message>
+            <source>, %1 %2 ± %3</source>
+            <comment>name and value expected of the first part</comment>
+            <translation>, %1 %2 ± %3</translation>
         </message>
     </context>
     <context>
@@ -2971,6 +3023,261 @@
         <message>
             <source>scrap</source>
             <translation>폐기</translation>
+        </message>
+    </context>
+    <context>
+        <name>Vocabulary</name>
+        <message>
+            <source>How the bar bends</source>
+            <translation>보링 바의 휨</translation>
+        </message>
+        <message>
+            <source>Estimated law</source>
+            <translation>추정한 법칙</translation>
+        </message>
+        <message>
+            <source>by feed</source>
+            <translation>이송 영향</translation>
+        </message>
+        <message>
+            <source>by overhang</source>
+            <translation>돌출 영향</translation>
+        </message>
+        <message>
+            <source>as a whole</source>
+            <translation>전체 크기</translation>
+        </message>
+        <message>
+            <source>Tool: how hard it cuts, per part</source>
+            <translation>공구: 공작물별 절삭 부하</translation>
+        </message>
+        <message>
+            <source>Tool: mean ln(C·b) per part</source>
+            <translation>공구: 공작물별 평균 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>how hard it cuts</source>
+            <translation>절삭 부하</translation>
+        </message>
+        <message>
+            <source>how hard it cuts now</source>
+            <translation>현재 절삭 부하</translation>
+        </message>
+        <message>
+            <source>ln(C·b) now</source>
+            <translation>현재 ln(C·b)</translation>
+        </message>
+        <message>
+            <source>tool stiffness</source>
+            <translation>공구 강성</translation>
+        </message>
+        <message>
+            <source>reserve before it swings, times</source>
+            <translation>흔들림까지 여유, 배</translation>
+        </message>
+        <message>
+            <source>gain margin, times</source>
+            <translation>게인 여유, 배</translation>
+        </message>
+        <message>
+            <source>unevenness, on average</source>
+            <translation>표면 굴곡, 평균</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>highest to lowest point</source>
+            <translation>표면 굴곡, 최대 폭</translation>
+        </message>
+        <message>
+            <source>P-V of a revolution</source>
+            <translation>한 회전의 P-V</translation>
+        </message>
+        <message>
+            <source>unevenness without the trim</source>
+            <translation>보정 없을 때 굴곡</translation>
+        </message>
+        <message>
+            <source>RMS without the trim</source>
+            <translation>보정 없을 때 RMS</translation>
+        </message>
+        <message>
+            <source>Reserves and trim</source>
+            <translation>여유와 보정</translation>
+        </message>
+        <message>
+            <source>Loop margins and trim</source>
+            <translation>루프 여유와 보정</translation>
+        </message>
+        <message>
+            <source>may be stronger, times</source>
+            <translation>세기 여유, 배</translation>
+        </message>
+        <message>
+            <source>gain, times</source>
+            <translation>게인, 배</translation>
+        </message>
+        <message>
+            <source>may be shifted by</source>
+            <translation>어긋남 여유</translation>
+        </message>
+        <message>
+            <source>phase</source>
+            <translation>위상</translation>
+        </message>
+        <message>
+            <source>may come later by</source>
+            <translation>지연 여유</translation>
+        </message>
+        <message>
+            <source>more delay</source>
+            <translation>추가 지연</translation>
+        </message>
+        <message>
+            <source>distance from ringing</source>
+            <translation>떨림까지 거리</translation>
+        </message>
+        <message>
+            <source>smallest |1 + L|</source>
+            <translation>최소 |1 + L|</translation>
+        </message>
+        <message>
+            <source>share of the last force</source>
+            <translation>직전 힘의 몫</translation>
+        </message>
+        <message>
+            <source>force of the depth now</source>
+            <translation>현재 깊이의 힘</translation>
+        </message>
+        <message>
+            <source>force of the depth before</source>
+            <translation>직전 깊이의 힘</translation>
+        </message>
+        <message>
+            <source>doubt, log</source>
+            <translation>불확실성, 로그</translation>
+        </message>
+        <message>
+            <source>covariance, log</source>
+            <translation>공분산, 로그</translation>
+        </message>
+        <message>
+            <source>Drift of the origin, predicted</source>
+            <translation>원점 열변위 예측</translation>
+        </message>
+        <message>
+            <source>Drift δ̂ of the origin, ± 1.96 σ</source>
+            <translation>원점 열변위 δ̂, ± 1.96 σ</translation>
+        </message>
+        <message>
+            <source>drift</source>
+            <translation>열변위</translation>
+        </message>
+        <message>
+            <source>line: predicted, band: 95 % interval, dots: measured</source>
+            <translation>선: 예측, 띠: 95 % 구간, 점: 측정</translation>
+        </message>
+        <message>
+            <source>line: δ̂, band: ± 1.96 σ, dots: δ measured</source>
+            <translation>선: δ̂, 띠: ± 1.96 σ, 점: 측정한 δ</translation>
+        </message>
+        <message>
+            <source>a few thermocouples, straight lines</source>
+            <translation>열전대 몇 개, 직선식</translation>
+        </message>
+        <message>
+            <source>regression on few sensors</source>
+            <translation>소수 센서 회귀</translation>
+        </message>
+        <message>
+            <source>all days together, and today</source>
+            <translation>모든 날과 오늘을 함께</translation>
+        </message>
+        <message>
+            <source>hierarchical over days</source>
+            <translation>일별 계층 모델</translation>
+        </message>
+        <message>
+            <source>network of thermocouples</source>
+            <translation>열전대 신경망</translation>
+        </message>
+        <message>
+            <source>network, guarded</source>
+            <translation>신경망, 보호형</translation>
+        </message>
+        <message>
+            <source>network, as first published</source>
+            <translation>신경망, 처음 발표된 형태</translation>
+        </message>
+        <message>
+            <source>network, as printed</source>
+            <translation>신경망, 논문 그대로</translation>
+        </message>
+        <message>
+            <source>How spindle and Z are matched</source>
+            <translation>주축과 Z축 맞춤</translation>
+        </message>
+        <message>
+            <source>Gains</source>
+            <translation>게인</translation>
+        </message>
+        <message>
+            <source>spindle, how firm, 1/s</source>
+            <translation>주축 추종 세기, 1/s</translation>
+        </message>
+        <message>
+            <source>spindle Kp, 1/s</source>
+            <translation>주축 Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z, how firm, 1/s</source>
+            <translation>Z축 추종 세기, 1/s</translation>
+        </message>
+        <message>
+            <source>Z Kp, 1/s</source>
+            <translation>Z Kp, 1/s</translation>
+        </message>
+        <message>
+            <source>Z, ahead with speed</source>
+            <translation>Z축 속도 선행</translation>
+        </message>
+        <message>
+            <source>Z speed FF</source>
+            <translation>Z 속도 FF</translation>
+        </message>
+        <message>
+            <source>Z, ahead with accel.</source>
+            <translation>Z축 가속 선행</translation>
+        </message>
+        <message>
+            <source>Z accel. FF</source>
+            <translation>Z 가속 FF</translation>
+        </message>
+        <message>
+            <source>How far Z is off the thread, %1, over spindle revolutions in and out</source>
+            <translation>주축 회전에 따른 나사 어긋남, %1, 진입과 후퇴</translation>
+        </message>
+        <message>
+            <source>Contour error E_r, %1, over spindle revolutions in and out</source>
+            <translation>주축 회전에 따른 윤곽 오차 E_r, %1, 진입과 후퇴</translation>
+        </message>
+        <message>
+            <source>errors added up, %1</source>
+            <translation>오차 합, %1</translation>
+        </message>
+        <message>
+            <source>SAEC = Σ |E_r|, %1</source>
+            <translation>SAEC = Σ |E_r|, %1</translation>
+        </message>
+        <message>
+            <source>widest error in the work, %1</source>
+            <translation>가공 구간 최대 오차 폭, %1</translation>
+        </message>
+        <message>
+            <source>E_r p-p in the work, %1</source>
+            <translation>가공 구간 E_r p-p, %1</translation>
         </message>
     </context>
     <context>
@@ -7525,12 +7832,14 @@
     <context>
         <name>kerf::ui::EstimatePanel</name>
         <message>
-            <source>Estimated law, 95 % intervals</source>
-            <translation>추정한 법칙, 95 % 구간</translation>
+            <source>%1, 95 % intervals</source>
+            <comment>of estimated figures</comment>
+            <translation>%1, 95 % 구간</translation>
         </message>
         <message>
-            <source>Estimated law (%1), 95 % intervals</source>
-            <translation>추정한 법칙 (%1), 95 % 구간</translation>
+            <source>%1 (%2), 95 % intervals</source>
+            <comment>estimated figures, by which estimator</comment>
+            <translation>%1 (%2), 95 % 구간</translation>
         </message>
     </context>
     <context>
@@ -7644,10 +7953,6 @@
     <context>
         <name>kerf::ui::GainsPanel</name>
         <message>
-            <source>Gains</source>
-            <translation>게인</translation>
-        </message>
-        <message>
             <source>before</source>
             <translation>전</translation>
         </message>
@@ -7658,22 +7963,6 @@
         <message>
             <source>next</source>
             <translation>다음</translation>
-        </message>
-        <message>
-            <source>spindle Kp, 1/s</source>
-            <translation>주축 Kp, 1/s</translation>
-        </message>
-        <message>
-            <source>Z Kp, 1/s</source>
-            <translation>Z Kp, 1/s</translation>
-        </message>
-        <message>
-            <source>Z speed FF</source>
-            <translation>Z 속도 FF</translation>
-        </message>
-        <message>
-            <source>Z accel. FF</source>
-            <translation>Z 가속 FF</translation>
         </message>
         <message>
             <source>trim, %1</source>
@@ -8540,26 +8829,6 @@
     <context>
         <name>kerf::ui::MarginPanel</name>
         <message>
-            <source>Loop margins and trim</source>
-            <translation>루프 여유와 보정</translation>
-        </message>
-        <message>
-            <source>gain, times</source>
-            <translation>게인, 배</translation>
-        </message>
-        <message>
-            <source>phase</source>
-            <translation>위상</translation>
-        </message>
-        <message>
-            <source>more delay</source>
-            <translation>추가 지연</translation>
-        </message>
-        <message>
-            <source>smallest |1 + L|</source>
-            <translation>최소 |1 + L|</translation>
-        </message>
-        <message>
             <source>Margins appear as soon as a law acts.</source>
             <translation>제어 법칙이 작동하면 여유가 나타납니다.</translation>
         </message>
@@ -8779,10 +9048,6 @@
         <message>
             <source>reference force</source>
             <translation>기준 힘</translation>
-        </message>
-        <message>
-            <source>gain margin, times</source>
-            <translation>게인 여유, 배</translation>
         </message>
         <message>
             <source>peak of this cut</source>
@@ -9059,16 +9324,8 @@
     <context>
         <name>kerf::ui::MillingToolPanel</name>
         <message>
-            <source>Tool: mean ln(C·b) per part</source>
-            <translation>공구: 공작물별 평균 ln(C·b)</translation>
-        </message>
-        <message>
             <source>part</source>
             <translation>공작물</translation>
-        </message>
-        <message>
-            <source>ln(C·b)</source>
-            <translation>ln(C·b)</translation>
         </message>
         <message>
             <source>The wear of the tool appears here after its first part.</source>
@@ -9077,10 +9334,6 @@
         <message>
             <source>Mean cutting stiffness over the parts cut with this tool</source>
             <translation>이 공구로 가공한 공작물별 평균 절삭 강성</translation>
-        </message>
-        <message>
-            <source>ln(C·b) now</source>
-            <translation>현재 ln(C·b)</translation>
         </message>
         <message>
             <source>change the tool</source>
@@ -9217,10 +9470,6 @@
     </context>
     <context>
         <name>kerf::ui::OffsetPanel</name>
-        <message>
-            <source>Drift of the origin, predicted</source>
-            <translation>원점 열변위 예측</translation>
-        </message>
         <message>
             <source>at limit</source>
             <translation>한계</translation>
@@ -9716,10 +9965,6 @@
         <message>
             <source>law</source>
             <translation>법칙</translation>
-        </message>
-        <message>
-            <source>covariance, log</source>
-            <translation>공분산, 로그</translation>
         </message>
         <message>
             <source>excitation %1: enough to learn from</source>
@@ -10606,18 +10851,6 @@
             <translation>힘으로 본 표면</translation>
         </message>
         <message>
-            <source>RMS</source>
-            <translation>RMS</translation>
-        </message>
-        <message>
-            <source>P-V of a revolution</source>
-            <translation>한 회전의 P-V</translation>
-        </message>
-        <message>
-            <source>RMS without the trim</source>
-            <translation>보정 없을 때 RMS</translation>
-        </message>
-        <message>
             <source>No tone of this machine is known.</source>
             <translation>이 기계의 진동 주파수를 아직 모릅니다.</translation>
         </message>
@@ -10760,23 +10993,8 @@
             <translation>이 기계는 Kerf로 탭 가공을 하지 않습니다. 탭 루프가 장착되면 이 페이지가 채워집니다.</translation>
         </message>
         <message>
-            <source>Contour error, %1, over spindle revolutions in and out</source>
-            <comment>unit</comment>
-            <translation>주축 회전에 따른 윤곽 오차, %1, 진입과 후퇴</translation>
-        </message>
-        <message>
             <source>Trial taps</source>
             <translation>시험 탭</translation>
-        </message>
-        <message>
-            <source>sum of errors (SAEC), %1</source>
-            <comment>unit</comment>
-            <translation>오차 합(SAEC), %1</translation>
-        </message>
-        <message>
-            <source>p-p in the work, %1</source>
-            <comment>unit</comment>
-            <translation>가공 구간 p-p, %1</translation>
         </message>
         <message>
             <source>Error p-p, %1, over time per hole</source>
@@ -10817,14 +11035,6 @@
         <message>
             <source>Drift over time, %1</source>
             <translation>시간에 따른 열변위, %1</translation>
-        </message>
-        <message>
-            <source>line: predicted, band: 95 % interval, dots: measured</source>
-            <translation>선: 예측, 띠: 95 % 구간, 점: 측정</translation>
-        </message>
-        <message>
-            <source>drift</source>
-            <translation>열변위</translation>
         </message>
         <message>
             <source>The predicted drift appears here one minute after the reference, as soon as a model is live.</source>

@@ -246,9 +246,17 @@ class TestConsoleLots : public QObject {
         QVERIFY(bench.press("backup"));
         QTRY_VERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
     }
+    void everyButtonAndFigureIsExplained_data() {
+        QTest::addColumn<QString>("machine");
+        QTest::newRow("machining centre") << "simulator";
+        QTest::newRow("diamond lathe") << "diamond-lathe";
+    }
     void everyButtonAndFigureIsExplained() {
+        QFETCH(QString, machine);
         test::ConsoleBench bench;
-        start(bench, options(5, false));
+        console::Options chosen = options(5, false);
+        chosen.machine = machine.toStdString();
+        start(bench, chosen);
         const std::vector<ui::HelpText> texts = ui::helpTexts();
         QStringList without;
         for (const ui::PageEntry& page : bench.console().window()->pages()) {

@@ -143,7 +143,7 @@ void Chart::setMarks(std::vector<Mark> marks) {
 
 void Chart::setEmptyText(const QString& sentence) {
     m_emptyText = sentence;
-    viewport()->update();
+    fit();
 }
 
 QList<QPointF> Chart::drawn(CurveId curve) const {
@@ -280,6 +280,10 @@ void Chart::fit() {
     for (const double value : m_yIncludes) {
         up.take(y.toShown(value));
     }
+    // Figures on the axes of a chart without anything in it would be of nothing.
+    const bool figures = !across.empty() || m_emptyText.isEmpty();
+    m_x->setLabelsVisible(figures || m_xRange.has_value());
+    m_y->setLabelsVisible(figures || m_yRange.has_value());
     if (m_xRange) {
         applyRange(m_x, x.toShown(m_xRange->first), x.toShown(m_xRange->second), false, m_wholeNumbers);
     } else if (!across.empty()) {
@@ -299,6 +303,7 @@ void Chart::fitY(double from, double to, bool keepWide) {
     if (m_yRange) {
         return;
     }
+    m_y->setLabelsVisible(true);
     const DisplayUnit y = m_look.units().of(m_yUnit);
     Extent up;
     up.take(from);

@@ -59,7 +59,7 @@ void openSettings(Look& look, SheetHost& host) {
     auto* grid = new QGridLayout;
     sheet->body()->addLayout(grid);
     const auto rows = std::make_shared<std::vector<ChoiceRow>>();
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 6; ++i) {
         rows->emplace_back(look, grid, i, sheet);
     }
     auto& r = *rows;
@@ -98,6 +98,14 @@ void openSettings(Look& look, SheetHost& host) {
                 name.constData(), [scale](P& p) { p.scale = scale; }, [scale](const P& p) { return p.scale == scale; })
             ->setText(QStringLiteral("%1\u00a0%").arg(static_cast<int>(scale * 100)));
     }
+    // Each role has its own; changed is that of the one who is signed on.
+    const auto addWording = [&](const char* name, Wording wording) {
+        return r[5].add(
+            name, [wording, &look](P& p) { p.wordings[look.role()] = wording; },
+            [wording, &look](const P& p) { return p.wordings[look.role()] == wording; });
+    };
+    QPushButton* shop = addWording("wordingShop", Wording::Shop);
+    QPushButton* symbols = addWording("wordingSymbols", Wording::Symbols);
     QPushButton* close = sheet->addButton(QString(), {});
     close->setObjectName(QStringLiteral("sheetSafe"));
     const auto retext = [=, &look] {
@@ -107,6 +115,9 @@ void openSettings(Look& look, SheetHost& host) {
         (*rows)[2].setName(Settings::tr("Temperature"));
         (*rows)[3].setName(Settings::tr("Theme"));
         (*rows)[4].setName(Settings::tr("Size"));
+        (*rows)[5].setName(Settings::tr("Figures in"));
+        shop->setText(Settings::tr("Shop words"));
+        symbols->setText(Settings::tr("Symbols"));
         mm->setText(QStringLiteral("mm"));
         inch->setText(Settings::tr("inch"));
         light->setText(Settings::tr("Light"));

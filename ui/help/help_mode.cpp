@@ -46,15 +46,17 @@ bool HelpMode::eventFilter(QObject* watched, QEvent* event) {
 void HelpMode::explain(const QWidget* widget) {
     const std::vector<HelpText> texts = helpTexts();
     std::optional<HelpText> text;
-    // The nearest paragraph; its formula may be that of the panel or page around it.
-    for (const QWidget* w = widget; w != nullptr && (!text || text->formula.isEmpty()); w = w->parentWidget()) {
+    // The nearest paragraph; formula and source may be those of the panel or page around it.
+    for (const QWidget* w = widget; w != nullptr && (!text || text->formula.isEmpty() || text->source.isEmpty());
+         w = w->parentWidget()) {
         const QString page = w->property("pageKey").toString();
         for (const QString& key : {w->objectName(), page.isEmpty() ? QString() : QStringLiteral("page:") + page}) {
             const HelpText* found = findHelp(texts, key);
             if (found != nullptr && !text) {
                 text = *found;
-            } else if (found != nullptr && text->formula.isEmpty()) {
-                text->formula = found->formula;
+            } else if (found != nullptr) {
+                text->formula = text->formula.isEmpty() ? found->formula : text->formula;
+                text->source = text->source.isEmpty() ? found->source : text->source;
             }
         }
     }
@@ -68,14 +70,27 @@ void HelpMode::show(const HelpText& text) {
     words->setText(text.words);
     sheet->body()->addWidget(words);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    if (!text.formula.isEmpty()) {
-        auto* formula = makeLabel(TextRole::Title, sheet, true);
+    if (!text.formula.isEmpty() || !text.source.isEmpty()) {
+        auto* behind = new QWidget(sheet);
+        behind->setObjectName(QStringLiteral("helpBehind"));
+        auto* column = new QVBoxLayout(behind);
+        column->setContentsMargins(0, 0, 0, 0);
+        auto* formula = makeLabel(TextRole::Title, behind, true);
         formula->setText(text.formula);
-        formula->hide();
-        sheet->body()->addWidget(formula);
-        QPushButton* more = sheet->addButton(
-            tr("The formula"), [formula] { formula->setVisible(!formula->isVisible()); }, false);
-        more->setObjectName(QStringLiteral("helpFormula"));
+        formula->setVisible(!text.formula.isEmpty());
+        column->addWidget(formula);
+        auto* source = makeLabel(TextRole::Small, behind, true);
+        source->setObjectName(QStringLiteral("helpSource"));
+        source->setText(text.source);
+        source->setVisible(!text.source.isEmpty());
+        column->addWidget(source);
+        sheet->body()->addWidget(behind);
+        if (m_look.wording() == Wording::Shop) {  // a second touch shows what engineers see at once
+            behind->hide();
+            QPushButton* more = sheet->addButton(
+                tr("The formula"), [behind] { behind->setVisible(!behind->isVisible()); }, false);
+            more->setObjectName(QStringLiteral("helpFormula"));
+        }
     }
     sheet->addButton(tr("The guide"), [this] { openGuide(); })->setObjectName(QStringLiteral("helpGuide"));
 }

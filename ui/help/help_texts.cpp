@@ -41,7 +41,10 @@ std::vector<HelpText> helpTexts() {
         {"page:boring", Help::tr("Boring"),
          Help::tr("Each bore that is measured teaches how this tool bends. From that the feed along the next bore is "
                   "chosen so that it comes out at the target at every depth."),
-         QStringLiteral("ln d = ln C + α ln f + β ln L")},
+         QStringLiteral("ln d = ln C + α ln f + β ln L"),
+         QStringLiteral(
+             "C.-W. Lee, “Adaptive control of CNC boring machine by application of the variance perturbation "
+             "method”, 1983")},
         {"boringBoreChart", Help::tr("Bores against the tolerance"),
          Help::tr(
              "Measured diameters of the last 25 parts, one curve for each depth, between the limits of the recipe. The "
@@ -66,7 +69,9 @@ std::vector<HelpText> helpTexts() {
         {"page:milling", Help::tr("Milling"),
          Help::tr("The feed follows the cutting force: where the blank has more stock it slows down, where it has less "
                   "it hurries. The force stays even, so the wall bends evenly."),
-         QStringLiteral("feed ← feed · reference / force")},
+         QStringLiteral("F = C b lᵐ,  feed ← (F_ref / (C b))^(1/m)"),
+         QStringLiteral("J.-H. Oh, C.-Y. Jeong, “A Study on the Improvement of Surface Waviness by Cutting Force "
+                        "Control”, 1987")},
         {"millingLive", Help::tr("Force and feed"),
          Help::tr("The force averaged over a revolution against its reference (dashed) and the overload limit; below, "
                   "the feed that is really made."),
@@ -86,7 +91,8 @@ std::vector<HelpText> helpTexts() {
         {"page:turning", Help::tr("Turning"),
          Help::tr("The cutting force shows how deep the tool really is. A fast trim moves the tool against the "
                   "disturbance, so the face becomes flatter than the machine alone makes it."),
-         QStringLiteral("")},
+         QStringLiteral("P(z) = (b₀ + b₁ z⁻¹) / (1 − a₁ z⁻¹)"),
+         QStringLiteral("S. Jeong, S. Kim, “Admittance Model-Based Nanodynamic Control of Diamond Turning Machine”")},
         {"turningSpectrum", Help::tr("Spectrum"),
          Help::tr("What the disturbance consists of. A named line is a frequency that the law has found and cancels, "
                   "or would cancel."),
@@ -102,7 +108,9 @@ std::vector<HelpText> helpTexts() {
         {"page:thermal", Help::tr("Thermal"),
          Help::tr("A warm machine grows, and the work origin moves. From the temperatures the model says how far, and "
                   "the origin is shifted back."),
-         QStringLiteral("")},
+         QStringLiteral("δ(t) = m(t) + g m(t) + xᵀγ + zᵀδ + b + e(t)"),
+         QStringLiteral("J.-Y. Ahn, S.-C. Chung, “Modeling and Compensatory Control of Thermal Error for the Machine "
+                        "Origin of Machine Tools”")},
         {"thermalOffsets", Help::tr("Drift of the origin"),
          Help::tr("How far the origin has gone in each axis since the temperatures to count from were taken, and the "
                   "interval in which it is with 95 %. Wider than the part allows: measure."),
@@ -114,7 +122,8 @@ std::vector<HelpText> helpTexts() {
         {"page:tapping", Help::tr("Tapping"),
          Help::tr("Spindle and Z must keep step, or the thread is cut too wide. Kerf tries gains in the air, proposes "
                   "better ones, and learns a trim from tap to tap."),
-         QStringLiteral("SAEC = Σ |E_r|")},
+         QStringLiteral("SAEC = Σ |E_r|"),
+         QStringLiteral("J. Choi, W. Yoo, “Auto fitting of motor gains for high speed tapping”")},
         {"tappingContourChart", Help::tr("Error along the thread"),
          Help::tr("How far Z is from where the spindle says it should be, over the revolutions in and out, in the band "
                   "of the thread's class. Now against the first tap."),

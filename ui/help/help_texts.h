@@ -12,6 +12,7 @@ struct HelpText {
     QString title{};
     QString words{};
     QString formula{};  ///< empty: there is none
+    QString source{};   ///< where the law is published; empty: nowhere, or it is our own
 };
 
 /// All of them, those of single buttons first, in the language of the program.

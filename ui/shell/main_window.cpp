@@ -76,6 +76,7 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
             m_services.saveSignOn(settings);
         }
     });
+    connect(&m_session, &OperatorSession::changed, this, [this] { setWording(); });
     connect(&m_session, &OperatorSession::audited, this,
             [this](const QString& author, const QString& action, const QString& detail) {
                 if (m_services.recordSession) {
@@ -108,10 +109,16 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
     m_sinceStart.start();
     qApp->installEventFilter(this);
     m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm")));
+    setWording();
     refresh();
     m_client.tick();
     m_client.start();
     sayStartFindings();
+}
+
+// Figures are named as the one who is signed on wants them.
+void MainWindow::setWording() {
+    m_look.setRole(static_cast<std::size_t>(m_session.role().value_or(Role::Operator)));
 }
 
 void MainWindow::sayStartFindings() {

@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
     void closeEvent(QCloseEvent* event) override;
 
  private:
+    void setWording();
     void sayStartFindings();
     void buildFrame();
     void buildHeldBand(QGridLayout* grid);

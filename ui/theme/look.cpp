@@ -21,6 +21,7 @@ Look::Look(double dpi, QObject* parent) : QObject(parent), m_dpi(dpi) {
 Look::Look(Look& content) : QObject(nullptr), m_content(&content), m_dpi(content.m_dpi) {
     const auto follow = [this] {
         m_preferences = m_content->m_preferences;
+        m_role = m_content->m_role;
         m_units = m_content->m_units;
         refresh();
         emit changed();
@@ -65,6 +66,18 @@ void Look::apply(const Preferences& preferences) {
         setLanguage(preferences.language);
     }
     emit changed();
+}
+
+void Look::setRole(std::size_t role) {
+    if (m_content != nullptr) {
+        m_content->setRole(role);
+        return;
+    }
+    const Wording before = wording();
+    m_role = qMin(role, Preferences::kRoles - 1);
+    if (wording() != before) {
+        emit changed();
+    }
 }
 
 QFont Look::font(TextSize size, QFont::Weight weight) const {

@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QPen>
 #include <QTranslator>
+#include <array>
+#include <cstddef>
 
 #include "ui/theme/metrics.h"
 #include "ui/theme/palette.h"
@@ -14,13 +16,19 @@ namespace kerf::ui {
 
 enum class Language { English, Korean };
 
+/// Whose words figures are named in (ui/link/vocabulary.h): the shop's, or symbols with formulas and papers.
+enum class Wording { Shop, Symbols };
+
 /// What an operator chooses about the face. A plain value: the application stores it, Look applies it.
 struct Preferences {
+    static constexpr std::size_t kRoles = 3;  ///< operator, setter, process engineer
+
     Language language{Language::English};
     LengthUnit length{LengthUnit::Millimetre};
     TemperatureUnit temperature{TemperatureUnit::Celsius};
     Brightness brightness{Brightness::Light};
     double scale{1.0};  ///< Metrics::kMinScale … kMaxScale
+    std::array<Wording, kRoles> wordings{Wording::Shop, Wording::Shop, Wording::Symbols};  ///< by role
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
@@ -46,6 +54,10 @@ class Look : public QObject {
     [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
     /// Switch whatever differs, live: style sheet, fonts, translator, units. Emits changed() once.
     void apply(const Preferences& preferences);
+    /// Who looks: an index of Preferences::wordings; 0 also while nobody is signed on.
+    void setRole(std::size_t role);
+    [[nodiscard]] std::size_t role() const { return m_role; }
+    [[nodiscard]] Wording wording() const { return m_preferences.wordings[m_role]; }
 
     [[nodiscard]] const Palette& palette() const { return m_palette; }
     [[nodiscard]] const Metrics& metrics() const { return m_metrics; }
@@ -69,6 +81,7 @@ class Look : public QObject {
     double m_most{Metrics::kMaxScale};
     double m_dpi;
     Preferences m_preferences;
+    std::size_t m_role{0};
     Palette m_palette;
     Metrics m_metrics;
     UnitSystem m_units;

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QTimer>
 
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -66,7 +67,8 @@ void AlarmBar::clearAlarm() {
     setAlarm(0, {}, 0);
 }
 
-void AlarmBar::notify(const QString& sentence) {
+void AlarmBar::notify(const QString& words) {
+    const QString sentence = withParticles(words);
     m_notice = sentence;
     rebuild();
     QTimer::singleShot(kNotice_ms, this, [this, sentence] {

@@ -23,6 +23,7 @@ NumberDisplay::NumberDisplay(Look& look, const ParamSpec& spec, TextSize size, Q
 
 void NumberDisplay::setLabel(const QString& label) {
     m_label = label;
+    setAccessibleName(label);
     updateGeometry();
     update();
 }

@@ -11,6 +11,7 @@
 #include "ui/link/texts.h"
 #include "ui/pages/boring/boring_texts.h"
 #include "ui/pages/boring/gauges_at_hand.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -228,7 +229,7 @@ void EntryPanel::say(Words words, bool wrong) {
 
 void EntryPanel::showWords() {
     if (m_words) {
-        m_message->setText(m_words());
+        m_message->setText(withParticles(m_words()));
     } else if (!m_target) {
         m_message->setText(whyNoTarget());
     } else if (const auto other = m_field->input().alternative_mm()) {
@@ -239,7 +240,7 @@ void EntryPanel::showWords() {
         m_message->clear();
     }
     if (m_confirmWords) {
-        m_confirm->setText(m_confirmWords());
+        m_confirm->setText(withParticles(m_confirmWords()));
     }
 }
 

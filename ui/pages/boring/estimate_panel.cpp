@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/charts/decimate.h"
+#include "ui/link/vocabulary.h"
 
 namespace kerf::ui {
 namespace {
@@ -15,16 +16,9 @@ namespace {
 constexpr int kDecimals = 3;
 constexpr double kFewestParts = 12.0;
 
-QString symbol(std::size_t strip) {
-    // The hat is a combining character: Noto Sans sets it over the letter.
-    switch (strip) {
-        case 0:
-            return QStringLiteral("α\u0302");
-        case 1:
-            return QStringLiteral("β\u0302");
-        default:
-            return QStringLiteral("C\u0302");
-    }
+QString nameOf(std::size_t strip, Wording wording) {
+    constexpr std::array kTerms{Term::FeedExponent, Term::OverhangExponent, Term::BendingConstant};
+    return termText(kTerms[strip], wording);
 }
 
 }  // namespace
@@ -58,7 +52,7 @@ void EstimateStrips::setView(const BoringServiceView& view) {
     m_to = std::max(kFewestParts, m_strips[0].empty() ? 0.0 : m_strips[0].back().part) + 0.5;
     QString words;
     for (std::size_t strip = 0; strip < m_strips.size(); ++strip) {
-        words += symbol(strip) + u' ' + text(strip) + u' ';
+        words += nameOf(strip, look().wording()) + u' ' + text(strip) + u' ';
     }
     setAccessibleName(words.trimmed());
     update();
@@ -75,7 +69,13 @@ QString EstimateStrips::text(std::size_t strip) const {
 
 int EstimateStrips::labelWidth() const {
     const QFontMetrics number(look().font(TextSize::Body, QFont::Medium));
-    return number.horizontalAdvance(QStringLiteral("±0.000")) + look().space(Space::Large);
+    int width = number.horizontalAdvance(QStringLiteral("±0.000"));
+    if (look().wording() == Wording::Shop) {
+        for (std::size_t strip = 0; strip < m_strips.size(); ++strip) {
+            width = std::max(width, number.horizontalAdvance(nameOf(strip, Wording::Shop)));
+        }
+    }
+    return width + look().space(Space::Large);
 }
 
 QSize EstimateStrips::minimumSizeHint() const {
@@ -172,18 +172,23 @@ void EstimateStrips::paintStrip(QPainter& painter, const QRectF& area, std::size
     const QFontMetricsF body(painter.font());
     const double block = body.height() + small.height();
     const double top = area.top() + (area.height() - block) / 2.0;
+    const QString value = UnitSystem::fixed(points.back().value, kDecimals);
+    const QString half = u'±' + UnitSystem::fixed((points.back().high - points.back().low) / 2.0, kDecimals);
+    const QString name = nameOf(strip, look().wording());
+    const bool words = look().wording() == Wording::Shop;  // they have a line of their own
     painter.drawText(QRectF(0, top, left, body.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     symbol(strip) + u' ' + UnitSystem::fixed(points.back().value, kDecimals));
+                     words ? name : name + u' ' + value);
     painter.setFont(look().font(TextSize::Label));
     painter.setPen(look().color(Token::Dim));
     painter.drawText(QRectF(0, top + body.height(), left, small.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     u'±' + UnitSystem::fixed((points.back().high - points.back().low) / 2.0, kDecimals));
+                     words ? value + u' ' + half : half);
 }
 
 EstimatePanel::EstimatePanel(Look& look, QWidget* parent)
-    : Card(look, parent), m_strips(new EstimateStrips(look, this)) {
+    : Card(look, parent), m_look(look), m_strips(new EstimateStrips(look, this)) {
     setObjectName(QStringLiteral("boringEstimatePanel"));
     body()->addWidget(m_strips, 1);
+    connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
 }
 
@@ -203,8 +208,11 @@ void EstimatePanel::changeEvent(QEvent* event) {
 }
 
 void EstimatePanel::retranslate() {
-    setTitle(m_estimator.empty() ? tr("Estimated law, 95 % intervals")
-                                 : tr("Estimated law (%1), 95 % intervals").arg(QString::fromStdString(m_estimator)));
+    const QString name = termText(Term::BendingLaw, m_look.wording());
+    setTitle(m_estimator.empty() || m_look.wording() == Wording::Shop
+                 ? tr("%1, 95 % intervals", "of estimated figures").arg(name)
+                 : tr("%1 (%2), 95 % intervals", "estimated figures, by which estimator")
+                       .arg(name, QString::fromStdString(m_estimator)));
 }
 
 }  // namespace kerf::ui

@@ -53,6 +53,7 @@ class EstimatePanel : public Card {
  private:
     void retranslate();
 
+    Look& m_look;
     EstimateStrips* m_strips;
     std::string m_estimator;
 };

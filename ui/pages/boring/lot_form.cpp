@@ -142,15 +142,16 @@ LotForm::LotForm(const PageContext& context, Sheet* sheet)
     m_table->setShowGrid(false);
     QScroller::grabGesture(m_table->viewport(), QScroller::TouchGesture);
 
-    m_fields->addWidget(m_partTypeLabel, 0, 0, 1, 2);
-    m_fields->addWidget(m_partType, 1, 0, 1, 2);
-    m_fields->addWidget(m_nameLabel, 2, 0);
-    m_fields->addWidget(m_name, 3, 0);
-    m_fields->addWidget(m_size, 2, 1, 2, 1);
-    m_fields->addWidget(m_kalman, 4, 0);
-    m_fields->addWidget(m_perturbation, 4, 1);
-    m_fields->addWidget(m_grade, 5, 0);
-    m_fields->addWidget(m_material, 5, 1);
+    m_fields->addWidget(m_partTypeLabel, 0, 0, 1, 4);
+    m_fields->addWidget(m_partType, 1, 0, 1, 4);
+    m_fields->addWidget(m_nameLabel, 2, 0, 1, 2);
+    m_fields->addWidget(m_name, 3, 0, 1, 2);
+    m_fields->addWidget(m_size, 2, 2, 2, 2);
+    int place = 0;
+    for (QWidget* one : std::initializer_list<QWidget*>{m_kalman, m_perturbation, m_grade, m_material}) {
+        m_fields->setColumnStretch(place, 1);
+        m_fields->addWidget(one, 4, place++);  // in one row: the table below needs the room
+    }
     m_columns->addLayout(m_fields, 1);
     m_columns->addWidget(m_keypad);
     auto* column = new QVBoxLayout(this);

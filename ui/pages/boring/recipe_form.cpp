@@ -286,9 +286,10 @@ void RecipeForm::showDifference() {
                              change.spec != nullptr ? engineText(change.spec->label) : tr("Depth %1").arg(change.depth),
                              valueText(change.spec, change.before), valueText(change.spec, change.after));
         }
-        const QString than = tr("Against revision %1:").arg(m_known.front().revision);
-        m_difference->setText(lines.isEmpty() ? tr("As revision %1, the newest.").arg(m_known.front().revision)
-                                              : than + u'\n' + lines.join(u'\n'));
+        const QString than = (lines.isEmpty() ? tr("As revision %1, the newest.") : tr("Against revision %1:"))
+                                 .arg(m_known.front().revision);
+        lines.prepend(withParticles(than));
+        m_difference->setText(lines.join(u'\n'));
     } else {
         m_difference->clear();
     }
@@ -452,9 +453,9 @@ void RecipeForm::refresh() {
         const BoringRecipeView& known = m_known[static_cast<std::size_t>(i)];
         const QString when =
             QDateTime::fromMSecsSinceEpoch(known.createdUtc_ms).toString(QStringLiteral("MM-dd HH:mm"));
-        const QString why = known.restoredFrom ? tr("back to %1: %2", "revision, reason")
-                                                     .arg(*known.restoredFrom)
-                                                     .arg(QString::fromStdString(known.reason))
+        const QString why = known.restoredFrom ? withParticles(tr("back to %1: %2", "revision, reason")
+                                                                   .arg(*known.restoredFrom)
+                                                                   .arg(QString::fromStdString(known.reason)))
                                                : QString::fromStdString(known.reason);
         const QStringList cells{QString::number(known.revision), when + u' ' + QString::fromStdString(known.author),
                                 why};

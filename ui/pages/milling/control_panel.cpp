@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/pages/milling/milling_texts.h"
 #include "ui/shell/page.h"
 #include "ui/widgets/label.h"
@@ -117,7 +118,7 @@ void MillingControlPanel::changeEvent(QEvent* event) {
 
 void MillingControlPanel::retranslate() {
     m_reference->setLabel(tr("reference force"));
-    m_margin->setLabel(tr("gain margin, times"));
+    m_margin->setLabel(termText(Term::ForceGainMargin, m_look.wording()));
     m_peak->setLabel(tr("peak of this cut"));
     m_advising.reset();
     m_lawLabel->setText(tr("Feed law"));

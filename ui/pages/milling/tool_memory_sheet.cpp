@@ -11,6 +11,7 @@
 
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -22,12 +23,13 @@ struct ToolMemory {
 
 constexpr int kStiffness_decimals = 2;
 
-QString toolText(const MillingToolView& tool) {
+QString toolText(const MillingToolView& tool, Wording wording) {
     QString text =
-        ToolMemory::tr("%1, %2 parts: k_x %3 N/mm, ln(C·b) %4", "part type, parts, figures of a tool")
+        ToolMemory::tr("%1, %2 parts: %3 %4 N/mm, %5 %6", "part type, parts, two figures of a tool with their names")
             .arg(QString::fromStdString(tool.partType))
             .arg(tool.parts)
-            .arg(UnitSystem::fixed(tool.kx_NPerMm, 0), UnitSystem::fixed(tool.firstStiffness, kStiffness_decimals));
+            .arg(termText(Term::ToolStiffness, wording), UnitSystem::fixed(tool.kx_NPerMm, 0),
+                 termText(Term::StiffnessAxis, wording), UnitSystem::fixed(tool.firstStiffness, kStiffness_decimals));
     if (tool.leftOut) {
         text += u'\n' + ToolMemory::tr("left out by %1: %2")
                             .arg(QString::fromStdString(tool.author), QString::fromStdString(tool.reason));
@@ -37,18 +39,20 @@ QString toolText(const MillingToolView& tool) {
 
 }  // namespace
 
-QString toolMemoryText(const MillingMemoryView& memory, const UnitSystem& /*units*/) {
+QString toolMemoryText(const MillingMemoryView& memory, Wording wording) {
     if (!memory.lnKx) {
         return {};
     }
     const auto kx = [&](double ln) { return UnitSystem::fixed(std::exp(ln), 0); };
-    QString text = ToolMemory::tr("Begins from %1 tools before: k_x %2 N/mm (%3 to %4)", "how many, value, interval")
-                       .arg(memory.lnKx->tools)
-                       .arg(kx(memory.lnKx->mean), kx(memory.lnKx->mean - memory.lnKx->half95),
-                            kx(memory.lnKx->mean + memory.lnKx->half95));
+    QString text =
+        ToolMemory::tr("Begins from %1 tools before: %2 %3 N/mm (%4 to %5)", "how many, name, value, interval")
+            .arg(memory.lnKx->tools)
+            .arg(termText(Term::ToolStiffness, wording), kx(memory.lnKx->mean),
+                 kx(memory.lnKx->mean - memory.lnKx->half95), kx(memory.lnKx->mean + memory.lnKx->half95));
     if (memory.stiffness) {
-        text += ToolMemory::tr(", ln(C·b) %1 ± %2", "expected of the first part")
-                    .arg(UnitSystem::fixed(memory.stiffness->mean, kStiffness_decimals),
+        text += ToolMemory::tr(", %1 %2 ± %3", "name and value expected of the first part")
+                    .arg(termText(Term::StiffnessAxis, wording),
+                         UnitSystem::fixed(memory.stiffness->mean, kStiffness_decimals),
                          UnitSystem::fixed(memory.stiffness->half95, kStiffness_decimals));
     }
     return text + u'.';
@@ -56,7 +60,7 @@ QString toolMemoryText(const MillingMemoryView& memory, const UnitSystem& /*unit
 
 void openToolMemory(const PageContext& context, MillingService& service) {
     const MillingMemoryView memory = service.view().memory;
-    const QString rests = toolMemoryText(memory, context.look.units());
+    const QString rests = toolMemoryText(memory, context.look.wording());
     Sheet* sheet = context.sheets.open(
         ToolMemory::tr("Tools before"),
         rests.isEmpty() ? ToolMemory::tr("A new tool begins from tools of its radius and flutes. There are none yet.")
@@ -74,7 +78,7 @@ void openToolMemory(const PageContext& context, MillingService& service) {
     int row = 0;
     for (const MillingToolView& tool : memory.tools) {
         auto* words = makeLabel(TextRole::Body, list, true);
-        words->setText(toolText(tool));
+        words->setText(toolText(tool, context.look.wording()));
         auto* button =
             new QPushButton(tool.leftOut ? ToolMemory::tr("Take in again") : ToolMemory::tr("Leave out"), list);
         button->setObjectName(QStringLiteral("millingLeaveOut_%1").arg(tool.since));
@@ -99,6 +103,8 @@ void openToolMemory(const PageContext& context, MillingService& service) {
     sheet->body()->addWidget(list);
     sheet->body()->addWidget(reason);
     sheet->body()->addWidget(message);
+    sheet->body()->addStretch(1);
+    reason->setVisible(!memory.tools.empty());  // nothing to leave out
     sheet->addButton(ToolMemory::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }
 

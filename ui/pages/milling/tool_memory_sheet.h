@@ -9,7 +9,7 @@
 namespace kerf::ui {
 
 /// "Begins from 3 tools before: k_x 36 N/mm (27 to 48), ln(C·b) 7.91 ± 0.28"; empty when there are none.
-[[nodiscard]] QString toolMemoryText(const MillingMemoryView& memory, const UnitSystem& units);
+[[nodiscard]] QString toolMemoryText(const MillingMemoryView& memory, Wording wording);
 
 /// The tools of this kind that were in the spindle before, what each showed, and the two touches that leave one out or
 /// take it in again. Object names: millingToolsBefore (the list), millingToolReason, millingToolsMessage, and per tool

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/link/vocabulary.h"
 #include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/milling/tool_memory_sheet.h"
 #include "ui/widgets/label.h"
@@ -52,12 +53,12 @@ void MillingToolPanel::changeEvent(QEvent* event) {
 }
 
 void MillingToolPanel::retranslate() {
-    setTitle(tr("Tool: mean ln(C·b) per part"));
+    setTitle(termText(Term::StiffnessTitle, m_look.wording()));
     m_chart->setXAxis(tr("part"), "", true);
-    m_chart->setYAxis(tr("ln(C·b)"), "");
+    m_chart->setYAxis(termText(Term::StiffnessAxis, m_look.wording()), "");
     m_chart->setEmptyText(tr("The wear of the tool appears here after its first part."));
     m_chart->setAccessibleName(tr("Mean cutting stiffness over the parts cut with this tool"));
-    m_stiffness->setLabel(tr("ln(C·b) now"));
+    m_stiffness->setLabel(termText(Term::StiffnessNow, m_look.wording()));
     showTrend();
     showWords();
 }
@@ -114,7 +115,7 @@ void MillingToolPanel::setStatus(const Status& status) {
 
 void MillingToolPanel::showWords() {
     if (m_status.partsWithTool == 0) {
-        const QString rests = toolMemoryText(m_view.memory, m_look.units());
+        const QString rests = toolMemoryText(m_view.memory, m_look.wording());
         m_words->setText(tr("New tool: nothing cut with it yet.") + (rests.isEmpty() ? QString() : u' ' + rests));
         return;
     }

@@ -17,6 +17,7 @@
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
 #include "ui/services/boring_lots.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -255,7 +256,8 @@ void GaugeSheets::openStudy(const Gauge& gauge, bool crossed) {
         const auto value = numberOf(reading->text());
         const bool inRange = value && *value >= gauge.rangeFrom_mm && *value <= gauge.rangeTo_mm;
         if (!inRange) {
-            prompt->setText(tr("“%1” does not lie in the range of the gauge. Read again.").arg(reading->text()));
+            prompt->setText(
+                withParticles(tr("“%1” does not lie in the range of the gauge. Read again.").arg(reading->text())));
         } else if (study->readings.size() < plan.readings()) {
             const auto at = static_cast<std::uint32_t>(study->readings.size());
             study->readings.push_back(crossed ? quality::StudyReading{at % plan.parts, at / plan.parts / plan.trials,

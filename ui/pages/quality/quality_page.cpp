@@ -13,6 +13,7 @@
 #include "db/api/lot_reader.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
+#include "ui/theme/particles.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -334,7 +335,9 @@ void QualityPage::showLot() {
         });
         const QString sigma = look().units().withUnit(lot->gaugeSigma_mm, "mm", 4);
         notes << (same == m_service->gauges().end()
-                      ? tr("The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.").arg(sigma)
+                      ? withParticles(
+                            tr("The estimator takes σ %1 for the gauge: typed in the recipe, not from a study.")
+                                .arg(sigma))
                       : tr("The estimator takes σ %1 for the gauge, from the study of %2 (%3 to %4).")
                             .arg(sigma, QString::fromStdString(same->identity),
                                  look().units().number(same->sigmaLow_mm, "mm", 4),

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/pages/tapping/tapping_texts.h"
 #include "ui/widgets/label.h"
 
@@ -140,14 +141,15 @@ void GainsPanel::changeEvent(QEvent* event) {
 }
 
 void GainsPanel::retranslate() {
-    setTitle(tr("Gains"));
+    const auto name = [this](Term term) { return termText(term, m_look.wording()); };
+    setTitle(name(Term::GainsTitle));
     m_heads[0]->setText(tr("before"));
     m_heads[1]->setText(tr("now"));
     m_heads[2]->setText(tr("next"));
-    m_names[0]->setText(tr("spindle Kp, 1/s"));
-    m_names[1]->setText(tr("Z Kp, 1/s"));
-    m_names[2]->setText(tr("Z speed FF"));
-    m_names[3]->setText(tr("Z accel. FF"));
+    m_names[0]->setText(name(Term::SpindleGain));
+    m_names[1]->setText(name(Term::ZGain));
+    m_names[2]->setText(name(Term::SpeedFeedForward));
+    m_names[3]->setText(name(Term::AccelFeedForward));
     m_names[4]->setText(tr("trim, %1", "largest learned trim, unit").arg(m_look.units().of("um").symbol));
     m_grid->setHorizontalSpacing(m_look.space(Space::Medium));
     m_grid->setVerticalSpacing(m_look.space(Space::Hair));

@@ -13,7 +13,8 @@ struct Pages {
     Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-/// Error of the last tap in the work; its course is the production taps' sum of errors.
+/// Error of the last tap in the work, at first that of the stored tuning; its course is the production taps' sum of
+/// errors, before them the tuning's taps.
 KeyFigure tappingFigure(const Services& services, const Status& status) {
     KeyFigure figure;
     figure.label = Pages::tr("Last tap, p-p in the work");
@@ -23,8 +24,22 @@ KeyFigure tappingFigure(const Services& services, const Status& status) {
         figure.value = status.tapping.last.engagedPp_um;
     }
     if (services.tappingService != nullptr) {
-        for (const float saec_mm : services.tappingService->view().productionSaec_mm) {
+        const TappingServiceView& view = services.tappingService->view();
+        for (const float saec_mm : view.productionSaec_mm) {
             figure.course.push_back(static_cast<double>(saec_mm));
+        }
+        if (figure.course.size() < 2) {
+            figure.course.clear();
+            for (const TapTrialView& trial : view.trials) {
+                figure.course.push_back(trial.figures.engagedPp_um);
+            }
+        }
+        if (figure.course.empty() && view.proof) {
+            figure.course = {view.proof->first.engagedPp_um, view.proof->last.engagedPp_um};
+        }
+        if (!figure.value && view.proof && !view.proof->rolledBack) {
+            figure.label = Pages::tr("Tuned tap, p-p in the work");
+            figure.value = view.proof->last.engagedPp_um;
         }
     }
     return figure;

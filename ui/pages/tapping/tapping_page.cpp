@@ -7,6 +7,7 @@
 
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/pages/tapping/job_sheet.h"
 #include "ui/pages/tapping/recovery_sheet.h"
 #include "ui/pages/tapping/tapping_texts.h"
@@ -141,11 +142,10 @@ void TappingPage::refresh() {
         m_bars->setSpacing(look().space(Space::Large));
         m_gains->setFixedWidth(look().metrics().sideWidth());
         m_actions->setFixedWidth(look().metrics().sideWidth() * 5 / 4);
-        m_contourCard->setTitle(
-            tr("Contour error, %1, over spindle revolutions in and out", "unit").arg(look().units().of("um").symbol));
+        m_contourCard->setTitle(termText(Term::ContourTitle, look().wording()).arg(look().units().of("um").symbol));
         m_barCard->setTitle(tr("Trial taps"));
-        m_saecTitle->setText(tr("sum of errors (SAEC), %1", "unit").arg(look().units().of("mm").symbol));
-        m_ppTitle->setText(tr("p-p in the work, %1", "unit").arg(look().units().of("um").symbol));
+        m_saecTitle->setText(termText(Term::SumOfErrors, look().wording()).arg(look().units().of("mm").symbol));
+        m_ppTitle->setText(termText(Term::WidthOfError, look().wording()).arg(look().units().of("um").symbol));
         m_speedCard->setTitle(tr("Error p-p, %1, over time per hole", "unit").arg(look().units().of("um").symbol));
         m_contour->retranslate();
         m_speeds->retranslate();

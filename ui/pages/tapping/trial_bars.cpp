@@ -84,7 +84,8 @@ void TrialBars::paintEvent(QPaintEvent*) {
     const double place = m_view.trials.empty() ? plot.width() / 2.0 : plot.width() / places;
     painter.setPen(look().pen(Token::Line, Stroke::Thin));
     painter.drawLine(plot.bottomLeft(), plot.bottomRight());
-    for (std::size_t i = 0; i < m_bars.size(); ++i) {
+    std::vector<QRectF> labels;
+    for (std::size_t i = m_bars.size(); i-- > 0;) {  // the newest has its figure first
         const Bar& bar = m_bars[i];
         const double left = plot.left() + static_cast<double>(i) * place;
         const double width = std::min(place * kBarShare, plot.width() / static_cast<double>(kPlaces));
@@ -94,11 +95,15 @@ void TrialBars::paintEvent(QPaintEvent*) {
                          : bar.kept && i > 0 ? look().color(Token::Measured)
                                              : look().color(Token::Past));
         painter.drawRect(box);
-        painter.setPen(look().color(Token::Text));
         const QString value = text(bar);
-        const double wide = std::max(place, metrics.horizontalAdvance(value));
-        painter.drawText(QRectF(left + (place - wide) / 2.0, box.top() - metrics.height(), wide, metrics.height()),
-                         Qt::AlignHCenter | Qt::AlignBottom, value);
+        const double wide = metrics.horizontalAdvance(value);
+        const QRectF label(left + (place - wide) / 2.0, box.top() - metrics.height(), wide, metrics.height());
+        const auto touches = [&label](const QRectF& other) { return other.intersects(label); };
+        if (std::ranges::none_of(labels, touches)) {  // where they are too close, every other one
+            painter.setPen(look().color(Token::Text));
+            painter.drawText(label, Qt::AlignCenter, value);
+            labels.push_back(label);
+        }
         painter.setPen(look().color(Token::Dim));
         painter.drawText(QRectF(left, plot.bottom(), place, metrics.height()), Qt::AlignCenter, bar.name);
     }

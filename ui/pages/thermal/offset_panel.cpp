@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/pages/thermal/thermal_texts.h"
 #include "ui/widgets/label.h"
 
@@ -62,9 +63,9 @@ void OffsetPanel::changeEvent(QEvent* event) {
 }
 
 void OffsetPanel::retranslate() {
-    setTitle(tr("Drift of the origin, predicted"));
+    setTitle(termText(Term::DriftTitle, m_look.wording()));
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        m_drift[axis]->setLabel(QLatin1String(kThermalAxes[axis]));
+        m_drift[axis]->setLabel(termText(Term::DriftOfAxis, m_look.wording()).arg(QLatin1String(kThermalAxes[axis])));
         m_limit[axis]->set(Sign::Limited, tr("at limit"));
     }
     m_numbers->setSpacing(m_look.space(Space::Large));

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 #include "ui/pages/thermal/thermal_texts.h"
 #include "ui/widgets/label.h"
 
@@ -123,9 +124,9 @@ void ThermalPage::refresh() {
         m_middle->setSpacing(gap);
         m_buttonRow->setSpacing(look().metrics().touchGap());
         m_chartCard->setTitle(tr("Drift over time, %1").arg(look().units().of("um").symbol));
-        m_key->setText(tr("line: predicted, band: 95 % interval, dots: measured"));
+        m_key->setText(termText(Term::DriftKey, look().wording()));
         m_chart->setXAxis(tr("time"), "min");
-        m_chart->setYAxis(tr("drift"), "um");
+        m_chart->setYAxis(termText(Term::DriftAxis, look().wording()), "um");
         m_chart->setEmptyText(
             tr("The predicted drift appears here one minute after the reference, as soon as a model is live."));
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -102,8 +102,10 @@ void ThermalSheets::openModel() {
         const double age_h =
             std::max(0.0, static_cast<double>(QDateTime::currentMSecsSinceEpoch() - card.createdUtc_ms) / 3'600'000.0);
         int row = 0;
-        setTableRow(table, row++,
-                    {tr("model"), tr("%1, no. %2").arg(modelKindName(card.judgement.kind)).arg(card.revision)});
+        setTableRow(
+            table, row++,
+            {tr("model"),
+             tr("%1, no. %2").arg(modelKindName(card.judgement.kind, m_context.look.wording())).arg(card.revision)});
         setTableRow(table, row++,
                     {card.judgement.heldOut ? tr("error on days left out, X / Y / Z")
                                             : tr("error on its own check rows, X / Y / Z"),
@@ -212,10 +214,10 @@ void ThermalSheets::openTrain() {
         }
         int row = 0;
         for (const ThermalJudgementView& one : training.compared) {
-            setTableRow(
-                compared, row++,
-                {one.chosen ? tr("%1: best").arg(modelKindName(one.kind)) : modelKindName(one.kind),
-                 QString::number(one.sensors), threeText(one.rms_um, units, 2), threeText(one.worst_um, units, 1)});
+            const QString name = modelKindName(one.kind, m_context.look.wording());
+            setTableRow(compared, row++,
+                        {one.chosen ? tr("%1: best").arg(name) : name, QString::number(one.sensors),
+                         threeText(one.rms_um, units, 2), threeText(one.worst_um, units, 1)});
         }
         compared->setRowCount(row);
         compared->setVisible(row > 0);

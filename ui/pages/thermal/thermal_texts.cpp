@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/link/texts.h"
+#include "ui/link/vocabulary.h"
 
 namespace kerf::ui {
 namespace {
@@ -42,17 +43,17 @@ QString coupleStateName(CoupleState state) {
     return ThermalTexts::tr("no reading");
 }
 
-QString modelKindName(const std::string& kind) {
+QString modelKindName(const std::string& kind, Wording wording) {
     if (kind == "regression") {
-        return ThermalTexts::tr("regression on few sensors");
+        return termText(Term::ModelRegression, wording);
     }
     if (kind == "hierarchical") {
-        return ThermalTexts::tr("hierarchical over days");
+        return termText(Term::ModelHierarchical, wording);
     }
     if (kind == "gmdh") {
-        return ThermalTexts::tr("network, guarded");
+        return termText(Term::ModelNetwork, wording);
     }
-    return kind == "gmdh-paper" ? ThermalTexts::tr("network, as printed") : QString::fromStdString(kind);
+    return kind == "gmdh-paper" ? termText(Term::ModelNetworkAsPrinted, wording) : QString::fromStdString(kind);
 }
 
 QString minutesText(double minutes) {

@@ -18,7 +18,7 @@ inline constexpr int kTemperatureDecimals = 1;
 inline constexpr std::array<const char*, kAxisCount> kThermalAxes{"X", "Y", "Z"};
 
 [[nodiscard]] QString coupleStateName(CoupleState state);
-[[nodiscard]] QString modelKindName(const std::string& kind);
+[[nodiscard]] QString modelKindName(const std::string& kind, Wording wording);
 [[nodiscard]] QString minutesText(double minutes);
 /// "0.2 / 0.5 / 1.4": one figure per axis in the shown unit.
 [[nodiscard]] QString threeText(std::span<const double, kAxisCount> values_um, const UnitSystem& units, int decimals);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/link/vocabulary.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/widgets/label.h"
 
@@ -98,11 +99,12 @@ void MarginPanel::changeEvent(QEvent* event) {
 }
 
 void MarginPanel::retranslate() {
-    setTitle(tr("Loop margins and trim"));
-    m_gain->setLabel(tr("gain, times"));
-    m_phase->setLabel(tr("phase"));
-    m_delay->setLabel(tr("more delay"));
-    m_modulus->setLabel(tr("smallest |1 + L|"));
+    const auto name = [this](Term term) { return termText(term, m_look.wording()); };
+    setTitle(name(Term::MarginsTitle));
+    m_gain->setLabel(name(Term::GainMargin));
+    m_phase->setLabel(name(Term::PhaseMargin));
+    m_delay->setLabel(name(Term::DelayMargin));
+    m_modulus->setLabel(name(Term::ModulusMargin));
     m_grid->setHorizontalSpacing(m_look.space(Space::Large));
     m_grid->setVerticalSpacing(m_look.space(Space::Small));
     m_shown_ns = -1;

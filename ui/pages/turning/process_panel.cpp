@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/link/vocabulary.h"
 #include "ui/units/unit_system.h"
 #include "ui/widgets/label.h"
 
@@ -73,13 +74,13 @@ void ProcessPanel::retranslate() {
     m_lawTitle->setText(tr("law"));
     m_grid->setHorizontalSpacing(m_look.space(Space::Medium));
     m_grid->setVerticalSpacing(m_look.space(Space::Hair));
-    constexpr std::array<const char*, 3> symbols{"a₁", "b₀", "b₁"};
-    for (std::size_t i = 0; i < symbols.size(); ++i) {
+    constexpr std::array kTerms{Term::ForceMemory, Term::ForceOfDepthNow, Term::ForceOfDepthBefore};
+    for (std::size_t i = 0; i < kTerms.size(); ++i) {
         const QString unit = m_look.units().of(kUnits[i]).symbol;
-        m_names[i]->setText(unit.isEmpty() ? QString::fromUtf8(symbols[i])
-                                           : QString::fromUtf8(symbols[i]) + QStringLiteral(", ") + unit);
+        const QString name = termText(kTerms[i], m_look.wording());
+        m_names[i]->setText(unit.isEmpty() ? name : name + QStringLiteral(", ") + unit);
     }
-    m_traceName->setText(tr("covariance, log"));
+    m_traceName->setText(termText(Term::Covariance, m_look.wording()));
     show(m_last);
 }
 

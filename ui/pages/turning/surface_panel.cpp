@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/link/vocabulary.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/widgets/label.h"
 
@@ -63,9 +64,9 @@ void SurfacePanel::changeEvent(QEvent* event) {
 
 void SurfacePanel::retranslate() {
     setTitle(tr("Surface as the force shows it"));
-    m_rms->setLabel(tr("RMS"));
-    m_pv->setLabel(tr("P-V of a revolution"));
-    m_without->setLabel(tr("RMS without the trim"));
+    m_rms->setLabel(termText(Term::SurfaceRms, m_look.wording()));
+    m_pv->setLabel(termText(Term::SurfacePv, m_look.wording()));
+    m_without->setLabel(termText(Term::UntreatedRms, m_look.wording()));
     m_columns->setSpacing(m_look.space(Space::Large));
     m_blindRow->setSpacing(m_look.metrics().touchGap());
     m_spectrum->retranslate();
