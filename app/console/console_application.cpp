@@ -6,22 +6,16 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QStorageInfo>
 #include <algorithm>
 
 #include "app/console/logging.h"
-#include "app/console/part_report.h"
 #include "app/console/preferences.h"
 #include "app/files/replay_file.h"
 #include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
-#include "app/service/quality/part_judge.h"
-#include "db/migrator.h"
 #include "engine/cycle/machine_alarms.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
-#include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
-#include "ui/services/milling_service.h"
 #include "ui/shell/pin_seal.h"
 
 namespace kerf::console {

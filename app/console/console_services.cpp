@@ -13,20 +13,10 @@
 #include <functional>
 #include <memory>
 
-#include "app/console/logging.h"
 #include "app/console/part_report.h"
 #include "app/console/preferences.h"
-#include "app/files/replay_file.h"
-#include "app/files/table.h"
-#include "app/machines/machine_module_loader.h"
 #include "app/service/boring/bore_file.h"
 #include "app/service/quality/part_judge.h"
-#include "db/migrator.h"
-#include "engine/cycle/machine_alarms.h"
-#include "engine/machine/linuxcnc/port_exposure.h"
-#include "ui/link/shop_text.h"
-#include "ui/link/texts.h"
-#include "ui/shell/pin_seal.h"
 
 namespace kerf::console {
 

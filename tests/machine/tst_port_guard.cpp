@@ -29,6 +29,7 @@
 #include "tests/support/boring_bench.h"
 #include "tests/support/cycle_guard.h"
 #include "tests/support/scripted_control.h"
+#include "tests/support/sensor_process.h"
 #include "tests/support/tapping_bench.h"
 #include "tests/support/thermal_bench.h"
 
@@ -188,41 +189,6 @@ class ScriptedMotion {
     double m_programmed_mmPerS{0.0};
     double m_length_mm{0.0};
     double m_done_mm{0.0};
-};
-
-/// What the reading process does, by hand; started anew as often as one likes.
-class SensorProcess {
- public:
-    explicit SensorProcess(std::string name) : m_name(std::move(name)) {
-        (void)shm_unlink(m_name.c_str());
-        const int file = shm_open(m_name.c_str(), O_RDWR | O_CREAT | O_EXCL, 0600);
-        const bool sized = ftruncate(file, sizeof(sensors::SensorMemory)) == 0;
-        void* block = mmap(nullptr, sizeof(sensors::SensorMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        close(file);
-        m_memory = sized ? new (block) sensors::SensorMemory() : nullptr;
-        m_memory->magic = sensors::SensorMemory::kMagic;
-    }
-    SensorProcess(const SensorProcess&) = delete;
-    SensorProcess& operator=(const SensorProcess&) = delete;
-    ~SensorProcess() {
-        munmap(m_memory, sizeof(sensors::SensorMemory));
-        (void)shm_unlink(m_name.c_str());
-    }
-    void write(std::uint32_t count, double temp_degC, Quality quality) {
-        sensors::SensorFrame frame;
-        frame.beat = ++m_beat;
-        frame.written_ns = std::chrono::steady_clock::now().time_since_epoch().count();
-        frame.count = count;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            frame.channel[i] = {temp_degC + 0.01 * i, frame.written_ns, quality, sensors::Cause::None, 1};
-        }
-        m_memory->frames.push(frame);
-    }
-
- private:
-    std::string m_name;
-    sensors::SensorMemory* m_memory{nullptr};
-    std::uint64_t m_beat{0};
 };
 
 }  // namespace
@@ -498,7 +464,7 @@ class TestPortGuard : public QObject {
             rows[i].temp_degC = {20.0F, 21.0F, 22.0F};
         }
         const std::string name = QString::asprintf("/kerf-test-sensors-%d", getpid()).toStdString();
-        auto process = std::make_unique<SensorProcess>(name);
+        auto process = std::make_unique<test::SensorProcess>(name);
         ReplayMachine replay(rows, kChannels);
         SensorPort port(replay, {name, {0, 1, 2}, 3});
         QVERIFY(port.connect().has_value());
@@ -516,17 +482,17 @@ class TestPortGuard : public QObject {
         run(10);
         watched.send(SetLoopMode{ProcessId::Thermal, LoopMode::Control});
         run(100);
-        process->write(4, 20.0, Quality::Good);
+        process->write({20.00, 20.01, 20.02, 20.03}, Quality::Good);
         run(100);
         QVERIFY(watched.engine().cycle().inputs().temperatures != nullptr);
-        process->write(4, 20.0, Quality::Stale);
+        process->write({20.00, 20.01, 20.02, 20.03}, Quality::Stale);
         run(100);
         QVERIFY(watched.engine().cycle().inputs().temperatures == nullptr);
         process.reset();  // it has died, another one is started
         run(100);
-        process = std::make_unique<SensorProcess>(name);
+        process = std::make_unique<test::SensorProcess>(name);
         QVERIFY(until([&] {
-            process->write(4, 23.0, Quality::Good);
+            process->write({23.00, 23.01, 23.02, 23.03}, Quality::Good);
             run(1);
             return watched.engine().cycle().inputs().temperatures != nullptr &&
                    watched.engine().cycle().inputs().temperatures->temp_degC[0].value == 23.0;

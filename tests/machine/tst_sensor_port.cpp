@@ -10,47 +10,11 @@
 #include "engine/machine/replay/replay_machine.h"
 #include "engine/machine/sensors/sensor_port.h"
 #include "tests/support/cycle_guard.h"
+#include "tests/support/sensor_process.h"
 
 using namespace kerf;
 
 namespace {
-
-std::int64_t monotonic_ns() {
-    return std::chrono::steady_clock::now().time_since_epoch().count();
-}
-
-/// What the reading process does, by hand.
-class Writer {
- public:
-    explicit Writer(std::string name) : m_name(std::move(name)) {
-        (void)shm_unlink(m_name.c_str());
-        const int file = shm_open(m_name.c_str(), O_RDWR | O_CREAT | O_EXCL, 0600);
-        const bool sized = ftruncate(file, sizeof(sensors::SensorMemory)) == 0;
-        void* block = mmap(nullptr, sizeof(sensors::SensorMemory), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-        close(file);
-        m_memory = sized ? new (block) sensors::SensorMemory() : nullptr;
-        m_memory->magic = sensors::SensorMemory::kMagic;
-    }
-    ~Writer() {
-        munmap(m_memory, sizeof(sensors::SensorMemory));
-        (void)shm_unlink(m_name.c_str());
-    }
-    void write(std::vector<double> temps_degC, Quality quality = Quality::Good, double old_s = 0.0) {
-        sensors::SensorFrame frame;
-        frame.beat = ++m_beat;
-        frame.written_ns = monotonic_ns() - static_cast<std::int64_t>(old_s * 1e9);
-        frame.count = static_cast<std::uint32_t>(temps_degC.size());
-        for (std::size_t i = 0; i < temps_degC.size(); ++i) {
-            frame.channel[i] = {temps_degC[i], frame.written_ns - 400'000'000, quality, sensors::Cause::None, 1};
-        }
-        m_memory->frames.push(frame);
-    }
-
- private:
-    std::string m_name;
-    sensors::SensorMemory* m_memory{nullptr};
-    std::uint64_t m_beat{0};
-};
 
 ReplayRow row(double time_min, float temp_degC) {
     ReplayRow one;
@@ -68,7 +32,7 @@ class TestSensorPort : public QObject {
  private slots:
     void readingsJoinAMachineThatHasNone() {
         const std::string name = QString::asprintf("/kerf-test-%d", getpid()).toStdString();
-        Writer writer(name);
+        test::SensorProcess writer(name);
         ReplayMachine machine({row(0.0, 20.0F), row(1.0, 21.0F)}, 1);
         SensorPort port(machine, {name, {2, 0}, 1});
         QVERIFY(port.connect().has_value());

@@ -192,13 +192,7 @@ std::vector<boring::Stretch> stretchesOf(const LotHistory& history, std::vector<
     }
     LotRecords records(*recipe, boring::EstimatorKind::Kalman);
     for (const PartDetail& detail : history.parts) {
-        ServicePart part;
-        part.id = detail.part.id;
-        part.number = detail.part.number;
-        part.complete = detail.part.complete;
-        part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
-        part.feed = detail.feed;
-        records.addPart(part);
+        records.addPart(servicePartOf(detail));
     }
     records.setAnnounced(std::move(announced));
     records.restoreRows(history.measurements);

@@ -79,13 +79,7 @@ StoredBoringService::StoredBoringService(const Links& links, const LotHistory& h
 
 void StoredBoringService::restore(const LotHistory& history) {
     for (const PartDetail& detail : history.parts) {
-        ServicePart part;
-        part.id = detail.part.id;
-        part.number = detail.part.number;
-        part.complete = detail.part.complete;
-        part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
-        part.feed = detail.feed;
-        m_records.addPart(part);
+        m_records.addPart(servicePartOf(detail));
     }
     m_records.restoreRows(history.measurements);
     for (const ScheduleRow& row : history.schedules) {

@@ -56,6 +56,16 @@ std::size_t LotRecords::depthsOf(const ServicePart& part) const noexcept {
     return boring::teaches(part.schedule) ? m_recipe.depths.size() : m_everyPart;
 }
 
+ServicePart servicePartOf(const PartDetail& detail) {
+    ServicePart part;
+    part.id = detail.part.id;
+    part.number = detail.part.number;
+    part.complete = detail.part.complete;
+    part.schedule = detail.schedule ? detail.schedule->schedule : BoringSchedule{};
+    part.feed = detail.feed;
+    return part;
+}
+
 void LotRecords::addPart(const ServicePart& part) {
     const auto place = std::ranges::upper_bound(m_parts, part.number, {}, &ServicePart::number);
     m_parts.insert(place, part);

@@ -26,6 +26,9 @@ struct ServicePart {
     FeedTrace feed{};
 };
 
+/// As it was stored.
+[[nodiscard]] ServicePart servicePartOf(const PartDetail& detail);
+
 /// Everything stored about the lot that the service works with, and what follows from it. No database, no engine:
 /// values in, values out, so that a restart is the same computation as the shift before it.
 class LotRecords {
