@@ -222,7 +222,7 @@ std::optional<Time> looseTimeOf(std::string_view given, SlashDates slashes) {
     clock = std::string(trimmed(clock));
     const std::size_t first = clock.find_first_of("0123456789");
     if (first == std::string::npos) {
-        return clock.empty() ? timeOf(date, slashes) : std::nullopt;
+        return clock.find_first_not_of("/ ") == std::string::npos ? timeOf(date, slashes) : std::nullopt;
     }
     if (clock.find_first_not_of("/ T.,_-") != first) {
         return std::nullopt;

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "app/files/dfq.h"
+#include "app/files/dfq_description.h"
 #include "app/files/dfq_field.h"
 #include "app/files/dfq_line.h"
 #include "app/files/dfq_loose.h"
@@ -236,16 +238,49 @@ class Reader : public FieldFindings {
             }
             if (m_announced) {
                 odd(m_line, "K0100 once more: files put one behind the other");
+                beginAnother();
             }
             m_announced = count;
+            m_count = count;
         } else if (key > 0 && key < 100) {
             takeValueKey(key, index.value_or(1), sub, std::move(text));
         } else {
             if (!sub.empty() && key < 4000) {
                 odd(m_line, "a value's index on a key of the description");
             }
+            if (isNumeric(key) && !text.empty() && !numberOf(text) && !looseNumberOf(withoutUnit(text, {}))) {
+                odd(m_line, fmt::format("{} '{}' is no number, kept as text", keyName(key), text.substr(0, 40)));
+            }
             m_file.entries.push_back({key, index, std::move(sub), std::move(text)});
             note(m_file.entries.back());
+        }
+    }
+
+    /// Another file begins within this one.
+    void beginAnother() {
+        settle();
+        m_begin = m_file.entries.size();
+        m_unsettled = true;
+        m_before = std::max(m_described, m_tracks.empty() ? 0U : m_tracks.rbegin()->first);
+        m_offset = 0;
+    }
+
+    /// Before its first value: does it describe the same characteristics once more, or others?
+    void settle() {
+        if (!std::exchange(m_unsettled, false)) {
+            return;
+        }
+        m_offset = countOn(m_file.entries, m_begin, m_before, m_count);
+        if (m_offset == 0) {
+            return;
+        }
+        odd(m_line, fmt::format("a description of others behind the first: its characteristics are counted on from {}",
+                                m_offset + 1));
+        m_announced = m_offset + m_count;
+        m_described = 0;
+        m_kinds.clear();
+        for (const Entry& entry : m_file.entries) {
+            note(entry);
         }
     }
 
@@ -275,6 +310,8 @@ class Reader : public FieldFindings {
     }
 
     void takeValueKey(int key, std::uint32_t characteristic, const std::string& sub, std::string text) {
+        settle();
+        characteristic += characteristic > 0 ? m_offset : 0;
         if (!sub.empty()) {
             takeIndexedKey(key, characteristic, sub, std::move(text));
             return;
@@ -285,7 +322,7 @@ class Reader : public FieldFindings {
         }
         bool any = false;
         for (auto& [number, track] : m_tracks) {
-            if (!track.values.empty() && track.row == m_row) {
+            if (number > m_offset && !track.values.empty() && m_file.values[track.values.back()].row == m_row) {
                 addByKey(number, key, text);
                 any = true;
             }
@@ -307,7 +344,7 @@ class Reader : public FieldFindings {
         }
         bool any = false;
         for (auto& [number, track] : m_tracks) {
-            if (characteristic != 0 && number != characteristic) {
+            if (characteristic != 0 ? number != characteristic : number <= m_offset) {
                 continue;
             }
             for (std::size_t i = 0; i < track.values.size(); ++i) {
@@ -386,6 +423,7 @@ class Reader : public FieldFindings {
     }
 
     void takeValueLine(std::string_view given) {
+        settle();
         std::string line(given);
         for (std::string& oddity : repairSeparators(line)) {
             odd(0, std::move(oddity));
@@ -393,7 +431,7 @@ class Reader : public FieldFindings {
         LineFields characteristics;
         if (line.find(kBetweenFields) == std::string::npos && line.find(kBetweenCharacteristics) == std::string::npos &&
             !numberOf(trimmed(line))) {
-            characteristics = splitAtBlanks(line, std::max(m_described, m_announced.value_or(0)));
+            characteristics = splitAtBlanks(line, std::max(m_described, m_announced.value_or(0)) - m_offset);
             if (characteristics.empty()) {
                 bad("K0001", fmt::format("'{}' is no number", std::string(trimmed(line)).substr(0, 40)));
                 return;
@@ -407,7 +445,7 @@ class Reader : public FieldFindings {
         bool any = false;
         for (std::size_t i = 0; i < characteristics.size() && !m_problem; ++i) {
             if (!isEmpty(characteristics[i])) {
-                addByLine(static_cast<std::uint32_t>(i + 1), row, characteristics[i]);
+                addByLine(m_offset + static_cast<std::uint32_t>(i + 1), row, characteristics[i]);
                 any = true;
             }
         }
@@ -459,6 +497,7 @@ class Reader : public FieldFindings {
     }
 
     tl::expected<void, Problem> finish() {
+        settle();
         if (m_preface) {
             return tl::unexpected(*m_preface);
         }
@@ -484,6 +523,11 @@ class Reader : public FieldFindings {
     std::optional<Problem> m_problem{};
     std::optional<std::uint32_t> m_announced{};
     std::uint32_t m_described{0};
+    std::size_t m_begin{0};     ///< first entry of the newest of several files put one behind the other …
+    bool m_unsettled{false};    ///< … of which it is not known yet whether it describes other characteristics
+    std::uint32_t m_before{0};  ///< characteristics before it
+    std::uint32_t m_count{0};   ///< its K0100
+    std::uint32_t m_offset{0};  ///< added to its characteristics' numbers
     std::uint32_t m_row{0};
     std::map<std::uint32_t, Track> m_tracks{};
     std::map<std::uint32_t, std::string> m_kinds{};

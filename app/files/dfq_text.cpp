@@ -98,6 +98,8 @@ std::string fromUtf16(std::string_view bytes, bool littleEndian) {
     return text;
 }
 
+constexpr double kFinestSecond = 1e9;  // parts of a second that are told apart
+
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -150,11 +152,16 @@ bool takeClock(std::string_view text, Time& time) {
         }
         time.second = *second;
         if (!text.empty() && (text.front() == '.' || text.front() == ',')) {
-            double place = 0.1;
+            double fraction = 0.0;
+            double scale = 1.0;
             text.remove_prefix(1);
-            for (; !text.empty() && isDigit(text.front()); text.remove_prefix(1), place /= 10.0) {
-                time.second += place * (text.front() - '0');
+            for (; !text.empty() && isDigit(text.front()); text.remove_prefix(1)) {
+                if (scale < kFinestSecond) {
+                    fraction = 10.0 * fraction + (text.front() - '0');
+                    scale *= 10.0;
+                }
             }
+            time.second += fraction / scale;
         }
     }
     while (take(text, ' ')) {
@@ -314,13 +321,16 @@ std::optional<Time> timeOf(std::string_view text, SlashDates slashes) {
 }
 
 std::string timeText(const Time& time) {
-    const int whole = static_cast<int>(time.second);
-    std::string text = fmt::format("{:02}.{:02}.{:04}/{:02}:{:02}:{:02}", time.day, time.month, time.year, time.hour,
-                                   time.minute, whole);
-    if (const double rest = time.second - whole; rest > 0.0005) {
-        text += fmt::format("{:.3f}", rest).substr(1);
+    std::string seconds = fmt::format("{:012.9f}", time.second);
+    constexpr std::size_t kMilliseconds = 6;  // "12.500"
+    while (seconds.size() > kMilliseconds && seconds.back() == '0') {
+        seconds.pop_back();
     }
-    return text;
+    if (seconds.ends_with(".000")) {
+        seconds.resize(2);
+    }
+    return fmt::format("{:02}.{:02}.{:04}/{:02}:{:02}:{}", time.day, time.month, time.year, time.hour, time.minute,
+                       seconds);
 }
 
 }  // namespace kerf::dfq

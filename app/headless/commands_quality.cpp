@@ -2,6 +2,8 @@
 #include "app/headless/commands_quality.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -83,13 +85,16 @@ void capability(const CapabilityOptions& options) {
     const quality::CentreLine line = quality::centreLine(values);
     ordered_json report;
     report["n"] = result.count;
-    report["mean"] = result.mean;
-    report["s"] = result.deviation;
-    report["s_moving_range"] = line.sigma;
+    const auto from = [&](std::size_t least, double figure) {
+        return result.count >= least ? ordered_json(figure) : ordered_json(nullptr);
+    };
+    report["mean"] = from(1, result.mean);
+    report["s"] = from(2, result.deviation);
+    report["s_moving_range"] = from(2, line.sigma);
     report["lower"] = orNull(options.lower);
     report["upper"] = orNull(options.upper);
     report["target"] = orNull(options.target);
-    report["off_target"] = options.target ? ordered_json(result.mean - *options.target) : ordered_json(nullptr);
+    report["off_target"] = options.target ? from(1, result.mean - *options.target) : ordered_json(nullptr);
     put(report, "pp", result.pp);
     put(report, "ppk", result.ppk);
     put(report, "cp", result.cp);
@@ -150,10 +155,45 @@ class Labels {
         m_labels.push_back(label);
         return static_cast<std::uint32_t>(m_labels.size() - 1);
     }
+    [[nodiscard]] std::size_t count() const noexcept { return m_labels.size(); }
+    [[nodiscard]] const std::string& label(std::size_t number) const { return m_labels[number]; }
 
  private:
     std::vector<std::string> m_labels{};
 };
+
+/// Every person has read every part equally often; what is missing or stands twice is told in the file's own words.
+void requireCrossed(const std::string& path, const LabelledTable& table,
+                    const std::vector<quality::StudyReading>& readings, const Labels& parts, const Labels& persons,
+                    const Labels& trials) {
+    using Cell = std::array<std::uint32_t, 3>;
+    const auto named = [&](const Cell& at) {
+        return fmt::format("part {}, person {}, trial {}", parts.label(at[0]), persons.label(at[1]),
+                           trials.label(at[2]));
+    };
+    std::map<Cell, std::size_t> there;
+    for (std::size_t row = 0; row < readings.size(); ++row) {
+        const Cell at{readings[row].part, readings[row].person, readings[row].trial};
+        if (const auto [first, fresh] = there.emplace(at, row); !fresh) {
+            throw BadInput(fmt::format("{}{} stands twice; each reading stands once.",
+                                       table.table().where(row, "value"), named(at)));
+        }
+    }
+    if (there.size() == parts.count() * persons.count() * trials.count()) {
+        return;
+    }
+    for (std::uint32_t part = 0; part < parts.count(); ++part) {
+        for (std::uint32_t person = 0; person < persons.count(); ++person) {
+            for (std::uint32_t trial = 0; trial < trials.count(); ++trial) {
+                if (!there.contains({part, person, trial})) {
+                    throw BadInput(fmt::format(
+                        "{}: {} is missing; every person reads each of the {} parts in each of the {} trials.", path,
+                        named({part, person, trial}), parts.count(), trials.count()));
+                }
+            }
+        }
+    }
+}
 
 ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
     const std::size_t part = table.column("part");
@@ -168,6 +208,7 @@ ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
         readings.push_back({parts.number(table.text(row, part)), persons.number(table.text(row, person)),
                             trials.number(table.text(row, trial)), values[row]});
     }
+    requireCrossed(options.file, table, readings, parts, persons, trials);
     const bool anova = options.method == "anova";
     const auto study = quality::crossedStudy(
         readings, anova ? quality::StudyMethod::Anova : quality::StudyMethod::AverageRange, options.tolerance);
@@ -204,7 +245,7 @@ ordered_json crossed(const StudyOptions& options, const LabelledTable& table) {
         report["ss_interaction"] = study->ssInteraction;
         report["ss_repeatability"] = study->ssRepeatability;
         report["ss_total"] = study->ssTotal;
-        report["f_interaction"] = study->fInteraction;
+        report["f_interaction"] = orNull(study->fInteraction);
         report["p_interaction"] = study->pInteraction;
         report["pooled"] = study->pooled;
         report["interaction"] = study->interaction;

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "app/files/dfq_description.h"
 #include "app/files/dfq_files.h"
 #include "app/files/output.h"
 #include "app/files/table.h"
@@ -38,13 +39,6 @@ ordered_json fieldsOf(const std::map<int, std::string>& fields) {
         json[keyName(key)] = text;
     }
     return json;
-}
-
-bool ofPart(int key) {
-    return key >= 1000 && key < 2000;
-}
-bool ofCharacteristic(int key) {
-    return (key >= 2000 && key < 3000) || (key >= 8000 && key < 9000);
 }
 
 /// Fields of parts or characteristics by their index; what stands for all first, a line of its own above it.
@@ -113,12 +107,12 @@ ordered_json fileJson(const std::string& path, const dfq::File& file) {
     json["file"] = path;
     json["encoding"] = dfq::encodingName(file.encoding);
     json["parts"] = ordered_json::array();
-    const Described parts(file, ofPart);
+    const Described parts(file, dfq::isOfPart);
     for (std::uint32_t i = 1; i <= parts.last(); ++i) {
         json["parts"].push_back({{"index", i}, {"fields", fieldsOf(parts.of(i))}});
     }
     json["characteristics"] = ordered_json::array();
-    const Described characteristics(file, ofCharacteristic);
+    const Described characteristics(file, dfq::isOfCharacteristic);
     for (std::uint32_t i = 1; i <= file.characteristics; ++i) {
         const auto fields = characteristics.of(i);
         const auto name = fields.find(2002);
@@ -128,7 +122,7 @@ ordered_json fileJson(const std::string& path, const dfq::File& file) {
     }
     json["other"] = ordered_json::array();  // catalogues, groups, structure
     for (const dfq::Entry& entry : file.entries) {
-        if (!ofPart(entry.key) && !ofCharacteristic(entry.key)) {
+        if (!dfq::isOfPart(entry.key) && !dfq::isOfCharacteristic(entry.key)) {
             json["other"].push_back({{"key", keyName(entry.key)},
                                      {"index", entry.index ? ordered_json(*entry.index) : ordered_json(nullptr)},
                                      {"text", entry.text}});

@@ -199,9 +199,10 @@ void byAnova(const Block& block, CrossedStudy& study) {
     const double msRepeat = study.ssRepeatability / freeRepeat;
     if (msRepeat > 0.0) {
         study.fInteraction = msInteraction / msRepeat;
-        study.pInteraction = fUpperTail(freeInteraction, freeRepeat, study.fInteraction);
+        study.pInteraction = fUpperTail(freeInteraction, freeRepeat, *study.fInteraction);
     } else {
-        study.pInteraction = msInteraction > 0.0 ? 0.0 : 1.0;
+        constexpr double kRounding = 1e-18;  // of the total: what sums of squares leave over
+        study.pInteraction = study.ssInteraction > kRounding * study.ssTotal ? 0.0 : 1.0;
     }
     study.pooled = study.pInteraction > kPoolingAlpha;
     double error = msRepeat;         // what repetition alone makes

@@ -82,7 +82,7 @@ struct CrossedStudy {
     double ssInteraction{0.0};
     double ssRepeatability{0.0};
     double ssTotal{0.0};
-    double fInteraction{0.0};
+    std::optional<double> fInteraction{};  ///< none: the repeated readings are all alike
     double pInteraction{1.0};
     bool pooled{false};
 };

@@ -190,6 +190,65 @@ class TestDfqWriters : public QObject {
         QVERIFY(
             (dfq::looseTimeOf("31.12.2026 24:00", dfq::SlashDates::MonthFirst) == dfq::Time{2027, 1, 1, 0, 0, 0.0}));
     }
+    void partsOfASecondSurviveACopy() {
+        const std::string head =
+            "K0100 1\r\nK2002/1 a\r\n1.5\x14"
+            "0\x14";
+        for (const char* text :
+             {"27.11.2026/10:11:59.9996", "27.11.2026/10:11:12.123456", "27.11.2026/10:11:12.000000001",
+              "27.11.2026/23:59:59.999999999", "27.11.2026/10:11:12.500"}) {
+            const auto file = readOrFail(head + text + "\r\n");
+            QCOMPARE(*file.values.front().find(4), std::string(text));
+            QCOMPARE(textOf(readOrFail(dfq::write(file))), textOf(file));
+        }
+        QCOMPARE(*readOrFail(head + "27.11.2026/10:11:12,5\r\n").values.front().find(4), "27.11.2026/10:11:12.500"s);
+    }
+    /// Two files put one behind the other: the same characteristics go on, others are counted on.
+    void filesPutOneBehindTheOtherKeepTheirDescriptions() {
+        const std::string first =
+            "K0100 2\r\nK1001/1 4711\r\nK2002/1 bore\r\nK2002/2 depth\r\n50.01\x0F"
+            "20.5\r\n50.02\x0F"
+            "20.6\r\n";
+        const auto same = readOrFail(first + first);
+        QCOMPARE(same.characteristics, 2U);
+        QCOMPARE(same.values.size(), std::size_t{8});
+        QCOMPARE(same.values.back().row, 4U);
+        const std::string second =
+            "K0100 1\r\nK1001/1 4712\r\nK2002/1 width\r\nK2142/0 mm\r\n7.5\r\nK0014/0 S-1\r\nK0009/1 read again\r\n";
+        const auto file = readOrFail(first + second + first);
+        QCOMPARE(file.characteristics, 3U);  // the third is the first once more
+        QCOMPARE(*file.find(1001, 1), "4711"s);
+        QCOMPARE(*file.find(1001, 2), "4712"s);
+        QCOMPARE(*file.find(2002, 1), "bore"s);
+        QCOMPARE(*file.find(2002, 3), "width"s);
+        QCOMPARE(*file.find(2142, 3), "mm"s);
+        QVERIFY(file.find(2142, 1) == nullptr);
+        QCOMPARE(file.values.size(), std::size_t{9});
+        const auto value = std::ranges::find(file.values, 3U, &dfq::Value::characteristic);
+        QVERIFY(value != file.values.end());
+        QCOMPARE(*value->value, 7.5);
+        QCOMPARE(*value->find(14), "S-1"s);
+        QCOMPARE(*value->find(9), "read again"s);
+        QCOMPARE(std::ranges::count_if(file.values, [](const auto& one) { return one.find(14) != nullptr; }), 1);
+        QCOMPARE(textOf(readOrFail(dfq::write(file))), textOf(file));
+    }
+    /// A line for all is of the part's own values: not of an older one where this part has none.
+    void aLineForAllIsOfItsPart() {
+        const auto file = readOrFail(
+            "K0100 2\r\nK2002/1 a\r\nK2002/2 b\r\n1.1\x0F"
+            "2.1\r\nK0014/0 S-1\r\n1.2\r\nK0014/0 S-2\r\n");
+        QCOMPARE(file.values.size(), std::size_t{3});
+        QCOMPARE(*file.values[1].find(14), "S-1"s);
+        QCOMPARE(*file.values[2].find(14), "S-2"s);
+        QCOMPARE(textOf(readOrFail(dfq::write(file))), textOf(file));
+    }
+    void aLimitThatIsNoNumberIsOdd() {
+        const auto file = readOrFail("K0100 1\r\nK2110/1 19.9x\r\nK2111/1 20,1 mm\r\n20.0\r\n");
+        QCOMPARE(*file.find(2110, 1), "19.9x"s);
+        QCOMPARE(std::ranges::count_if(
+                     file.oddities, [](const auto& odd) { return odd.text.find("is no number") != std::string::npos; }),
+                 1);
+    }
     void aMarkForNoValueIsNone() {
         const auto file = readOrFail(
             "K0100 2\r\nK2002/1 a\r\nK2002/2 b\r\n***\x14"

@@ -206,6 +206,35 @@ class TestQualityCommands : public QObject {
         QCOMPARE(QString::number(range["grr_percent"].get<double>(), 'f', 2), QString("26.68"));
         QVERIFY(!range["grr_percent_of_tolerance"].is_null());
     }
+    void whatIsNotCrossedIsToldInTheFilesOwnWords() {
+        QStringList rows{QStringLiteral("part,person,trial,value")};
+        for (const char* part : {"P-1", "P-2", "P-3"}) {
+            for (const char* person : {"Kim", "Lee"}) {
+                for (const char* trial : {"am", "pm"}) {
+                    rows << QStringLiteral("%1,%2,%3,%4").arg(part, person, trial).arg(20.0 + 0.1 * (part[2] - '0'));
+                }
+            }
+        }
+        const auto study = [this](const QStringList& lines) {
+            return quality({"gauge-study", scratchFile("crossed.csv", lines.join(u'\n') + u'\n'), "--method", "anova"});
+        };
+        const json same = jsonOf(study(rows));  // every reading of a part alike: no spread to divide by
+        QVERIFY(same["f_interaction"].is_null() && same["pooled"].get<bool>());
+        QStringList missing = rows;
+        missing.removeAt(6);
+        const KerfRun gap = study(missing);
+        QCOMPARE(gap.exitCode, 3);
+        QVERIFY2(gap.err.contains("part P-2, person Kim, trial pm is missing"), qPrintable(gap.err));
+        const KerfRun twice = study(rows + QStringList{rows.at(3)});
+        QCOMPARE(twice.exitCode, 3);
+        QVERIFY2(twice.err.contains("line 14") && twice.err.contains("part P-1, person Lee, trial am stands twice"),
+                 qPrintable(twice.err));
+    }
+    void ofTooFewValuesThereIsNoSpread() {
+        const json one = jsonOf(quality({"capability", scratchFile("one.csv", "value\n50.001\n"), "--upper", "51"}));
+        QVERIFY(one["s"].is_null() && one["s_moving_range"].is_null());
+        QCOMPARE(one["mean"].get<double>(), 50.001);
+    }
     void typeOneNeedsReadingsAndATolerance() {
         QList<double> readings;
         for (int i = 0; i < 30; ++i) {

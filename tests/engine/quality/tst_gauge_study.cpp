@@ -70,7 +70,7 @@ class TestGaugeStudy : public QObject {
         QCOMPARE(printed(study->ssInteraction, 4), QString("0.3590"));
         QCOMPARE(printed(study->ssRepeatability, 4), QString("2.7589"));
         QCOMPARE(printed(study->ssTotal, 4), QString("94.6471"));
-        QCOMPARE(printed(study->fInteraction, 3), QString("0.434"));
+        QCOMPARE(printed(*study->fInteraction, 3), QString("0.434"));
         QVERIFY(study->pooled);
         QCOMPARE(printed(study->ev, 6), QString("0.199933"));
         QCOMPARE(printed(study->av, 6), QString("0.226838"));
