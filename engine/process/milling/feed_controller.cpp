@@ -35,6 +35,11 @@ void FeedController::select(LawKind law) noexcept {
     m_law = law;
 }
 
+void FeedController::setReference(double reference_N) noexcept {
+    m_params.reference_N = reference_N;
+    m_estimator.setReference(reference_N, stiffnessParams(m_params).assume.forceNoise_N);
+}
+
 void FeedController::follow(double feed_mmPerS) noexcept {
     m_axis.forget();
     m_feed_mmPerS = feed_mmPerS;
@@ -49,7 +54,8 @@ void FeedController::resumeAfterPause() noexcept {
 
 void FeedController::setPeriod(int revolutions) noexcept {
     if (revolutions != m_period) {
-        m_estimator.shift(-m_params.stiffness.assume.exponent * std::log(static_cast<double>(revolutions) / m_period));
+        m_estimator.setPeriod(-m_params.stiffness.assume.exponent *
+                              std::log(static_cast<double>(revolutions) / m_period));
         m_axis.reset();
         m_period = revolutions;
     }
@@ -68,7 +74,7 @@ void FeedController::beginCut() noexcept {
 }
 
 void FeedController::newTool() noexcept {
-    m_estimator = StiffnessEstimator(stiffnessParams(m_params));
+    m_estimator.newTool(stiffnessParams(m_params));
 }
 
 double FeedController::lnDepthAt(double position_mm) const noexcept {
@@ -83,8 +89,7 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
     if (!input.force_N) {
         m_estimator.coast(input.feed_mmPerRev);
     } else if (*input.force_N < m_estimator.airForce_N()) {
-        m_estimator.air(*input.force_N);
-        m_estimator.leaveWork();
+        m_estimator.air(*input.force_N, input.feed_mmPerRev);
         m_revolutionsInWork = 0;
     } else {
         const bool preview = m_law == LawKind::Preview && m_blank.size() > 0;
@@ -101,8 +106,8 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
 
 void FeedController::takeAim() noexcept {
     const double turning = std::clamp((m_turns - kFewTurnsLate) / (kManyTurnsLate - kFewTurnsLate), 0.0, 1.0);
-    const double late = static_cast<double>(m_axis.late());
-    const double below = std::min(m_params.model.below + m_params.model.belowLate * late * turning, kMostBelow);
+    const auto late_periods = static_cast<double>(late());
+    const double below = std::min(m_params.model.below + m_params.model.belowLate * late_periods * turning, kMostBelow);
     m_below += (below - m_below) / (m_revolutionsInWork < kAimEarly ? kAimFast_rev : kAimSlow_rev);
 }
 
@@ -123,7 +128,7 @@ double FeedController::modelShare(const RevolutionInput& input) const noexcept {
     const ModelLawParams& model = m_params.model;
     const double share = 1.0 - (1.0 - m_estimator.estimate().quiet) * (1.0 - model.modelShareNoisy);
     const double turning = std::clamp((m_turns - kFewTurns) / (kManyTurns - kFewTurns), 0.0, 1.0);
-    const double most = m_axis.late() > 0 ? model.shareTurningLate : model.shareTurning;
+    const double most = late() > 0 ? model.shareTurningLate : model.shareTurning;
     return share + turning * (std::min(share, most) - share);
 }
 
@@ -144,8 +149,9 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
     const InversionModel model{m_params.stiffness.assume.exponent, m_params.stiffness.assume.forceAngle_deg,
                                m_estimator.estimate().kx_NPerMm};
     takeAim();
-    const double wanted_mm = modelFeed_mmPerRev(m_params.model, model, m_estimator.after(m_axis.pending_mm()),
-                                                knownChange, aim_N(), m_revolutionsInWork);
+    const double wanted_mm =
+        modelFeed_mmPerRev(m_params.model, model, m_estimator.after(m_axis.pending_mm()),
+                           knownChange + m_estimator.pendingChange(), aim_N(), m_revolutionsInWork);
     const double error_N = aim_N() - *input.force_N;
     const double b0_NPerMm = forcePerFeed_NPerMm(model, aim_N(), input.feed_mmPerRev);
     const double feedback_mm =

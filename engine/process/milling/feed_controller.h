@@ -7,6 +7,7 @@
 #include "engine/process/milling/axis_follow.h"
 #include "engine/process/milling/blank_profile.h"
 #include "engine/process/milling/feed_law.h"
+#include "engine/process/milling/late_force_estimator.h"
 #include "engine/process/milling/milling_types.h"
 
 namespace kerf::milling {
@@ -61,7 +62,7 @@ class FeedController {
     [[nodiscard]] FeedDecision update(const RevolutionInput& input) noexcept;
     /// Change of law while cutting. Preview without a profile behaves as model.
     void select(LawKind law) noexcept;
-    void setReference(double reference_N) noexcept { m_params.reference_N = reference_N; }
+    void setReference(double reference_N) noexcept;
     void setProgrammedFeed(double feed_mmPerS) noexcept { m_params.programmedFeed_mmPerS = feed_mmPerS; }
     void setRange(const FeedRange& range) noexcept { m_params.range = range; }
     void setBlank(const BlankProfile& blank) noexcept {
@@ -92,6 +93,8 @@ class FeedController {
     [[nodiscard]] LawKind law() const noexcept { return m_law; }
     [[nodiscard]] const StiffnessEstimate& stiffness() const noexcept { return m_estimator.estimate(); }
     [[nodiscard]] const AxisFollow& axis() const noexcept { return m_axis; }
+    /// Periods by which the force alone comes late.
+    [[nodiscard]] std::size_t forceLate() const noexcept { return m_estimator.late(); }
     [[nodiscard]] const Params& params() const noexcept { return m_params; }
 
  private:
@@ -105,10 +108,11 @@ class FeedController {
     void watchTurns() noexcept;
     [[nodiscard]] double modelShare(const RevolutionInput& input) const noexcept;
     void estimate(const RevolutionInput& input) noexcept;
+    [[nodiscard]] std::size_t late() const noexcept { return m_axis.late() + m_estimator.late(); }
 
     Params m_params;
     LawKind m_law;
-    StiffnessEstimator m_estimator;
+    LateForceEstimator m_estimator;
     AxisFollow m_axis{};
     PiLaw m_pi;
     BlankProfile m_blank{};

@@ -43,6 +43,13 @@ void NoiseMeter::air(double force_N) noexcept {
     }
 }
 
+void NoiseMeter::expect(double noise_N) noexcept {
+    if (m_airCount <= kAirEnough) {
+        m_likelyLn_N = std::log(noise_N);
+        judge();
+    }
+}
+
 double NoiseMeter::airReach_N() const noexcept {
     return m_airCount > kAirEnough ? kReach * std::sqrt(m_airSum_N2 / m_airCount) : 0.0;
 }

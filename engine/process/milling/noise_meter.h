@@ -24,6 +24,8 @@ class NoiseMeter {
     explicit NoiseMeter(const StiffnessAssumptions& assumptions) noexcept;
 
     void air(double force_N) noexcept;
+    /// What a noise is taken for until air has been measured, > 0.
+    void expect(double noise_N) noexcept;
     /// The first revolution in the work.
     void begin(double force_N, double feed_mmPerRev, double kx_NPerMm) noexcept;
     /// A further one, with what is known of k_x so far.

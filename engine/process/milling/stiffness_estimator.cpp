@@ -9,7 +9,8 @@
 
 namespace kerf::milling {
 namespace {
-constexpr double kLeastLogWeight = -12.0;  // no filter is ever ruled out for good
+constexpr double kLeastLogWeight = -12.0;       // no filter is ever ruled out for good
+constexpr double kLeastLogLikelihood = -500.0;  // keeps its exponential above 0
 constexpr double k95 = 1.96;
 
 constexpr double kMostAirShare = 3.0;  // of the air force: noisier air than this does not raise it further
@@ -58,10 +59,16 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
     } else {
         const double quietness = quiet(kFilterQuiet);
         m_meter.update(force_N, feed_mmPerRev, knownChange, m_estimate.kx_NPerMm, quietness);
+        double total = 0.0;
+        double likelihood = 0.0;
         for (std::size_t i = 0; i < kFilters; ++i) {
+            const double weight = std::exp(m_logWeight[i]);
             m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
             m_logWeight[i] += m_filters[i].correct(force_N, m_meter.noise());
+            total += weight;
+            likelihood += weight * std::exp(std::max(m_filters[i].logLikelihood(), kLeastLogLikelihood));
         }
+        m_logLikelihood = std::log(likelihood / total);
         const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logWeight) - m_logWeight.begin());
         const double highest = m_logWeight[best];
         for (std::size_t i = 0; i < kFilters; ++i) {
@@ -82,6 +89,13 @@ double StiffnessEstimator::quiet(const Quiet& quiet) const noexcept {
 
 double StiffnessEstimator::airForce_N() const noexcept {
     return std::clamp(m_meter.airReach_N(), m_params.airForce_N, kMostAirShare * m_params.airForce_N);
+}
+
+void StiffnessEstimator::setReference(double reference_N, double unknownNoise_N) noexcept {
+    m_params.reference_N = reference_N;
+    m_meter.expect(unknownNoise_N);
+    m_estimate.noise_N = std::sqrt(m_meter.noise().variance_N2);
+    m_estimate.quiet = quiet(kLawQuiet);
 }
 
 void StiffnessEstimator::shift(double change) noexcept {

@@ -62,6 +62,11 @@ class StiffnessEstimator {
     [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimate; }
     /// The estimate after these feeds as well, of revolutions whose force has not arrived.
     [[nodiscard]] StiffnessEstimate after(std::span<const double> feeds_mmPerRev) const noexcept;
+    /// Of the last force before it was taken, over all filters.
+    [[nodiscard]] double logLikelihood() const noexcept { return m_logLikelihood; }
+    /// Another reference: the same noise counts as more or less of it. `unknownNoise_N`: of a force about which nothing
+    /// was learnt yet.
+    void setReference(double reference_N, double unknownNoise_N) noexcept;
     /// Below: the tool does not cut.
     [[nodiscard]] double airForce_N() const noexcept;
     /// A revolution in air: its force is noise.
@@ -82,6 +87,7 @@ class StiffnessEstimator {
     std::array<double, kFilters> m_lnKx{};
     std::array<double, kFilters> m_logWeight{};  ///< highest is 0
     StiffnessEstimate m_estimate{};
+    double m_logLikelihood{0.0};
 };
 
 }  // namespace kerf::milling

@@ -221,6 +221,54 @@ class TestMillingLaws : public QObject {
         QCOMPARE(axis.lag_periods(), kLag_periods);
         QCOMPARE(axis.late(), std::size_t{0});
     }
+    void aForceThatAloneComesLateIsLearnt_data() {
+        QTest::addColumn<int>("late");
+        QTest::newRow("prompt") << 0;
+        QTest::newRow("one revolution") << 1;
+        QTest::newRow("two revolutions") << 2;
+    }
+    void aForceThatAloneComesLateIsLearnt() {
+        QFETCH(int, late);
+        std::vector<double> ramp_mm(200);
+        for (std::size_t i = 0; i < ramp_mm.size(); ++i) {
+            ramp_mm[i] = 1.0 + (static_cast<double>(i) + 0.5) / 100.0;
+        }
+        CutCase cut = bare(LawKind::Model);
+        cut.blank = *BlankProfile::ofSegments(ramp_mm, 0.5);
+        cut.wholePulses = true;
+        cut.forceLate_rev = late;
+        const double wavy_um = waviness_um(simulateCut(cut));
+        QVERIFY2(wavy_um <= 3.1, qPrintable(QString::number(wavy_um)));  // the paper's law, one revolution late
+    }
+    void latenessOfTheForceIsTheSensorsAndNotTheTools() {
+        FeedController controller(FeedController::Params(), LawKind::Model);
+        RevolutionState tool;
+        double feed_mmPerS = 0.0;
+        double force_N = 0.0;
+        for (int i = 0; i < 120; ++i) {
+            feed_mmPerS = controller.update({force_N, feed_mmPerS * 0.1, 0.0, 0.1}).feed_mmPerS;
+            force_N = tool.forceY_N;  // of the revolution before
+            tool = stepRevolution(PlantParams(), 1.0 + 0.01 * i, tool.deflectionX_mm, feed_mmPerS * 0.1);
+        }
+        QCOMPARE(controller.forceLate(), std::size_t{1});
+        controller.newTool();
+        controller.beginCut();
+        QCOMPARE(controller.forceLate(), std::size_t{1});
+    }
+    void anotherReferenceCountsTheSameNoiseAnew() {
+        CutCase cut = noisy(LawKind::Constant, 3);
+        cut.forceNoise_N = 1.0 * kKgf;
+        FeedController changed(cut.controller, LawKind::Constant);
+        for (const CutRow& row : simulateCut(cut).rows) {
+            (void)changed.update({row.forceMeasured_N, 0.153, row.x_mm, 0.1});
+        }
+        const double before = changed.stiffness().quiet;
+        changed.setReference(2.0 * cut.controller.reference_N);
+        QVERIFY2(changed.stiffness().quiet > before + 0.3, qPrintable(QString::number(before)));
+        changed.setReference(0.25 * cut.controller.reference_N);
+        QVERIFY(changed.stiffness().quiet < 0.01);
+        QVERIFY(changed.stiffness().valid);
+    }
     void noiseIsLearnt() {
         for (const double noise_kgf : {0.3, 1.0, 4.0}) {
             CutCase cut = noisy(LawKind::Constant, 3);

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/process/milling/late_force_estimator.h"
+
+#include <algorithm>
+
+namespace kerf::milling {
+namespace {
+constexpr double kMemory = 1.0 - 1.0 / 100.0;  // of the evidence per period
+constexpr double kMostSaid = 3.0;              // log-likelihood by which one force may tell one lateness from another
+constexpr double kEvidence = 20.0;             // from which a force is taken for late: a comb in step with it says less
+constexpr double kEvidenceBack = 4.0;          // from which it is taken for less late again
+}  // namespace
+
+LateForceEstimator::LateForceEstimator(const StiffnessEstimator::Params& params) noexcept
+    : m_estimators{StiffnessEstimator(params), StiffnessEstimator(params), StiffnessEstimator(params)} {}
+
+void LateForceEstimator::take(const Period& period) noexcept {
+    std::shift_right(m_periods.begin(), m_periods.end(), 1);
+    m_periods[0] = period;
+}
+
+void LateForceEstimator::update(double force_N, double feed_mm, double knownChange) noexcept {
+    take({feed_mm, knownChange});
+    const bool judged = std::ranges::all_of(m_estimators, [](const auto& one) { return one.estimate().valid; });
+    std::array<double, kLates> logLikelihood{};
+    for (std::size_t late = 0; late < kLates; ++late) {
+        m_estimators[late].update(force_N, m_periods[late].feed_mm, m_periods[late].knownChange);
+        logLikelihood[late] = m_estimators[late].logLikelihood();
+    }
+    if (judged) {
+        judge(logLikelihood);
+    }
+}
+
+void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) noexcept {
+    const double likeliest = *std::ranges::max_element(logLikelihood);
+    for (std::size_t late = 0; late < kLates; ++late) {
+        m_logEvidence[late] = kMemory * m_logEvidence[late] + std::max(logLikelihood[late] - likeliest, -kMostSaid);
+    }
+    const double most = *std::ranges::max_element(m_logEvidence);
+    for (double& evidence : m_logEvidence) {
+        evidence -= most;
+    }
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logEvidence) - m_logEvidence.begin());
+    if (m_logEvidence[best] - m_logEvidence[m_late] > (best > m_late ? kEvidence : kEvidenceBack)) {
+        m_late = best;
+    }
+}
+
+void LateForceEstimator::coast(double feed_mm) noexcept {
+    take({feed_mm, 0.0});
+    for (std::size_t late = 0; late < kLates; ++late) {
+        m_estimators[late].coast(m_periods[late].feed_mm);
+    }
+}
+
+void LateForceEstimator::air(double force_N, double feed_mm) noexcept {
+    take({feed_mm, 0.0});
+    for (StiffnessEstimator& estimator : m_estimators) {
+        estimator.air(force_N);
+        estimator.leaveWork();
+    }
+}
+
+void LateForceEstimator::leaveWork() noexcept {
+    for (StiffnessEstimator& estimator : m_estimators) {
+        estimator.leaveWork();
+    }
+}
+
+void LateForceEstimator::setPeriod(double shift) noexcept {
+    for (StiffnessEstimator& estimator : m_estimators) {
+        estimator.shift(shift);
+    }
+    m_logEvidence.fill(0.0);
+    m_late = 0;
+}
+
+void LateForceEstimator::setReference(double reference_N, double unknownNoise_N) noexcept {
+    for (StiffnessEstimator& estimator : m_estimators) {
+        estimator.setReference(reference_N, unknownNoise_N);
+    }
+}
+
+void LateForceEstimator::newTool(const StiffnessEstimator::Params& params) noexcept {
+    m_estimators.fill(StiffnessEstimator(params));
+}
+
+const std::array<double, LateForceEstimator::kFilters>& LateForceEstimator::kxLogWeights() const noexcept {
+    return m_estimators[m_late].kxLogWeights();
+}
+
+bool LateForceEstimator::setKxLogWeights(const std::array<double, kFilters>& weights) noexcept {
+    return std::ranges::all_of(m_estimators, [&](auto& estimator) { return estimator.setKxLogWeights(weights); });
+}
+
+StiffnessEstimate LateForceEstimator::after(std::span<const double> pending_mm) const noexcept {
+    std::array<double, 2 * kLates> feeds_mm{};
+    std::size_t count = 0;
+    for (std::size_t age = m_late; age > 0; --age) {
+        feeds_mm[count++] = m_periods[age - 1].feed_mm;
+    }
+    for (const double feed_mm : pending_mm.first(std::min(pending_mm.size(), kLates))) {
+        feeds_mm[count++] = feed_mm;
+    }
+    return m_estimators[m_late].after({feeds_mm.data(), count});
+}
+
+double LateForceEstimator::pendingChange() const noexcept {
+    double change = 0.0;
+    for (std::size_t age = 0; age < m_late; ++age) {
+        change += m_periods[age].knownChange;
+    }
+    return change;
+}
+
+}  // namespace kerf::milling

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/process/milling/axis_follow.h"
+#include "engine/process/milling/stiffness_estimator.h"
+
+namespace kerf::milling {
+
+/// The cutting stiffness from a force that comes later than the feed it was made with: by 0 to 2 periods of the law
+/// (a filter, an amplifier or a bus on the way of the force alone).
+///
+/// One StiffnessEstimator for each lateness pairs the force with the feed of so many periods before. Each is weighed by
+/// the likelihood of the forces it was surprised by, slowly forgotten; the law gets the estimate of the likeliest. A
+/// force counts as prompt until the evidence is clear, and who has the floor keeps it until it is clearly beaten.
+/// What force and feed are late by together does not show here (AxisFollow learns that).
+///
+/// Forces ≥ 0 in N, feeds ≥ 0 in mm per period. All functions run in the cycle: no allocation, lock, throw or I/O.
+class LateForceEstimator {
+ public:
+    static constexpr std::size_t kLates = 3;
+    static constexpr std::size_t kFilters = StiffnessEstimator::kFilters;
+
+    explicit LateForceEstimator(const StiffnessEstimator::Params& params) noexcept;
+
+    /// One period with a trusted force; `feed_mm` is what the axis made while the force was on its way, the newest.
+    void update(double force_N, double feed_mm, double knownChange) noexcept;
+    void coast(double feed_mm) noexcept;
+    void air(double force_N, double feed_mm) noexcept;
+    void leaveWork() noexcept;
+    /// The period of the law is another one: so is every lateness.
+    void setPeriod(double shift) noexcept;
+    void setReference(double reference_N, double unknownNoise_N) noexcept;
+    /// What was learnt of the lateness stays: it is the sensor's, not the tool's.
+    void newTool(const StiffnessEstimator::Params& params) noexcept;
+    [[nodiscard]] const std::array<double, kFilters>& kxLogWeights() const noexcept;
+    bool setKxLogWeights(const std::array<double, kFilters>& weights) noexcept;
+
+    [[nodiscard]] std::size_t late() const noexcept { return m_late; }
+    /// At the period the force belongs to.
+    [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimators[m_late].estimate(); }
+    /// At the end of what was measured, and of `pending_mm` after it (AxisFollow: at most kLates periods).
+    [[nodiscard]] StiffnessEstimate after(std::span<const double> pending_mm) const noexcept;
+    /// Change of ln b by the blank profile in the periods whose force has not come.
+    [[nodiscard]] double pendingChange() const noexcept;
+    [[nodiscard]] double airForce_N() const noexcept { return m_estimators[m_late].airForce_N(); }
+
+ private:
+    struct Period {
+        double feed_mm{0.0};
+        double knownChange{0.0};
+    };
+    void take(const Period& period) noexcept;
+    void judge(const std::array<double, kLates>& logLikelihood) noexcept;
+
+    std::array<StiffnessEstimator, kLates> m_estimators;
+    std::array<Period, kLates> m_periods{};      ///< newest first
+    std::array<double, kLates> m_logEvidence{};  ///< highest is 0
+    std::size_t m_late{0};
+};
+
+}  // namespace kerf::milling
