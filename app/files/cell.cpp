@@ -32,16 +32,25 @@ constexpr std::array<std::string_view, 35> kMissing{"nan",       "na",
                                                     "1.#ind",    "-1.#ind",
                                                     "1.#snan",   "\xEC\x97\x86\xEC\x9D\x8C",
                                                     "missed"};
-constexpr std::array<std::string_view, 24> kOverRange{
-    "ol",        "-ol",  "+ol",  "o.l",  "o.l.",   "over",     "overload", "over range",
-    "overrange", "ovld", "ovrl", "ovr",  "ovf",    "overflow", "open",     "opn",
-    "burnout",   "inf",  "+inf", "-inf", "1.#inf", "-1.#inf",  "under",    "\xEB\x8B\xA8\xEC\x84\xA0"};
+/// What stations and people here write: not measurable, not measured, missing, fault, error.
+constexpr std::array<std::string_view, 6> kMissingKorean{"\xEC\xB8\xA1\xEC\xA0\x95\xEB\xB6\x88\xEA\xB0\x80",
+                                                         "\xEC\xB8\xA1\xEC\xA0\x95\x20\xEB\xB6\x88\xEA\xB0\x80",
+                                                         "\xEB\xAF\xB8\xEC\xB8\xA1\xEC\xA0\x95",
+                                                         "\xEA\xB2\xB0\xEC\xB8\xA1",
+                                                         "\xEC\x98\xA4\xEB\xA5\x98",
+                                                         "\xEC\x97\x90\xEB\x9F\xAC"};
+constexpr std::array<std::string_view, 25> kOverRange{
+    "ol",          "-ol",  "+ol",  "o.l",  "o.l.",   "over",     "overload", "over range",
+    "overrange",   "ovld", "ovrl", "ovr",  "ovf",    "overflow", "open",     "opn",
+    "burnout",     "inf",  "+inf", "-inf", "1.#inf", "-1.#inf",  "under",    "\xEB\x8B\xA8\xEC\x84\xA0",
+    "\xE2\x88\x9E"};
 
 /// Words that say the same, whatever stands around and between their letters: n.a., <NULL>, TC OPEN, S.br, burn-out.
-constexpr std::array<std::string_view, 22> kMissingLetters{
-    "na",        "notavailable", "nodata",     "keine",       "keinwert",    "leer",    "null",      "badinput",
-    "timeout",   "iotimeout",    "commfail",   "commerror",   "sensorfault", "name",    "sensorerr", "sensorerror",
-    "readerror", "invaliddata",  "badquality", "notmeasured", "unknown",     "disabled"};
+constexpr std::array<std::string_view, 25> kMissingLetters{
+    "na",        "notavailable", "nodata",    "keine",       "keinwert",   "leer",        "null",
+    "badinput",  "timeout",      "iotimeout", "commfail",    "commerror",  "sensorfault", "name",
+    "sensorerr", "sensorerror",  "readerror", "invaliddata", "badquality", "notmeasured", "unknown",
+    "disabled",  "nv",           "fehlt",     "fehler"};
 constexpr std::array<std::string_view, 16> kOverRangeLetters{
     "ol",          "over",    "overrange", "underrange", "under", "infinity",    "tcopen",    "opentc",
     "opencircuit", "opencct", "burnout",   "break",      "sbr",   "sensorbreak", "wirebreak", "sensoropen"};
@@ -316,7 +325,9 @@ Cell readCell(std::string_view text, char decimal) noexcept {
     std::ranges::transform(text, lower.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     const std::string_view key(lower.data(), text.size());
-    if (std::ranges::find(kMissing, key) != kMissing.end() || key.starts_with("nan(") || key.starts_with("-nan(")) {
+    if (std::ranges::find(kMissing, key) != kMissing.end() ||
+        std::ranges::find(kMissingKorean, key) != kMissingKorean.end() || key.starts_with("nan(") ||
+        key.starts_with("-nan(")) {
         return {CellKind::Missing, 0.0, Marks::None};
     }
     if (std::ranges::find(kOverRange, key) != kOverRange.end()) {

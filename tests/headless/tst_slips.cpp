@@ -111,6 +111,20 @@ class TestSlips : public QObject {
         refusedUnlessAccepted(command + QStringList{day("days.csv", times(1.0 / 1440.0, "t_min"))}, "t_min",
                               "not days");
     }
+    /// The machine stood all day and nothing says hours but the length; who has a record by the second says so.
+    void aQuietDayInHours() {
+        const auto quiet = [](const QString& name, const QString& cell) {
+            const double value = cell.toDouble();
+            return name == QStringLiteral("t_min")     ? QString::number(value / 60.0, 'g', 12)
+                   : name.startsWith(QLatin1Char('T')) ? QString::number(22.0 + 0.02 * (value - 22.0), 'f', 3)
+                                                       : cell;
+        };
+        for (const char* verb : {"predict", "compensate"}) {
+            refusedUnlessAccepted(
+                {"thermal", verb, "--model", m_folder.filePath("model.json"), "--history", day("quiet.csv", quiet)},
+                "t_min", "not hours");
+        }
+    }
     void oneSensorADigitTooLow() {
         const QString file = day("one.csv", times(0.1, "T07"));
         const KerfRun refused = runKerf(

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "tests/support/golden.h"
 #include "tests/support/kerf_program.h"
@@ -155,6 +158,58 @@ class TestTappingCommands : public QObject {
         QCOMPARE(tapping(QStringLiteral("simulate --summary --set Kq=1")).exitCode, 2);
         QCOMPARE(tapping(QStringLiteral("tune --summary --tuner best")).exitCode, 2);
         QCOMPARE(tapping(QStringLiteral("simulate --help")).exitCode, 0);
+    }
+    /// The control's tap behind a rapid to the hole and before one away from it, with the spindle turning or not; and
+    /// one that stands for a while in the hole, which is no rapid: it is bad, and stays bad.
+    void rapidsAreNoTap() {
+        struct Sample {
+            double spindle_rev, z_mm;
+        };
+        std::vector<Sample> tap;
+        QFile control(
+            QString::fromStdString(kerf::test::fixture("cases/12-tapping-index-reset/control_from_sync.csv")));
+        QVERIFY(control.open(QIODevice::ReadOnly));
+        for (const QStringList& cells : csvRows(QString::fromUtf8(control.readAll())).mid(1)) {
+            tap.push_back({cells[1].toDouble(), cells[2].toDouble()});
+        }
+        const KerfRun alone = runKerf({"tapping", "evaluate", control.fileName(), "--pitch-mm", "1.25"});
+        QCOMPARE(alone.exitCode, 0);
+        const double saec_mm = document(alone)["saec_mm"].get<double>();
+        const auto evaluated = [](const std::vector<Sample>& samples) {
+            QString text = QStringLiteral("t_s,spindle_rev,z_mm\n");
+            for (std::size_t k = 0; k < samples.size(); ++k) {
+                text += QString::number(0.001 * static_cast<double>(k), 'f', 3) + u',' +
+                        QString::number(samples[k].spindle_rev, 'f', 6) + u',' +
+                        QString::number(samples[k].z_mm, 'f', 6) + u'\n';
+            }
+            return runKerf(
+                {"tapping", "evaluate", scratchFile(QStringLiteral("rapids.csv"), text), "--pitch-mm", "1.25"});
+        };
+        for (const double turning_rev : {0.0, 0.01}) {
+            std::vector<Sample> record;
+            for (int k = 0; k < 500; ++k) {
+                record.push_back(
+                    {tap.front().spindle_rev - turning_rev * (500 - k), 20.0 * std::max(0.0, 1.0 - k / 300.0)});
+            }
+            record.insert(record.end(), tap.begin(), tap.end());
+            for (int k = 1; k <= 300; ++k) {
+                record.push_back({tap.back().spindle_rev - turning_rev * k, tap.back().z_mm + 0.05 * k});
+            }
+            const KerfRun run = evaluated(record);
+            QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+            KERF_CLOSE(document(run)["saec_mm"].get<double>(), saec_mm, 0.05);
+            QVERIFY2(run.err.contains("begins here") && run.err.contains("back out"), qPrintable(run.err));
+        }
+        std::vector<Sample> hung(tap.begin(), tap.begin() + 500);
+        const Sample at = hung.back();
+        for (int k = 1; k <= 40; ++k) {
+            hung.push_back({at.spindle_rev + 0.01 * k, at.z_mm});
+        }
+        for (std::size_t k = 500; k < tap.size(); ++k) {
+            hung.push_back({tap[k].spindle_rev + 0.4, tap[k].z_mm});
+        }
+        const KerfRun bad = evaluated(hung);
+        QVERIFY(bad.exitCode == 3 || !document(bad)["within_tolerance"].get<bool>());
     }
 };
 
