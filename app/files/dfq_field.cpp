@@ -10,6 +10,7 @@
 #include "app/files/cell.h"
 #include "app/files/dfq_line.h"
 #include "app/files/dfq_loose.h"
+#include "engine/core/utf8.h"
 
 namespace kerf::dfq {
 namespace {
@@ -52,10 +53,10 @@ bool FieldReader::takeNumber(Value& value, int key, std::string& text) {
         const std::string* unit = m_file.find(2142, value.characteristic);
         number = looseNumberOf(withoutUnit(text, unit != nullptr ? std::string_view(*unit) : std::string_view()));
         if (number) {
-            m_findings.oddOfFile(fmt::format("numbers in another form ('{}')", text.substr(0, kQuoted)));
+            m_findings.oddOfFile(fmt::format("numbers in another form ('{}')", beginOf(text, kQuoted)));
             text = fmt::format("{}", *number);
         } else if (key == 1 && files::readCell(text).kind == files::CellKind::Missing) {
-            m_findings.oddOnce(fmt::format("'{}' stands for no value", text.substr(0, kQuoted)));
+            m_findings.oddOnce(fmt::format("'{}' stands for no value", beginOf(text, kQuoted)));
             text.clear();
         } else {
             m_findings.bad(keyName(key), fmt::format("'{}' is no number", text));
@@ -84,7 +85,7 @@ bool FieldReader::takeAttribute(Value& value, std::string& text) {
             m_findings.bad(keyName(2), fmt::format("'{}' is no attribute; expected 0, 255, 256 …", text));
             return false;
         }
-        m_findings.oddOfFile(fmt::format("attributes in another form ('{}')", text.substr(0, kQuoted)));
+        m_findings.oddOfFile(fmt::format("attributes in another form ('{}')", beginOf(text, kQuoted)));
         attribute = static_cast<int>(*whole);
         text = std::to_string(attribute);
     }
@@ -124,7 +125,7 @@ bool FieldReader::takeTime(Value& value, std::string& text) {
         const std::string canonical = timeText(*value.time);
         if (canonical != text) {
             m_findings.oddOfFile(
-                fmt::format("times in another form than dd.MM.yyyy/HH:mm:ss ('{}')", text.substr(0, kQuoted)));
+                fmt::format("times in another form than dd.MM.yyyy/HH:mm:ss ('{}')", beginOf(text, kQuoted)));
             text = canonical;
         }
     }
@@ -150,7 +151,7 @@ void FieldReader::takeEvents(Value& value, std::string& text) {
         if (!number.empty() && error == std::errc{} && stop == number.data() + number.size()) {
             value.events.push_back(event);
         } else if (!number.empty()) {
-            m_findings.oddHere(fmt::format("'{}' is no event's number, kept as text", number.substr(0, kQuoted)));
+            m_findings.oddHere(fmt::format("'{}' is no event's number, kept as text", beginOf(number, kQuoted)));
         }
     }
 }

@@ -14,6 +14,7 @@
 #include "app/files/dfq_field.h"
 #include "app/files/dfq_line.h"
 #include "app/files/dfq_loose.h"
+#include "engine/core/utf8.h"
 
 namespace kerf::dfq {
 namespace {
@@ -160,7 +161,7 @@ class Reader : public FieldFindings {
                                line.find(kBetweenCharacteristics) != std::string_view::npos;
         const bool remark = (m_file.entries.empty() || !m_file.values.empty()) && isRemark(plain);
         if (!separated && remark) {
-            odd(m_line, fmt::format("'{}' left out: a remark", plain.substr(0, 40)));
+            odd(m_line, fmt::format("'{}' left out: a remark", beginOf(plain, 40)));
         } else if (numeric || separated) {
             if (m_preface) {
                 m_problem = m_preface;  // a table, not a Q-DAS file
@@ -172,7 +173,7 @@ class Reader : public FieldFindings {
                 m_preface = Problem{m_line, "line", "neither a K field nor values; expected a DFQ, DFD or DFX file"};
             }
         } else if (!m_file.values.empty()) {
-            bad("K0001", fmt::format("'{}' is neither a K field nor values", plain.substr(0, 40)));
+            bad("K0001", fmt::format("'{}' is neither a K field nor values", beginOf(plain, 40)));
         } else if (!m_file.entries.empty()) {
             odd(m_line, fmt::format("a line without a key, taken as more of {}", keyName(m_file.entries.back().key)));
             std::string& text = m_file.entries.back().text;
@@ -249,7 +250,7 @@ class Reader : public FieldFindings {
                 odd(m_line, "a value's index on a key of the description");
             }
             if (isNumeric(key) && !text.empty() && !numberOf(text) && !looseNumberOf(withoutUnit(text, {}))) {
-                odd(m_line, fmt::format("{} '{}' is no number, kept as text", keyName(key), text.substr(0, 40)));
+                odd(m_line, fmt::format("{} '{}' is no number, kept as text", keyName(key), beginOf(text, 40)));
             }
             m_file.entries.push_back({key, index, std::move(sub), std::move(text)});
             note(m_file.entries.back());
@@ -433,7 +434,7 @@ class Reader : public FieldFindings {
             !numberOf(trimmed(line))) {
             characteristics = splitAtBlanks(line, std::max(m_described, m_announced.value_or(0)) - m_offset);
             if (characteristics.empty()) {
-                bad("K0001", fmt::format("'{}' is no number", std::string(trimmed(line)).substr(0, 40)));
+                bad("K0001", fmt::format("'{}' is no number", beginOf(trimmed(line), 40)));
                 return;
             }
             odd(0, "values apart by blanks instead of 0x14 and 0x0F");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/files/clock.h"
+#include "engine/core/utf8.h"
 
 namespace kerf::files {
 namespace {
@@ -17,14 +18,10 @@ constexpr std::size_t kLongestQuoted = 60;
 
 /// For a sentence: short, and cut between letters.
 std::string shown(std::string_view text) {
-    std::size_t end = std::min(text.size(), kLongestQuoted);
-    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-        --end;
-    }
-    std::string out(text.substr(0, end));
+    std::string out(beginOf(text, kLongestQuoted));
     std::ranges::replace_if(
         out, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
-    if (end < text.size()) {
+    if (out.size() < text.size()) {
         out += "…";
     }
     return out;

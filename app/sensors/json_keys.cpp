@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/sensors/sensor_file.h"
+#include "engine/core/utf8.h"
 
 namespace kerf::sensors {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::size_t kLongestName = 22;  // of a sentence's argument
 
 std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+    return text.size() > 40 ? std::string(beginOf(text, 37)) + "..." : text;
 }
 
 }  // namespace
