@@ -12,6 +12,7 @@
 #include <QPageSize>
 #include <QSaveFile>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -123,6 +124,14 @@ void drawHeader(ReportSheet& sheet, const QualityLot& lot, const LotPapers& pape
                        .arg(when(row.openedUtc_ms)));
         sheet.line(LotReport::tr("Drawing, order: ____________________"));
     }
+    if (papers.firstArticle && !lot.quality.parts.empty()) {
+        const LotPart& part = lot.quality.parts.front();
+        sheet.line(LotReport::tr("Part %1").arg(part.number) + QStringLiteral(", ") + when(part.endedUtc_ms));
+        sheet.font(12.0, true);
+        sheet.line(LotReport::tr("Verdict: %1").arg(ui::verdictText(part.judgement.verdict)));
+        sheet.skip(2.0);
+        return;
+    }
     if (!lot.history.parts.empty()) {
         sheet.line(LotReport::tr("Parts %1 to %2, %3 to %4")
                        .arg(lot.history.parts.front().part.number)
@@ -136,9 +145,7 @@ void drawHeader(ReportSheet& sheet, const QualityLot& lot, const LotPapers& pape
                    .arg(lot.quality.rework)
                    .arg(lot.quality.scrap)
                    .arg(lot.quality.notJudged));
-    if (!papers.firstArticle) {
-        sheet.line(ui::sentenceText(lot.quality.sentence));
-    }
+    sheet.line(ui::sentenceText(lot.quality.sentence));
     sheet.skip(2.0);
 }
 
@@ -179,6 +186,19 @@ void drawCharacteristics(ReportSheet& sheet, const QualityLot& lot, const ui::Un
                             ui::UnitSystem::fixed(quality.capability[i].deviation, what.decimals + 2)),
                    5.0);
         sheet.line(ui::capabilityText(quality.capability[i], units), 5.0);
+        std::array<std::uint32_t, 4> verdicts{};
+        for (const LotPart& part : quality.parts) {
+            ++verdicts[static_cast<std::size_t>(part.judgement.values[i].verdict)];
+        }
+        const auto count = [&verdicts](quality::Verdict verdict) {
+            return verdicts[static_cast<std::size_t>(verdict)];
+        };
+        sheet.line(LotReport::tr("Verdicts: %1 good, %2 rework possible, %3 scrap, %4 not judged")
+                       .arg(count(quality::Verdict::Good))
+                       .arg(count(quality::Verdict::Rework))
+                       .arg(count(quality::Verdict::Scrap))
+                       .arg(count(quality::Verdict::NotJudged)),
+                   5.0);
         QPolygonF points;
         for (const LotPart& part : quality.parts) {
             if (const auto& value = part.judgement.values[i].value) {
@@ -331,6 +351,11 @@ void drawGauges(ReportSheet& sheet, const QualityLot& lot, const LotPapers& pape
         sheet.line(text(gauge.identity) + QStringLiteral(": ") + ui::dueText(gauge, now_ms) +
                        (gauge.sigma_mm ? QStringLiteral(", σ ") + units.withUnit(*gauge.sigma_mm, "mm", 4) : QString()),
                    5.0);
+        if (const QString study = ui::studyFigures(gauge, units); !study.isEmpty()) {
+            sheet.line(study + QStringLiteral(": ") +
+                           (gauge.pass ? LotReport::tr("good enough") : LotReport::tr("not good enough")),
+                       5.0);
+        }
     }
     QStringList sources;
     for (const PartGroup& group : lot.quality.groups) {

@@ -1292,6 +1292,26 @@
             <source>Values: %1</source>
             <translation>Values: %1</translation>
         </message>
+        <message>
+            <source>Part %1</source>
+            <translation>Part %1</translation>
+        </message>
+        <message>
+            <source>Verdict: %1</source>
+            <translation>Verdict: %1</translation>
+        </message>
+        <message>
+            <source>Verdicts: %1 good, %2 rework possible, %3 scrap, %4 not judged</source>
+            <translation>Verdicts: %1 good, %2 rework possible, %3 scrap, %4 not judged</translation>
+        </message>
+        <message>
+            <source>good enough</source>
+            <translation>good enough</translation>
+        </message>
+        <message>
+            <source>not good enough</source>
+            <translation>not good enough</translation>
+        </message>
     </context>
     <context>
         <name>Milling</name>
@@ -8147,6 +8167,18 @@
             <source>%1 of %2 readings are there; the tolerance must be a number.</source>
             <translation>%1 of %2 readings are there; the tolerance must be a number.</translation>
         </message>
+        <message>
+            <source>Study with one ring, n %1, tolerance %2: Cg %3, Cgk %4</source>
+            <translation>Study with one ring, n %1, tolerance %2: Cg %3, Cgk %4</translation>
+        </message>
+        <message>
+            <source>Study with one ring, n %1, tolerance %2: Cg %3</source>
+            <translation>Study with one ring, n %1, tolerance %2: Cg %3</translation>
+        </message>
+        <message>
+            <source>Study with parts and persons, n %1: GRR %2 % of the spread of the parts, %3 % of the tolerance %4, %5 categories</source>
+            <translation>Study with parts and persons, n %1: GRR %2 % of the spread of the parts, %3 % of the tolerance %4, %5 categories</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HeaderBar</name>
@@ -10151,6 +10183,10 @@
             <source>choose one lot</source>
             <translation>choose one lot</translation>
         </message>
+        <message>
+            <source>Rules</source>
+            <translation>Rules</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::QualitySheets</name>
@@ -10241,6 +10277,18 @@
         <message>
             <source>The limits are stored and hold from now on.</source>
             <translation>The limits are stored and hold from now on.</translation>
+        </message>
+        <message>
+            <source>Rules of the charts</source>
+            <translation>Rules of the charts</translation>
+        </message>
+        <message>
+            <source>What a rule finds becomes a signal and an alarm. Each one more alarms wrongly more often: Nelson 1 with the EWMA once in about 400 parts of a steady lot, all eight of Nelson once in about 100.</source>
+            <translation>What a rule finds becomes a signal and an alarm. Each one more alarms wrongly more often: Nelson 1 with the EWMA once in about 400 parts of a steady lot, all eight of Nelson once in about 100.</translation>
+        </message>
+        <message>
+            <source>Default set</source>
+            <translation>Default set</translation>
         </message>
     </context>
     <context>

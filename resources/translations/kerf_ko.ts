@@ -1292,6 +1292,26 @@
             <source>Values: %1</source>
             <translation>값: %1</translation>
         </message>
+        <message>
+            <source>Part %1</source>
+            <translation>%1번 공작물</translation>
+        </message>
+        <message>
+            <source>Verdict: %1</source>
+            <translation>판정: %1</translation>
+        </message>
+        <message>
+            <source>Verdicts: %1 good, %2 rework possible, %3 scrap, %4 not judged</source>
+            <translation>판정: 양품 %1, 재가공 가능 %2, 폐기 %3, 미판정 %4</translation>
+        </message>
+        <message>
+            <source>good enough</source>
+            <translation>충분함</translation>
+        </message>
+        <message>
+            <source>not good enough</source>
+            <translation>부족함</translation>
+        </message>
     </context>
     <context>
         <name>Milling</name>
@@ -8141,6 +8161,18 @@
             <source>%1 of %2 readings are there; the tolerance must be a number.</source>
             <translation>측정값 %1/%2개가 있습니다. 공차는 숫자여야 합니다.</translation>
         </message>
+        <message>
+            <source>Study with one ring, n %1, tolerance %2: Cg %3, Cgk %4</source>
+            <translation>링 하나로 평가, n %1, 공차 %2: Cg %3, Cgk %4</translation>
+        </message>
+        <message>
+            <source>Study with one ring, n %1, tolerance %2: Cg %3</source>
+            <translation>링 하나로 평가, n %1, 공차 %2: Cg %3</translation>
+        </message>
+        <message>
+            <source>Study with parts and persons, n %1: GRR %2 % of the spread of the parts, %3 % of the tolerance %4, %5 categories</source>
+            <translation>공작물과 사람으로 평가, n %1: GRR은 공작물 산포의 %2 %, 공차 %4의 %3 %, 구별 범주 %5개</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::HeaderBar</name>
@@ -10140,6 +10172,10 @@
             <source>choose one lot</source>
             <translation>로트 하나를 고르십시오</translation>
         </message>
+        <message>
+            <source>Rules</source>
+            <translation>규칙</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::QualitySheets</name>
@@ -10230,6 +10266,18 @@
         <message>
             <source>The limits are stored and hold from now on.</source>
             <translation>한계를 저장했으며 지금부터 적용됩니다.</translation>
+        </message>
+        <message>
+            <source>Rules of the charts</source>
+            <translation>관리도 규칙</translation>
+        </message>
+        <message>
+            <source>What a rule finds becomes a signal and an alarm. Each one more alarms wrongly more often: Nelson 1 with the EWMA once in about 400 parts of a steady lot, all eight of Nelson once in about 100.</source>
+            <translation>규칙이 찾아낸 것은 신호와 알람이 됩니다. 규칙이 많을수록 잘못된 알람이 잦아집니다. 안정된 로트에서 Nelson 1과 EWMA는 공작물 약 400개에 한 번, Nelson 규칙 8개 모두는 약 100개에 한 번 잘못 울립니다.</translation>
+        </message>
+        <message>
+            <source>Default set</source>
+            <translation>기본 규칙</translation>
         </message>
     </context>
     <context>

@@ -420,9 +420,62 @@ class TestConsoleQuality : public QObject {
         m_service->writeReport(m_shop->lot, true, first.toStdString(),
                                [&](const Result<void>& done) { written = done; });
         const QString article = outputOf(QStringLiteral("pdftotext"), {"-layout", first, "-"});
-        QVERIFY2(article.contains(QStringLiteral("First article")) && article.contains(QStringLiteral("1 parts")),
+        QVERIFY2(article.contains(QStringLiteral("First article")) && article.contains(QStringLiteral("Verdict: good")),
                  qPrintable(article));
         QVERIFY(!article.contains(QStringLiteral("Ppk")));
+    }
+    void theReportHoldsStudyCorrectionsDecisionsAndAlarms() {
+        m_service->saveGauge(
+            {.identity = "G-07", .rangeFrom_mm = 40, .rangeTo_mm = 60, .ring_mm = 50.0, .dueUtc_ms = 4'000'000'000'000},
+            "Lee", {});
+        QTRY_COMPARE(m_service->gauges().size(), std::size_t{1});
+        GaugeStudyRecord study{"G-07", "type1", 0.03, {}, {}, 0};
+        for (std::uint32_t i = 0; i < 25; ++i) {
+            study.readings.push_back({0, 0, i, 50.0004 + (static_cast<int>(i % 5) - 2) * 0.0008});
+        }
+        std::optional<Result<void>> stored;
+        m_service->saveStudy(study, "Lee", [&](const Result<void>& done) { stored = done; });
+        QTRY_VERIFY(stored.has_value());
+        m_service->dispose(scrapPart(), "scrapped", "Kim", [](const Result<void>&) {});
+        QTRY_COMPARE(m_service->dispositions().size(), std::size_t{1});
+        MeasurementRow fix = test::measured((*m_reader->history(m_shop->lot))->parts.back().part.id, 1, 50.0035);
+        fix.kind = MeasurementKind::Correction;
+        fix.replaces = m_lastMeasurement;
+        fix.author = "Lee";
+        fix.reason = "wrong line";
+        (void)m_shop->must(AcceptMeasurement{fix, {}, {}});
+        openService();  // what is shown comes from the data file
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("lot.pdf"));
+        std::optional<Result<void>> written;
+        m_service->writeReport(m_shop->lot, false, file.toStdString(),
+                               [&](const Result<void>& done) { written = done; });
+        QVERIFY(written && written->has_value());
+        const QString report = outputOf(QStringLiteral("pdftotext"), {"-layout", file, "-"});
+        for (const char* words :
+             {"Cg 0.87, Cgk 0.75", "not good enough", "due on 2096-10-02", "scrapped, Kim", "50.004, Lee", "wrong line",
+              "Verdicts: 43 good, 1 rework possible, 1 scrap", "Verdicts: 45 good"}) {
+            QVERIFY2(report.contains(QString::fromLatin1(words)), qPrintable(QLatin1String(words) + u'\n' + report));
+        }
+    }
+    void rulesThatAreOffFindNothing() {
+        m_service->show(m_shop->lot);
+        QTRY_VERIFY(m_service->shown() != nullptr && !m_service->shown()->found.empty());
+        QVERIFY(m_service->rules() == quality::kDefaultRules);
+        std::optional<Result<void>> stored;
+        const auto keep = [&](const Result<void>& done) { stored = done; };
+        m_service->setRules({}, "Kim", keep);
+        QTRY_VERIFY(stored.has_value());
+        QVERIFY(stored->has_value() && m_service->shown()->found.empty());
+        QVERIFY(m_service->rules().none());
+        stored.reset();
+        m_service->setRules(quality::rules({quality::Rule::Nelson1, quality::Rule::Western1}), "Kim", keep);
+        QTRY_VERIFY(stored.has_value());
+        const auto& found = m_service->shown()->found;
+        QVERIFY(std::ranges::any_of(found, [](const auto& one) { return one.rule == quality::Rule::Western1; }));
+        QVERIFY(readQualityLot(*m_reader, m_shop->lot)->quality.found.size() ==
+                found.size());  // alarms and reports too
+        QCOMPARE(rulesText(rulesFromText("ewma,of_a_later_version,nelson2")), std::string("nelson2,ewma"));
     }
     /// KERF_REPORTS: a folder that keeps the files, to be looked at.
     void theReportIsKoreanOnAKoreanScreen() {
@@ -554,6 +607,7 @@ class TestConsoleQuality : public QObject {
         measure(part, 0, number == kScrapPart ? 50.03 : number == kReworkPart ? 49.97 : 50.0 + noise_mm);
         measure(part, 1, 50.0 - noise_mm);
     }
+    [[nodiscard]] PartId scrapPart() { return (*m_reader->history(m_shop->lot))->parts[kScrapPart - 1].part.id; }
     void measure(PartId part, std::uint8_t station, double diameter_mm) {
         m_lastMeasurement = m_shop->must(AcceptMeasurement{test::measured(part, station, diameter_mm), {}, {}}).id;
     }

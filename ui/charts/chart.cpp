@@ -359,7 +359,8 @@ void Chart::paintLowTitle(QPainter& painter, const QRectF& plot) const {
     const QFontMetricsF metrics(painter.font());
     const double titleEnd = metrics.horizontalAdvance(m_x->titleText()) + m_look.space(Space::Small);
     const double tick = m_x->tickAnchor();  // the first one: its label gives way to a title that reaches it
-    const double half = metrics.horizontalAdvance(UnitSystem::fixed(tick, 0)) / 2.0 + m_look.space(Space::Small);
+    const int decimals = QStringView(m_x->labelFormat()).mid(2, 1).toInt();  // "%.2f"
+    const double half = metrics.horizontalAdvance(UnitSystem::fixed(tick, decimals)) / 2.0 + m_look.space(Space::Small);
     const double tickAt = place({tick, m_y->min()}).x();
     if (tickAt - half < titleEnd) {
         painter.fillRect(QRectF(0.0, row.top() + 0.45 * metrics.height(), tickAt + half, row.height()),
@@ -397,6 +398,7 @@ void Chart::paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRect
 void Chart::paintMarks(QPainter& painter, const QRectF& plot) const {
     const DisplayUnit unit = m_look.units().of(m_xUnit);
     const QFontMetrics metrics(m_look.font(TextSize::Label));
+    std::vector<std::pair<QRectF, QString>> written;
     for (const Mark& mark : m_marks) {
         const double x = place({unit.toShown(mark.x), m_y->min()}).x();
         if (x < plot.left() - 1.0 || x > plot.right() + 1.0) {
@@ -407,8 +409,19 @@ void Chart::paintMarks(QPainter& painter, const QRectF& plot) const {
         const double width = metrics.horizontalAdvance(mark.label);
         const double gap = m_look.space(Space::Small);
         const double left = x + gap + width > plot.right() ? x - gap - width : x + gap;
-        painter.setPen(m_look.color(Token::Dim));
-        painter.drawText(QRectF(left, plot.top(), width, metrics.height()), Qt::AlignCenter, mark.label);
+        // Marks close to each other: the same word stands once, another one in the next line.
+        QRectF label(left, plot.top(), width, metrics.height());
+        const auto meets = [&label](const auto& one) { return one.first.intersects(label); };
+        auto other = std::ranges::find_if(written, meets);
+        while (other != written.end() && other->second != mark.label) {
+            label.moveTop(other->first.bottom() + 1.0);
+            other = std::ranges::find_if(written, meets);
+        }
+        if (other == written.end()) {
+            painter.setPen(m_look.color(Token::Dim));
+            painter.drawText(label, Qt::AlignCenter, mark.label);
+            written.emplace_back(label, mark.label);
+        }
     }
 }
 

@@ -129,6 +129,18 @@ struct Disposition {
     std::int64_t utc_ms{0};
 };
 
+/// What the newest study of a gauge found, for pages and reports.
+struct StudyFigures {
+    std::string method{};  ///< "type1", "average-range", "anova"
+    std::uint32_t readings{0};
+    double tolerance_mm{0.0};
+    std::optional<double> cg{}, cgk{};                              ///< type1; cgk only with a ring
+    std::optional<double> grr_percent{}, grrOfTolerance_percent{};  ///< crossed: of all variation, of T
+    std::uint32_t ndc{0};                                           ///< crossed
+    std::string author{};
+    std::int64_t utc_ms{0};
+};
+
 /// A gauge of the shop. Lengths in mm; a due date is a day.
 struct Gauge {
     std::string identity{};  ///< unique: "G-07"
@@ -143,6 +155,7 @@ struct Gauge {
     double sigmaHigh_mm{0.0};
     bool pass{false};         ///< good enough for the tolerance of the study
     std::string sigmaFrom{};  ///< "type1", "anova"; empty: no study
+    std::optional<StudyFigures> study{};
 };
 
 /// Q-DAS files that appear by themselves as parts finish.
@@ -204,6 +217,10 @@ class QualityService {
     virtual void writeDfq(LotId lot, const std::string& file, Done done) = 0;
     [[nodiscard]] virtual DfqFiles dfqFiles() = 0;
     virtual void setDfqFiles(const DfqFiles& files, const std::string& author, Done done) = 0;
+
+    /// The rules of the charts that are switched on: on the page, in the report and for the alarm.
+    [[nodiscard]] virtual quality::RuleSet rules() = 0;
+    virtual void setRules(const quality::RuleSet& rules, const std::string& author, Done done) = 0;
 
     virtual void onChanged(std::function<void()> changed) = 0;
 };

@@ -9,6 +9,15 @@ namespace {
 constexpr double kMostOfTolerance_percent = 30.0;
 constexpr double kLargestGauge_mm = 10'000.0;
 
+struct OptionalFigure {
+    const char* key;
+    std::optional<double> StudyFigures::*member;
+};
+constexpr OptionalFigure kOptionalFigures[] = {{"cg", &StudyFigures::cg},
+                                               {"cgk", &StudyFigures::cgk},
+                                               {"grr_percent", &StudyFigures::grr_percent},
+                                               {"grr_of_tolerance_percent", &StudyFigures::grrOfTolerance_percent}};
+
 }  // namespace
 
 std::string gaugeJson(const Gauge& gauge) {
@@ -22,6 +31,20 @@ std::string gaugeJson(const Gauge& gauge) {
         json["sigma_high_mm"] = gauge.sigmaHigh_mm;
         json["pass"] = gauge.pass;
         json["sigma_from"] = gauge.sigmaFrom;
+    }
+    if (gauge.study) {
+        nlohmann::ordered_json study{{"method", gauge.study->method},
+                                     {"readings", gauge.study->readings},
+                                     {"tolerance_mm", gauge.study->tolerance_mm},
+                                     {"ndc", gauge.study->ndc},
+                                     {"author", gauge.study->author},
+                                     {"utc_ms", gauge.study->utc_ms}};
+        for (const auto& [key, member] : kOptionalFigures) {
+            if (const auto& figure = (*gauge.study).*member) {
+                study[key] = *figure;
+            }
+        }
+        json["study"] = std::move(study);
     }
     return json.dump();
 }
@@ -44,6 +67,21 @@ std::optional<Gauge> gaugeFromJson(const std::string& text) {
             gauge.pass = json.value("pass", false);
             gauge.sigmaFrom = json.value("sigma_from", "");
         }
+        if (json.contains("study")) {
+            const auto& study = json.at("study");
+            StudyFigures& figures = gauge.study.emplace();
+            figures.method = study.value("method", "");
+            figures.readings = study.value("readings", 0U);
+            figures.tolerance_mm = study.value("tolerance_mm", 0.0);
+            figures.ndc = study.value("ndc", 0U);
+            figures.author = study.value("author", "");
+            figures.utc_ms = study.value("utc_ms", std::int64_t{0});
+            for (const auto& [key, member] : kOptionalFigures) {
+                if (study.contains(key)) {
+                    figures.*member = study.at(key).get<double>();
+                }
+            }
+        }
         return gauge;
     } catch (const nlohmann::json::exception&) {
         return std::nullopt;
@@ -65,6 +103,29 @@ std::optional<Sentence> whyInvalid(const Gauge& gauge) {
         return Sentence(KERF_TEXT("The setting ring must lie in the range of the gauge."));
     }
     return std::nullopt;
+}
+
+void takeOver(const GaugeStudyRecord& study, const StudyFinding& finding, Gauge& gauge) {
+    gauge.sigma_mm = finding.sigma_mm;
+    gauge.sigmaLow_mm = finding.low_mm;
+    gauge.sigmaHigh_mm = finding.high_mm;
+    gauge.pass = finding.pass;
+    gauge.sigmaFrom = study.method;
+    StudyFigures& figures = gauge.study.emplace();
+    figures.method = study.method;
+    figures.readings = static_cast<std::uint32_t>(study.readings.size());
+    figures.tolerance_mm = study.tolerance_mm;
+    figures.author = study.author;
+    figures.utc_ms = study.utc_ms;
+    if (finding.typeOne) {
+        figures.cg = finding.typeOne->cg;
+        figures.cgk = finding.typeOne->cgk;
+    }
+    if (finding.crossed) {
+        figures.grr_percent = finding.crossed->grrPercent;
+        figures.grrOfTolerance_percent = finding.crossed->grrPercentOfTolerance;
+        figures.ndc = finding.crossed->ndc;
+    }
 }
 
 Result<StudyFinding> findingOf(const GaugeStudyRecord& study, double ring_mm) {
@@ -111,6 +172,11 @@ std::string studyJson(const GaugeStudyRecord& study, const StudyFinding& finding
         }
     }
     if (finding.crossed) {
+        json["ev_mm"] = finding.crossed->ev;
+        json["av_mm"] = finding.crossed->av;
+        json["interaction_mm"] = finding.crossed->interaction;
+        json["pv_mm"] = finding.crossed->pv;
+        json["tv_mm"] = finding.crossed->tv;
         json["grr_mm"] = finding.crossed->grr;
         json["grr_percent"] = finding.crossed->grrPercent;
         json["ndc"] = finding.crossed->ndc;

@@ -26,6 +26,8 @@ struct StudyFinding {
     std::optional<quality::CrossedStudy> crossed{};
 };
 [[nodiscard]] Result<StudyFinding> findingOf(const GaugeStudyRecord& study, double ring_mm);
+/// The repeatability and the figures of a study into the register. `study` with its author and time.
+void takeOver(const GaugeStudyRecord& study, const StudyFinding& finding, Gauge& gauge);
 /// With its readings and what was found, so that it can be computed again.
 [[nodiscard]] std::string studyJson(const GaugeStudyRecord& study, const StudyFinding& finding);
 

@@ -26,6 +26,17 @@ std::int64_t now_ms() {
     return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
+quality::RuleSet rulesOf(SettingsReader& settings) {
+    const auto stored = settings.setting(kChartRules);
+    return stored && *stored ? rulesFromText(**stored) : quality::kDefaultRules;
+}
+
+quality::ChartParams chartParams(SettingsReader& settings) {
+    quality::ChartParams params;
+    params.active = rulesOf(settings);
+    return params;
+}
+
 std::optional<PartId> newestPart(db::DatabaseReader& reader, LotId lot, ProcessId process) {
     if (lot > 0) {
         const auto newest = reader.newestParts(lot, 1, {});
@@ -68,13 +79,36 @@ Result<QualityLot> readAllLots(db::DatabaseReader& reader, PartTypeId type, std:
         return fail(KERF_TEXT("The lots have no parts yet."));
     }
     std::ranges::reverse(read);
-    QualityLot result{{}, joinLots(std::move(read))};
+    QualityLot result{{}, joinLots(std::move(read), chartParams(reader))};
     result.history.lot = result.quality.lot;
     result.quality.olderParts = more && firstLook;  // all of them follow; their pages end with what is read at once
     return result;
 }
 
 }  // namespace
+
+std::string rulesText(const quality::RuleSet& rules) {
+    std::string text;
+    for (std::size_t i = 0; i < quality::kRules; ++i) {
+        if (rules[i]) {
+            text += text.empty() ? "" : ",";
+            text += quality::ruleKey(static_cast<quality::Rule>(i));
+        }
+    }
+    return text;
+}
+
+quality::RuleSet rulesFromText(std::string_view text) {
+    quality::RuleSet rules;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        if (const auto rule = quality::ruleOf(text.substr(0, end))) {
+            rules[static_cast<std::size_t>(*rule)] = true;
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return rules;
+}
 
 Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::uint32_t count,
                                   std::optional<PartId> last) {
@@ -114,7 +148,8 @@ Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::ui
         announced = std::move(*changes);
     }
     QualityLot result{std::move(history), {}};
-    result.quality = analyseLot(result.history, figureLimits(reader, result.history.lot.process), announced);
+    result.quality =
+        analyseLot(result.history, figureLimits(reader, result.history.lot.process), announced, chartParams(reader));
     if (const auto& parts = result.history.parts; !parts.empty()) {
         result.quality.olderParts = parts.size() == count && parts.front().part.number > 1;
         result.quality.newerParts = last && newestPart(reader, lot, result.history.lot.process) != parts.back().part.id;
@@ -176,9 +211,6 @@ Result<void> readLotPapers(db::DatabaseReader& reader, const QualityLot& lot, Lo
         }
     }
     std::ranges::reverse(papers.alarms);
-    if (const auto studies = reader.newestRoomRecords(ProcessId::Boring, kStudyRecord)) {
-        papers.studies = *studies;
-    }
     if (lot.history.lot.process == ProcessId::Boring && lot.history.lot.id > 0) {
         const auto rows =
             reader.roomRecords(ProcessId::Boring, kChangeRecord, std::to_string(lot.history.lot.id), kMostRecords);
@@ -377,11 +409,10 @@ void StoredQualityService::saveStudy(const GaugeStudyRecord& study, const std::s
         return;
     }
     Gauge updated = *gauge;
-    updated.sigma_mm = finding->sigma_mm;
-    updated.sigmaLow_mm = finding->low_mm;
-    updated.sigmaHigh_mm = finding->high_mm;
-    updated.pass = finding->pass;
-    updated.sigmaFrom = study.method;
+    GaugeStudyRecord signedOne = study;
+    signedOne.author = author;
+    signedOne.utc_ms = now_ms();
+    takeOver(signedOne, *finding, updated);
     store(
         {ProcessId::Boring, kStudyRecord, study.gauge, studyJson(study, *finding), author, {}}, [] {},
         [this, updated, author, done](const Result<void>& stored) {
@@ -430,6 +461,24 @@ void StoredQualityService::setDfqFiles(const DfqFiles& files, const std::string&
                               if (stored) {
                                   m_files = files;
                                   tell();
+                              }
+                              done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
+                          });
+}
+
+quality::RuleSet StoredQualityService::rules() {
+    return rulesOf(m_links.settings);
+}
+
+void StoredQualityService::setRules(const quality::RuleSet& rules, const std::string& author, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits); !may) {
+        done(may);
+        return;
+    }
+    m_links.writer.submit(ChangeSetting{kChartRules, rulesText(rules), author, {}},
+                          [this, done](const Result<Receipt>& stored) {
+                              if (stored && m_wanted) {
+                                  want(*m_wanted);
                               }
                               done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
                           });

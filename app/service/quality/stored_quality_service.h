@@ -34,13 +34,18 @@ inline constexpr std::uint32_t kNewestParts = 5'000;
 [[nodiscard]] Result<QualityLot> readQualityLot(const std::string& databasePath, LotId lot,
                                                 std::uint32_t count = kNewestParts, std::optional<PartId> last = {});
 
+/// Setting: keys of the chart rules that are on, apart by commas; empty text: none. Without it the default set.
+inline constexpr const char* kChartRules = "quality.chart_rules";
+[[nodiscard]] std::string rulesText(const quality::RuleSet& rules);
+/// Keys that are none (of a later version) are passed over.
+[[nodiscard]] quality::RuleSet rulesFromText(std::string_view text);
+
 /// What a report says beside the parts.
 struct LotPapers {
     bool firstArticle{false};
     std::map<PartId, Disposition> dispositions{};
     std::vector<Gauge> gauges{};
-    std::vector<AlarmRow> alarms{};        ///< raised between the lot's first part and its last, oldest first
-    std::vector<RoomRecordRow> studies{};  ///< newest of each gauge
+    std::vector<AlarmRow> alarms{};  ///< raised between the lot's first part and its last, oldest first
     std::vector<std::pair<std::uint32_t, std::string>> changes{};  ///< announced: from this part on, what
     std::int64_t auditEntry{0};                                    ///< head of the audit chain when the report was made
     std::string auditHash{};
@@ -91,6 +96,8 @@ class StoredQualityService final : public QualityService {
     void writeDfq(LotId lot, const std::string& file, Done done) override;
     [[nodiscard]] DfqFiles dfqFiles() override { return m_files; }
     void setDfqFiles(const DfqFiles& files, const std::string& author, Done done) override;
+    [[nodiscard]] quality::RuleSet rules() override;
+    void setRules(const quality::RuleSet& rules, const std::string& author, Done done) override;
     void onChanged(std::function<void()> changed) override { m_listeners.push_back(std::move(changed)); }
 
  private:

@@ -59,6 +59,34 @@ QString studyText(const Gauge& gauge, const UnitSystem& units) {
              gauge.pass ? GaugeSheets::tr("good enough") : GaugeSheets::tr("not good enough"));
 }
 
+QString studyFigures(const Gauge& gauge, const UnitSystem& units) {
+    if (!gauge.study) {
+        return {};
+    }
+    const StudyFigures& study = *gauge.study;
+    const QString tolerance = units.withUnit(study.tolerance_mm, "mm", 3);
+    QString text;
+    if (study.cg) {
+        text = study.cgk ? GaugeSheets::tr("Study with one ring, n %1, tolerance %2: Cg %3, Cgk %4")
+                               .arg(study.readings)
+                               .arg(tolerance, UnitSystem::fixed(*study.cg, 2), UnitSystem::fixed(*study.cgk, 2))
+                         : GaugeSheets::tr("Study with one ring, n %1, tolerance %2: Cg %3")
+                               .arg(study.readings)
+                               .arg(tolerance, UnitSystem::fixed(*study.cg, 2));
+    } else {
+        text = GaugeSheets::tr(
+                   "Study with parts and persons, n %1: GRR %2 % of the spread of the parts, %3 % of the "
+                   "tolerance %4, %5 categories")
+                   .arg(study.readings)
+                   .arg(UnitSystem::fixed(study.grr_percent.value_or(0.0), 1),
+                        UnitSystem::fixed(study.grrOfTolerance_percent.value_or(0.0), 1), tolerance)
+                   .arg(study.ndc);
+    }
+    return text + QStringLiteral(" · ") +
+           QDateTime::fromMSecsSinceEpoch(study.utc_ms).toString(QStringLiteral("yyyy-MM-dd")) + QStringLiteral(", ") +
+           QString::fromStdString(study.author);
+}
+
 bool isOverdue(const Gauge& gauge, std::int64_t nowUtc_ms) {
     return gauge.dueUtc_ms > 0 && nowUtc_ms > gauge.dueUtc_ms;
 }
@@ -117,6 +145,15 @@ void GaugeSheets::openGauge(const Gauge& gauge) {
                           ? QDateTime::fromMSecsSinceEpoch(gauge.dueUtc_ms).toString(QStringLiteral("yyyy-MM-dd"))
                           : QString());
     sheet->body()->addLayout(form);
+    if (gauge.sigma_mm) {
+        const UnitSystem& units = m_context.look.units();
+        auto* found = makeLabel(TextRole::Body, sheet, true);
+        found->setObjectName(QStringLiteral("gaugeStudy"));
+        QStringList lines{studyText(gauge, units), studyFigures(gauge, units)};
+        lines.removeAll(QString());
+        found->setText(lines.join(u'\n'));
+        sheet->body()->addWidget(found);
+    }
     auto* why = makeLabel(TextRole::Body, sheet, true);
     why->setObjectName(QStringLiteral("gaugeWhy"));
     sheet->body()->addWidget(why);

@@ -41,6 +41,8 @@ class GaugeSheets : public QObject {
 [[nodiscard]] QString dueText(const Gauge& gauge, std::int64_t nowUtc_ms);
 /// "σ 0.0012 mm (0.0010 to 0.0015), from a study: good enough"; "no study yet".
 [[nodiscard]] QString studyText(const Gauge& gauge, const UnitSystem& units);
+/// What the newest study found, with its date and author; empty: no study, or one of an older version.
+[[nodiscard]] QString studyFigures(const Gauge& gauge, const UnitSystem& units);
 [[nodiscard]] bool isOverdue(const Gauge& gauge, std::int64_t nowUtc_ms);
 
 }  // namespace kerf::ui

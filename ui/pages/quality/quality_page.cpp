@@ -68,6 +68,7 @@ void QualityPage::build() {
     m_gauges = new QPushButton(this);
     m_files = new ActionButton(look(), this);
     m_limits = new ActionButton(look(), this);
+    m_rules = new QPushButton(this);
     m_residualCard = new Card(look(), this);
     m_rawCard = new Card(look(), this);
     m_actionCard = new Card(look(), this);
@@ -88,13 +89,14 @@ void QualityPage::build() {
     m_decide->setObjectName(QStringLiteral("qualityDecide"));
     m_gauges->setObjectName(QStringLiteral("qualityGauges"));
     m_files->setObjectName(QStringLiteral("qualityFiles"));
+    m_rules->setObjectName(QStringLiteral("qualityRules"));
     m_limits->setObjectName(QStringLiteral("qualityLimits"));
 
     m_tools = new QHBoxLayout;
     m_tools->addWidget(m_lots, 2);
     m_tools->addWidget(m_characteristics, 1);
     m_tools->addWidget(m_groups, 1);
-    for (QPushButton* button : std::initializer_list<QPushButton*>{m_decide, m_gauges, m_limits, m_files}) {
+    for (QPushButton* button : std::initializer_list<QPushButton*>{m_decide, m_gauges, m_rules, m_limits, m_files}) {
         m_tools->addWidget(button);
     }
     m_residualCard->body()->addWidget(m_residuals, 1);
@@ -148,6 +150,7 @@ void QualityPage::build() {
     connect(m_decide, &QPushButton::clicked, this,
             [this] { context().withPermission(Deed::QualityDecision, [this] { decide(); }); });
     connect(m_files, &QPushButton::clicked, this, [this] { m_sheets->openFiles(); });
+    connect(m_rules, &QPushButton::clicked, this, [this] { m_sheets->openRules(); });
     connect(m_limits, &QPushButton::clicked, this, [this] { m_sheets->openLimits(m_service->shown()->lot.process); });
     m_service->onChanged([this] {
         if (isVisible()) {
@@ -184,6 +187,7 @@ void QualityPage::refresh() {
     m_gauges->setText(tr("Gauges"));
     m_files->setText(tr("Reports"));
     m_limits->setText(tr("Limits"));
+    m_rules->setText(tr("Rules"));
     m_residualCard->setTitle(tr("Error against the law"));
     m_rawCard->setTitle(tr("Measured, with tolerance"));
     m_actionCard->setTitle(tr("What the controller does"));
@@ -192,6 +196,7 @@ void QualityPage::refresh() {
     m_raw->retranslate();
     m_action->retranslate();
     m_spread->retranslate();
+    listLots();
     showLot();
     Page::refresh();
 }

@@ -69,6 +69,7 @@ class QualityPage : public Page {
     QPushButton* m_gauges{nullptr};
     ActionButton* m_files{nullptr};
     ActionButton* m_limits{nullptr};
+    QPushButton* m_rules{nullptr};
     Card* m_residualCard{nullptr};
     Card* m_rawCard{nullptr};
     Card* m_actionCard{nullptr};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/quality/quality_sheets.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -10,6 +12,8 @@
 #include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
+#include <array>
+#include <memory>
 
 #include "engine/api/part_results.h"
 #include "ui/dialogs/sheet.h"
@@ -29,6 +33,16 @@ bool takeLimit(const QString& text, std::optional<double>& limit) {
     bool good = false;
     limit = QLocale::c().toDouble(plain, &good);
     return good;
+}
+
+/// "Nelson 1: one beyond 3σ"
+QString ruleName(quality::Rule rule) {
+    const QString key = QString::fromLatin1(quality::ruleKey(rule));
+    const QString text = engineText(quality::ruleText(rule));
+    const QChar number = key.back();
+    return key.startsWith(QLatin1String("nelson"))    ? QStringLiteral("Nelson %1: %2").arg(number).arg(text)
+           : key.startsWith(QLatin1String("western")) ? QStringLiteral("Western Electric %1: %2").arg(number).arg(text)
+                                                      : text;
 }
 
 QString limitText(const std::optional<double>& limit) {
@@ -192,6 +206,58 @@ void QualitySheets::openLimits(ProcessId process) {
     };
     sheet->addButton(tr("Save"), save, false)->setObjectName(QStringLiteral("limitSave"));
     QTimer::singleShot(0, figure, qOverload<>(&QWidget::setFocus));
+}
+
+void QualitySheets::openRules() {
+    Sheet* sheet = m_context.sheets.open(
+        tr("Rules of the charts"),
+        tr("What a rule finds becomes a signal and an alarm. Each one more alarms wrongly more often: Nelson 1 with "
+           "the "
+           "EWMA once in about 400 parts of a steady lot, all eight of Nelson once in about 100."));
+    sheet->setWide();
+    const quality::RuleSet now = m_service.rules();
+    auto* grid = new QGridLayout;
+    const auto boxes = std::make_shared<std::array<QPointer<QCheckBox>, quality::kRules>>();
+    constexpr int kRows = 5;
+    for (std::size_t i = 0; i < quality::kRules; ++i) {
+        const auto rule = static_cast<quality::Rule>(i);
+        auto* box = new QCheckBox(ruleName(rule), sheet);
+        box->setObjectName(QStringLiteral("rule_") + QLatin1String(quality::ruleKey(rule)));
+        box->setChecked(now[i]);
+        grid->addWidget(box, static_cast<int>(i) % kRows, static_cast<int>(i) / kRows);
+        (*boxes)[i] = box;
+    }
+    sheet->body()->addLayout(grid);
+    auto* why = makeLabel(TextRole::Body, sheet, true);
+    why->setObjectName(QStringLiteral("rulesWhy"));
+    sheet->body()->addWidget(why);
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto set = [boxes](const quality::RuleSet& rules) {
+        for (std::size_t i = 0; i < quality::kRules; ++i) {
+            (*boxes)[i]->setChecked(rules[i]);
+        }
+    };
+    sheet
+        ->addButton(
+            tr("Default set"), [set] { set(quality::kDefaultRules); }, false)
+        ->setObjectName(QStringLiteral("rulesDefault"));
+    const auto save = [this, boxes, why, open = QPointer<Sheet>(sheet)] {
+        quality::RuleSet rules;
+        for (std::size_t i = 0; i < quality::kRules; ++i) {
+            rules[i] = (*boxes)[i]->isChecked();
+        }
+        m_context.withPermission(Deed::QualityLimits, [this, rules, why = QPointer<QLabel>(why), open] {
+            m_service.setRules(rules, m_context.session.name().toStdString(),
+                               [this, why, open](const Result<void>& stored) {
+                                   if (!stored && why) {
+                                       why->setText(sentenceText(stored.error(), m_context.look.units()));
+                                   } else if (stored && open) {
+                                       open->close();
+                                   }
+                               });
+        });
+    };
+    sheet->addButton(tr("Save"), save, false)->setObjectName(QStringLiteral("rulesSave"));
 }
 
 }  // namespace kerf::ui

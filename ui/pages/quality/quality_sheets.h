@@ -19,6 +19,8 @@ class QualitySheets : public QObject {
     void openFiles();
     void openAutomaticFiles();
     void openLimits(ProcessId process);
+    /// Which rules of the charts are switched on.
+    void openRules();
 
  private:
     void tell(const QString& file, const Result<void>& written);
