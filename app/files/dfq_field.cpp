@@ -19,7 +19,7 @@ constexpr std::size_t kQuoted = 32;  // letters of a field in a sentence
 constexpr double kMostAttribute = 1e6;
 
 bool isZeroTime(std::string_view text) {
-    return text.find_first_of("123456789") == std::string_view::npos;
+    return text.find_first_not_of("0./:- T") == std::string_view::npos;
 }
 
 }  // namespace
@@ -109,6 +109,10 @@ bool FieldReader::takeTime(Value& value, std::string& text) {
     value.time = timeOf(local, m_slashes);
     if (!value.time && isZeroTime(text)) {
         m_findings.oddHere("a time of zeros, taken as none");
+        return true;
+    }
+    if (!value.time && files::readCell(text).kind == files::CellKind::Missing) {
+        m_findings.oddOnce(fmt::format("'{}' stands for no time", text.substr(0, kQuoted)));
         return true;
     }
     if (!value.time) {

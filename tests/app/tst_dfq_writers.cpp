@@ -232,6 +232,21 @@ class TestDfqWriters : public QObject {
         QCOMPARE(std::ranges::count_if(file.values, [](const auto& one) { return one.find(14) != nullptr; }), 1);
         QCOMPARE(textOf(readOrFail(dfq::write(file))), textOf(file));
     }
+    void aTimeOfWordsIsNone() {
+        const auto with = [](const char* time) {
+            return dfq::read(
+                "K0100 1\r\nK2002/1 a\r\n1.5\x14"
+                "0\x14"s +
+                time + "\r\n");
+        };
+        QVERIFY(!with("yesterday").has_value());
+        QCOMPARE(with("yesterday").error().field, "K0004"s);
+        for (const char* none : {"n/a", "-", "00.00.0000/00:00:00"}) {
+            const auto file = with(none);
+            QVERIFY2(file && !file->values.front().time && !file->oddities.empty(), none);
+            QCOMPARE(textOf(readOrFail(dfq::write(*file))), textOf(*file));
+        }
+    }
     /// A line for all is of the part's own values: not of an older one where this part has none.
     void aLineForAllIsOfItsPart() {
         const auto file = readOrFail(

@@ -520,12 +520,27 @@ class TestConsoleQuality : public QObject {
         fix.kind = MeasurementKind::Correction;
         fix.replaces = m_lastMeasurement - 1;
         fix.reason = "wrong line";
-        (void)m_shop->must(AcceptMeasurement{fix, {}, {}});
+        const MeasurementId fixed = m_shop->must(AcceptMeasurement{fix, {}, {}}).id;
         watch.look({m_shop->lot});
         QFile file(folder.filePath(QStringLiteral("12-46.DFQ")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray bytes = file.readAll();
         QVERIFY2(bytes.contains("50.001") && bytes.contains("wrong line"), bytes.constData());
+        file.close();
+        MeasurementRow out =
+            test::measured(scrap, 0, 0.0);  // not judged any more, but the file must not stay as it was
+        out.kind = MeasurementKind::Void;
+        out.diameter_mm.reset();
+        out.replaces = fixed;
+        out.reason = "dirt";
+        (void)m_shop->must(AcceptMeasurement{out, {}, {}});
+        watch.look({m_shop->lot});
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray voided = file.readAll();
+        QVERIFY2(voided.contains("50.001\x14"
+                                 "255\x14") &&
+                     voided.contains("dirt"),
+                 voided.constData());
         watch.tellOverdue({{.identity = "G-07", .dueUtc_ms = 1}}, 2);
         watch.tellOverdue({{.identity = "G-07", .dueUtc_ms = 1}}, 3);
         QCOMPARE(std::ranges::count(alarms, quality_alarm::kGaugeOverdue, &AlarmEvent::code), 1);

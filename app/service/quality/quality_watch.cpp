@@ -42,7 +42,8 @@ Result<void> QualityWatch::lookAt(const std::string& path, LotId lot, const std:
         Seen& seen = known.parts[part.id];
         const bool changed = fresh || seen.rows != part.measurements.size();
         if (changed) {
-            seen = {part.measurements.size(), known.first};
+            seen.rows = part.measurements.size();
+            seen.written = known.first;
         }
         if (changed && !known.first && isBad(judgement.verdict)) {
             known.alarms.push_back(alarm(
@@ -52,10 +53,12 @@ Result<void> QualityWatch::lookAt(const std::string& path, LotId lot, const std:
                     : Sentence(KERF_TEXT("Part %1 is scrap."), SentenceArg(static_cast<double>(part.number), 0))));
         }
         const bool judged = judgement.verdict != quality::Verdict::NotJudged;
-        if (!folder.empty() && judged && !seen.written) {
+        seen.exported = seen.exported || (known.first && judged);  // as far as anybody knows after a restart
+        if (!folder.empty() && (judged || seen.exported) && !seen.written) {
             const auto written = exportPart(*read, part, folder, pattern);
             if (written) {
                 seen.written = true;
+                seen.exported = true;
             } else {
                 known.alarms.push_back(alarm(quality_alarm::kFileNotWritten, written.error()));
                 break;  // the next ones would fail too

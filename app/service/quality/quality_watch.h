@@ -40,8 +40,9 @@ class QualityWatch {
  private:
     /// Of one part, as last seen.
     struct Seen {
-        std::size_t rows{0};  ///< accepted measurements: more of them mean other values
-        bool written{false};
+        std::size_t rows{0};   ///< accepted measurements: more of them mean other values
+        bool written{false};   ///< its file holds these values
+        bool exported{false};  ///< it has a file, which a void makes untrue too
     };
     /// What is known of a lot; travels to the worker and back.
     struct Known {
