@@ -1128,6 +1128,14 @@
             <source>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</source>
             <translation>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</translation>
         </message>
+        <message>
+            <source>Rules</source>
+            <translation>Rules</translation>
+        </message>
+        <message>
+            <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
+            <translation>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>

@@ -1128,6 +1128,14 @@
             <source>Smallest distance of the open loop from the point where it rings: 1 is calm, 0 rings.</source>
             <translation>개루프가 떨리기 시작하는 점에서 가장 가까운 거리입니다. 1이면 안정, 0이면 떨립니다.</translation>
         </message>
+        <message>
+            <source>Rules</source>
+            <translation>규칙</translation>
+        </message>
+        <message>
+            <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
+            <translation>켜져 있는 관리도 규칙입니다. 화면, 보고서, 알람에 적용됩니다. 규칙마다 가끔 잘못 울리므로 조금만 켜십시오.</translation>
+        </message>
     </context>
     <context>
         <name>LotReport</name>

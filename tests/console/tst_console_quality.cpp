@@ -582,6 +582,18 @@ class TestConsoleQuality : public QObject {
             cutOne(process, 300.0, 1.5, 300.0);
             QVERIFY2(std::ranges::count(alarms, quality_alarm::kOutOfTolerance, &AlarmEvent::code) == 1,
                      processKey(process));
+            // … and it waits for what is done with it, as a bore does.
+            m_service->show(partsWithoutLot(process));
+            QTRY_COMPARE(m_service->shown()->lot.id, partsWithoutLot(process));
+            const LotQuality& shown = *m_service->shown();
+            QCOMPARE(shown.scrap, 1U);
+            const auto bad = std::ranges::find(shown.parts, quality::Verdict::Scrap,
+                                               [](const LotPart& part) { return part.judgement.verdict; });
+            QVERIFY(bad != shown.parts.end());
+            m_service->dispose(bad->id, "scrapped", "Kim", [](const Result<void>&) {});
+            QTRY_VERIFY(m_service->dispositions().contains(bad->id));
+            const auto kept = m_reader->roomRecords(process, kDispositionRecord, std::to_string(bad->id), 2);
+            QVERIFY(kept && kept->size() == 1 && kept->front().author == "Kim");
         }
     }
     void namesOfFilesAreThePlants() {

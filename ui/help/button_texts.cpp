@@ -174,6 +174,9 @@ std::vector<HelpText> buttonTexts() {
               Help::tr("The register of gauges: range, due date, studies of a ring and of several people.")),
         about("qualityLimits", Help::tr("Limits"),
               Help::tr("Limits of the figures of milled, turned and tapped parts, by which they are judged.")),
+        about("qualityRules", Help::tr("Rules"),
+              Help::tr("Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly "
+                       "now and then.")),
         about("qualityOlder", Help::tr("Older"), Help::tr("The parts before those shown.")),
         about("qualityNewer", Help::tr("Newer"), Help::tr("The parts after those shown.")),
         about("shiftNote", Help::tr("Leave a note"), Help::tr("A sentence for the next shift, signed with your name.")),

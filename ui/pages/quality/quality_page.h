@@ -22,8 +22,8 @@ namespace kerf::ui {
 ///
 /// Object names: qualityPage, qualityLot, qualityCharacteristic, qualitySentence, qualityCounts, qualityIndices,
 /// qualityResiduals, qualityRaw, qualityAction, qualitySpread, qualityDecide, qualityGauges, qualityFiles,
-/// qualityLimits, qualityGaugeNote, qualityGroup, qualityOlder, qualityNewer; sheet of qualityDecide: decideReworked,
-/// decideScrapped, decideAccepted
+/// qualityLimits, qualityRules, qualityGaugeNote, qualityGroup, qualityOlder, qualityNewer; sheet of qualityDecide:
+/// decideReworked, decideScrapped, decideAccepted; sheet of qualityRules: rule_nelson1 …, rulesDefault, rulesSave
 class QualityPage : public Page {
     Q_OBJECT
  public:
