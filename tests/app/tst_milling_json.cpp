@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "app/service/milling/milling_json.h"
 #include "engine/process/milling/milling_setup.h"
@@ -77,6 +79,20 @@ class TestMillingJson : public QObject {
         const auto named = millingBlankFromJson(millingBlankJson({blank, "wall.csv"}));
         QVERIFY(named.has_value());
         QVERIFY(named->blank.height_mm[0] == 1.0 / 3.0 && named->source == "wall.csv");
+    }
+    void aToolOfAnEarlierVersionHasNoWordAboutStiffTools() {
+        MillingToolRecord record;
+        record.tool.parts = 3;
+        nlohmann::json json = nlohmann::json::parse(millingToolJson(record));
+        json["kx_log_weight"] = {-1.0, 0.0, -2.0, -3.0, -4.0, -5.0};
+        const auto read = millingToolFromJson(json.dump());
+        QVERIFY(read.has_value());
+        QCOMPARE(read->tool.kxLogWeight[5], -5.0);
+        for (std::size_t i = 6; i < kMillingKxFilters; ++i) {
+            QCOMPARE(read->tool.kxLogWeight[i], -6.0);
+        }
+        json["kx_log_weight"] = std::vector<double>(kMillingKxFilters + 1, -1.0);
+        QVERIFY(!millingToolFromJson(json.dump()).has_value());
     }
     void rubbishIsNoValue() {
         for (const char* text : {"", "{", "[]", "null", "{\"milling.reference_n\": \"many\"}"}) {

@@ -101,7 +101,8 @@ class TestScriptedMilling : public QObject {
         }
         QVERIFY(m_rsh->hasHeard("set mdi"));
         const double heights_mm[] = {1.0, 2.0, 3.0, 2.0, 1.0};
-        const milling::PlantParams plant;
+        milling::PlantParams plant;
+        plant.kx_NPerMm = m_kx_NPerMm;
         m_cut.begin(plant, milling::BlankProfile::ofSegments(heights_mm, 20.0)->inAir(true, true),
                     plant.cuttingCoefficient, setup.from_mm);
         const std::uint32_t request = m_engine->cycle().inputs().reply.number;
@@ -115,6 +116,7 @@ class TestScriptedMilling : public QObject {
     std::unique_ptr<LinuxCncMachine> m_machine{};
     std::unique_ptr<Engine> m_engine{};
     milling::MovingCut m_cut{};
+    double m_kx_NPerMm{milling::PlantParams{}.kx_NPerMm};
     Random m_noise{3};
     double m_zero_N{0.0};
     std::int64_t m_now_ns{0};
@@ -143,6 +145,7 @@ class TestScriptedMilling : public QObject {
         m_now_ns = 1'000'000'000;
         m_zero_N = 155.0;
         m_cut = {};
+        m_kx_NPerMm = milling::PlantParams{}.kx_NPerMm;
         QVERIFY(run([this] { return m_engine->status().link == LinkState::Up; }, 100));
     }
     void cleanup() {
@@ -154,11 +157,18 @@ class TestScriptedMilling : public QObject {
 
     void theForceOfThePinIsHeld_data() {
         QTest::addColumn<int>("late");  // servo periods that pass without a cycle, every quarter of a second
-        QTest::newRow("in time") << 0;
-        QTest::newRow("40 ms late four times a second") << 40;
+        QTest::addColumn<double>("kx_NPerMm");
+        QTest::newRow("in time") << 0 << 343.0;
+        QTest::newRow("40 ms late four times a second") << 40 << 343.0;
+        QTest::newRow("a stiff tool") << 0 << 5000.0;  // as the end mills of most shops
+        QTest::newRow("a stiffer tool") << 0 << 20'000.0;
+        QTest::newRow("a tool that does not give way") << 0 << 1e6;
+        QTest::newRow("stiff and late") << 40 << 20'000.0;
     }
     void theForceOfThePinIsHeld() {
         QFETCH(int, late);
+        QFETCH(double, kx_NPerMm);
+        m_kx_NPerMm = kx_NPerMm;
         begin();
         QVERIFY(run([this] { return milling().zero == ForceZeroState::Known; }, 2000));
         QVERIFY(milling().position_mm < 0.0);  // in the air
@@ -189,6 +199,7 @@ class TestScriptedMilling : public QObject {
         }));
         QCOMPARE(spoiled, 0);  // no period was lost: every revolution has its force
         QVERIFY2(std::abs(sum_N / count - 392.0) < 0.03 * 392.0, qPrintable(QString::number(sum_N / count)));
+        qInfo("mean %.1f N, highest revolution %.1f N", sum_N / count, milling().peakForce_N);
     }
     void anAmplifierThatSaysSoMeansNoFasterThanPlanned() {
         begin();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/service/milling/milling_json.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ using nlohmann::ordered_json;
 constexpr std::array<const char*, kMillingLawCount> kLawKeys{"constant", "pi", "model", "preview"};
 constexpr const char* kPosition = "x_mm";
 constexpr const char* kHeight = "height_mm";
+constexpr double kUnlikelyKx = -6.0;  // ln of a weight
 
 MillingLaw lawOf(const std::string& key) {
     for (std::size_t i = 0; i < kMillingLawCount; ++i) {
@@ -179,7 +181,13 @@ Result<MillingToolRecord> millingToolFromJson(const std::string& text) {
         record.tool.lastStiffness = json.at("last_stiffness").get<double>();
         record.tool.sumRise = json.at("sum_rise").get<double>();
         record.tool.sumIndexRise = json.at("sum_index_rise").get<double>();
-        record.tool.kxLogWeight = json.at("kx_log_weight").get<std::array<double, kMillingKxFilters>>();
+        // Versions before had no filters for stiff tools: those come last and are not ruled out.
+        const auto weights = json.at("kx_log_weight").get<std::vector<double>>();
+        if (weights.empty() || weights.size() > kMillingKxFilters) {
+            return unreadable();
+        }
+        record.tool.kxLogWeight.fill(kUnlikelyKx);
+        std::ranges::copy(weights, record.tool.kxLogWeight.begin());
         record.partType = json.value("part_type", std::string());
         record.toolRadius_mm = json.value("tool_radius_mm", 0.0);
         record.flutes = json.value("flutes", std::uint8_t{0});

@@ -21,6 +21,10 @@ namespace kerf::milling {
 ///              what it was at the same angles a revolution earlier, while the pitch before and the one after it are as
 ///              they were: one edge of several is gone. Steps and the way out fall and stay down, so they are none
 ///
+/// A force that falls with the feed has neither collapsed nor chipped: a tooth is expected in proportion to the feed
+/// really made, the lowest of its own and the highest of those it is compared with: the one before, or, for a chip, the
+/// pitches on either side. A feed that is not known is taken for an even one.
+///
 /// All functions run in the cycle: no allocation, lock, throw or I/O.
 class ForceWatch {
  public:
@@ -36,6 +40,11 @@ class ForceWatch {
     ForceWatch() noexcept = default;
     explicit ForceWatch(const Params& params) noexcept : m_params(params) {}
 
+    /// What the axis makes now; empty: not known. The samples that are added next were taken since the call before.
+    void setFeed(std::optional<double> feed_mmPerS) noexcept {
+        m_feedBefore_mmPerS = m_feed_mmPerS;
+        m_feed_mmPerS = feed_mmPerS;
+    }
     void add(const FastSample& sample) noexcept;
     /// Forget the teeth (pause, feed hold): nothing has collapsed until the tool has cut again.
     void disarm() noexcept;
@@ -51,13 +60,23 @@ class ForceWatch {
     [[nodiscard]] Quality quality() const noexcept { return m_quality; }
 
  private:
+    /// Feeds while a tooth or a sector of the angle passed; empty: not known.
+    struct Feed {
+        std::optional<double> lowest_mmPerS{};
+        std::optional<double> highest_mmPerS{};
+        void take(std::optional<double> feed_mmPerS) noexcept;
+    };
+    /// Share of the force `then` that the feed `now` makes at the least, 0 … 1.
+    [[nodiscard]] static double feedShare(const Feed& now, const Feed& then) noexcept;
     void nextTooth(std::int64_t tooth) noexcept;
     /// Highest sample of the tooth `ago` teeth before the last whole one; 0: not known.
     [[nodiscard]] double peak_N(int ago) const noexcept;
+    [[nodiscard]] const Feed& feed(int ago) const noexcept;
     [[nodiscard]] bool collapsesNow() const noexcept;
     void nextSector(std::int64_t sector) noexcept;
     /// Highest sample of these sectors of the spindle's angle; empty: none of them holds one.
     [[nodiscard]] std::optional<double> sectorPeak_N(std::int64_t first, std::int64_t last) const noexcept;
+    [[nodiscard]] Feed sectorFeed(std::int64_t first, std::int64_t last) const noexcept;
     [[nodiscard]] bool chipsNow() const noexcept;
 
     Params m_params{};
@@ -71,8 +90,12 @@ class ForceWatch {
     static constexpr int kMaxFlutes = 16;
     static constexpr std::size_t kTeethKept = 32;  ///< more than a revolution and the teeth that collapse
     std::array<double, kTeethKept> m_peak_N{};     ///< highest sample of the last whole teeth, a ring; 0: not known
-    std::array<double, kMaxFlutes> m_mean_N{};     ///< mean force of the last teeth, a ring
-    int m_teeth{0};                                ///< whole teeth since the last gap
+    std::array<Feed, kTeethKept> m_toothFeed{};    ///< … and the feed while they cut
+    std::optional<double> m_feed_mmPerS{};
+    std::optional<double> m_feedBefore_mmPerS{};
+    Feed m_feedNow{};                           ///< of the tooth in the work
+    std::array<double, kMaxFlutes> m_mean_N{};  ///< mean force of the last teeth, a ring
+    int m_teeth{0};                             ///< whole teeth since the last gap
     double m_sumNow_N{0.0};
     int m_countNow{0};
     bool m_collapsed{false};
@@ -80,6 +103,7 @@ class ForceWatch {
     static constexpr std::size_t kSectorsKept = 256;  ///< more than a revolution and three teeth
     static constexpr double kNoSample_N = -1e300;
     std::array<double, kSectorsKept> m_sector_N{};  ///< highest sample by sector of the angle, a ring
+    std::array<Feed, kSectorsKept> m_sectorFeed{};
     std::int64_t m_sector{0};
     std::int64_t m_sectorsFrom{0};  ///< the first one since the last gap
     bool m_sectorsKnown{false};

@@ -194,6 +194,7 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
                               EventSink& events) noexcept {
     m_forceFitted = capabilities.forceSensor.fitted;
     m_signal = capabilities.force;
+    m_rise_perS = capabilities.limits.feedScaleRise_perS;
     followStop(inputs.stops[static_cast<std::size_t>(ProcessId::Milling)]);
     if (m_startWanted) {
         m_startWanted = false;
@@ -351,9 +352,12 @@ void MillingLoop::takePeriod(double feed_mm, const MachineInputs& inputs) noexce
     }
     const bool overridden = std::abs(inputs.operatorOverride - 1.0) > kKnobAtRest;
     const bool advised = m_mode != LoopMode::Control;
+    m_controller.setRange(reach(inputs));
     m_decision = m_controller.update({m_groupTrusted ? std::optional(force_N) : std::nullopt, feed_mm,
                                       m_status.position_mm, m_group_s, overridden, advised});
     m_wanted_mmPerS = m_decision.feed_mmPerS;
+    m_decision.limited = m_decision.limited && (m_wanted_mmPerS <= m_setup.lowestFeed_mmPerS ||
+                                                m_wanted_mmPerS >= m_setup.highestFeed_mmPerS);
     if (!m_groupTrusted) {
         return;
     }
@@ -366,6 +370,16 @@ void MillingLoop::takePeriod(double feed_mm, const MachineInputs& inputs) noexce
         stiffness.valid ? std::clamp(steady_mmPerS, m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS) : 0.0;
     stiffness.lnCb = lnCb();
     m_record.add({m_status.position_mm, force_N, m_group_s, feed_mm / m_group_s, controlled_mmPerS, stiffness});
+}
+
+/// What the feed can rise to within one period: a law that counted on more would take the rest for still to come.
+milling::FeedRange MillingLoop::reach(const MachineInputs& inputs) const noexcept {
+    milling::FeedRange range{m_setup.lowestFeed_mmPerS, m_setup.highestFeed_mmPerS};
+    if (m_mode == LoopMode::Control && inputs.appliedFeedScale.good() && inputs.programmedFeed_mmPerS.good()) {
+        const double scale = inputs.appliedFeedScale.value + m_rise_perS * m_group_s;
+        range.max_mmPerS = std::clamp(scale * inputs.programmedFeed_mmPerS.value, range.min_mmPerS, range.max_mmPerS);
+    }
+    return range;
 }
 
 double MillingLoop::lnCb() const noexcept {
@@ -437,6 +451,7 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
     const bool standing =
         inputs.feedHold || (m_feedKnown && inputs.actualFeed_mmPerS.value < kStanding * m_setup.plannedFeed_mmPerS);
     if (m_paused && !standing) {
+        m_watch.disarm();
         m_controller.resumeAfterPause();
         m_wanted_mmPerS = std::min(m_wanted_mmPerS, m_setup.entryFeed_mmPerS);
         m_averager.reset();
@@ -444,6 +459,7 @@ LoopVerdict MillingLoop::control(const MachineInputs& inputs, LoopOutputs& outpu
         beginGroup();
     }
     m_paused = standing;
+    m_watch.setFeed(m_feedKnown ? std::optional(m_made_mmPerS) : std::nullopt);
     takeSamples(inputs);
     const bool lastSpoiled = m_status.force_N.stamp_ns != 0 && m_status.force_N.quality != Quality::Good;
     const bool blind = m_watch.blind(inputs.time_ns, m_revolution_s) || !m_feedKnown || lastSpoiled;

@@ -47,6 +47,7 @@ class MillingLoop final : public ProcessLoop {
     void takeSamples(const MachineInputs& inputs) noexcept;
     void takeRevolution(const milling::RevolutionForce& revolution, const MachineInputs& inputs) noexcept;
     void takePeriod(double feed_mm, const MachineInputs& inputs) noexcept;
+    [[nodiscard]] milling::FeedRange reach(const MachineInputs& inputs) const noexcept;
     void beginGroup() noexcept;
     [[nodiscard]] double lnCb() const noexcept;
     void watchForStops(const MachineInputs& inputs, EventSink& events) noexcept;
@@ -72,6 +73,7 @@ class MillingLoop final : public ProcessLoop {
 
     bool m_forceFitted{true};
     ForceSignal m_signal{};
+    double m_rise_perS{0.0};  ///< how fast the feed scale may rise
     ForceZero m_zero{};
     bool m_startWanted{false};
     bool m_paused{true};  ///< the axis stands: pause, hold, or a stop of ours

@@ -52,7 +52,7 @@ struct MillingBlank {
 };
 static_assert(std::is_trivially_copyable_v<MillingBlank>);
 
-inline constexpr std::size_t kMillingKxFilters = 6;
+inline constexpr std::size_t kMillingKxFilters = 9;
 
 /// What is learnt of the tool in the spindle: its wear over parts and its stiffness. All that a restart needs to go on.
 struct MillingToolState {

@@ -10,6 +10,7 @@
 namespace kerf::milling {
 namespace {
 constexpr double kLeastLogWeight = -12.0;       // no filter is ever ruled out for good
+constexpr double kLeastBefore = -6.0;           // … and one surprise may find the least likely
 constexpr double kLeastLogLikelihood = -500.0;  // keeps its exponential above 0
 constexpr double k95 = 1.96;
 
@@ -22,12 +23,20 @@ constexpr double kSmallestFeed_mm = 1e-6;                       // keeps l^(m−
 constexpr StiffnessEstimator::Quiet StiffnessEstimator::kLawQuiet{0.022, 7.0};
 constexpr StiffnessEstimator::Quiet StiffnessEstimator::kFilterQuiet{0.028, 6.0};
 
+double StiffnessEstimator::lnKxOf(std::size_t filter, const Params& params) noexcept {
+    constexpr std::size_t kFine = kFilters - kStiff;
+    const auto fine = static_cast<double>(std::min(filter, kFine - 1));
+    const double stiff = static_cast<double>(filter) - fine;
+    const double stiffRatio = params.ratio > 1.0 ? params.stiffRatio : 1.0;
+    return std::log(params.softest_NPerMm) + fine * std::log(params.ratio) + stiff * std::log(stiffRatio);
+}
+
 StiffnessEstimator::StiffnessEstimator(const Params& params) noexcept : m_params(params), m_meter(params.assume) {
     for (std::size_t i = 0; i < kFilters; ++i) {
-        m_lnKx[i] = std::log(params.softest_NPerMm) + static_cast<double>(i) * std::log(params.ratio);
+        m_lnKx[i] = lnKxOf(i, params);
         m_filters[i] = StiffnessFilter(params.assume, std::exp(m_lnKx[i]));
         const double off = (m_lnKx[i] - std::log(params.likely_NPerMm)) / params.likelyWidth;
-        m_logWeight[i] = -0.5 * off * off;
+        m_logWeight[i] = std::max(-0.5 * off * off, kLeastBefore);
     }
     combine();
     m_estimate.valid = false;
@@ -59,14 +68,24 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
     } else {
         const double quietness = quiet(kFilterQuiet);
         m_meter.update(force_N, feed_mmPerRev, knownChange, m_estimate.kx_NPerMm, quietness);
+        std::array<StiffnessFilter::Fit, kFilters> fit{};
+        bool surprised = false;
         double total = 0.0;
         double likelihood = 0.0;
         for (std::size_t i = 0; i < kFilters; ++i) {
             const double weight = std::exp(m_logWeight[i]);
             m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
-            m_logWeight[i] += m_filters[i].correct(force_N, m_meter.noise());
+            fit[i] = m_filters[i].correct(force_N, m_meter.noise());
+            surprised = surprised || fit[i].surprise < 0.0;
             total += weight;
             likelihood += weight * std::exp(std::max(m_filters[i].logLikelihood(), kLeastLogLikelihood));
+        }
+        // To a stiff tool every change of depth is a large force at once, so its filter expects nearly anything: it
+        // pays for that when others, surer ones, are surprised.
+        const double sure_N2 = fit[kFilters - kStiff - 1].spread_N2;
+        for (std::size_t i = 0; i < kFilters; ++i) {
+            const bool pays = surprised && i >= kFilters - kStiff;
+            m_logWeight[i] += fit[i].surprise - (pays ? std::log(fit[i].spread_N2 / sure_N2) : 0.0);
         }
         m_logLikelihood = std::log(likelihood / total);
         const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logWeight) - m_logWeight.begin());

@@ -37,16 +37,20 @@ struct StiffnessEstimate {
 class StiffnessEstimator {
  public:
     static constexpr std::size_t kFilters = kMillingKxFilters;
+    static constexpr std::size_t kStiff = 3;  ///< of them, for tools that hardly give way
     struct Params {
         StiffnessAssumptions assume{};
         double softest_NPerMm{22.0 * kNewtonPerKilogramForce};  ///< k_x of the first filter
         double ratio{1.5};                                      ///< from filter to filter; 1: one k_x only
+        double stiffRatio{3.0};                                 ///< … of the last ones, where k_x matters less
         double likely_NPerMm{70.0 * kNewtonPerKilogramForce};   ///< centre of the weights before anything was cut
         double likelyWidth{0.8};                                ///< their standard deviation in ln k_x
         double airForce_N{20.0};                                ///< below: the tool does not cut
         double reference_N{40.0 * kNewtonPerKilogramForce};     ///< what a noise counts against, > 0
     };
     explicit StiffnessEstimator(const Params& params) noexcept;
+    /// ln of the k_x that a filter of the bank assumes, in N/mm.
+    [[nodiscard]] static double lnKxOf(std::size_t filter, const Params& params) noexcept;
 
     /// One revolution with a trusted force and the feed the axis made in it; `knownChange` see StiffnessFilter.
     void update(double force_N, double feed_mmPerRev, double knownChange = 0.0) noexcept;

@@ -126,7 +126,7 @@ void StiffnessFilter::mix(double feed_mmPerRev) noexcept {
     }
 }
 
-void StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept {
+double StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept {
     const double m = m_assume.exponent;
     const double perNewton_mm = m_cos / (m_sin * m_kx_NPerMm);  // δ_x per newton of F_y
     const double g = way.state[1] + way.state[2] + knownChange;
@@ -152,19 +152,22 @@ void StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev, 
     covariance(1, 1) += variance;
     covariance(2, 2) += walk.slopeDeviation * walk.slopeDeviation;
     way.state = {force_N, g, walk.slopeMemory * way.state[2], way.state[0]};
+    return damping - 1.0;
 }
 
 void StiffnessFilter::predict(double feed_mmPerRev, double knownChange, double quiet) noexcept {
     m_quiet = quiet;
     mix(feed_mmPerRev);
     for (std::size_t i = 0; i < kWays; ++i) {
-        predict(m_ways[i], walkOf(i, quiet), feed_mmPerRev, knownChange);
+        const double lag_rev = predict(m_ways[i], walkOf(i, quiet), feed_mmPerRev, knownChange);
+        m_lag_rev = i == kCalmWay ? lag_rev : m_lag_rev;
     }
     combine();
 }
 
-double StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
-    const double w = m_assume.meanShare;
+StiffnessFilter::Fit StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
+    // Within a revolution F_y goes to its end value with the time constant m K l^(m−1): a stiff tool is there at once.
+    const double w = m_assume.meanShare * 2.0 * (m_lag_rev - 1.0 / std::expm1(1.0 / m_lag_rev));
     const auto expected_N = [w](const Eigen::Vector4d& state) { return (1.0 - w) * state[0] + w * state[3]; };
     const double mean_N = expected_N(m_mean);
     double spread_N2 = noise.highest_N2;  // of the ways together
@@ -198,7 +201,8 @@ double StiffnessFilter::correct(double force_N, const Noise& noise) noexcept {
     combine();
     // What every filter explains says nothing about k_x: counted, small systematic errors would add up in a calm cut.
     const double surprise_N = force_N - mean_N;
-    return -0.5 * std::clamp(surprise_N * surprise_N / spread_N2 - kSurprising, 0.0, kMostSurprising - kSurprising);
+    const double surprise = surprise_N * surprise_N / spread_N2 - kSurprising;
+    return {-0.5 * std::clamp(surprise, 0.0, kMostSurprising - kSurprising), spread_N2};
 }
 
 void StiffnessFilter::combine() noexcept {

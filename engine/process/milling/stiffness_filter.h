@@ -12,8 +12,10 @@ struct StiffnessAssumptions {
     double exponent{0.85};        ///< m, (0, 1]
     double forceAngle_deg{45.0};  ///< θ
     double forceNoise_N{9.92};    ///< standard deviation of one averaged force before anything was learnt, > 0
-    double meanShare{0.0};  ///< w: the measured force is (1 − w) F_y(i) + w F_y(i−1). 0: F_y at the end of the
-                            ///< revolution (the paper's equations); 0.5: averaged over it, as a sensor does
+    /// w of a tool that follows slowly: the measured force is (1 − w) F_y(i) + w F_y(i−1). 0: F_y at the end of the
+    /// revolution (the paper's equations); 0.5: averaged over it, as a sensor does. The faster the tool follows, the
+    /// smaller w is then.
+    double meanShare{0.0};
 };
 
 /// Kalman filters for the cutting stiffness at one assumed k_x, from the averaged force and the feed the axis really
@@ -47,9 +49,14 @@ class StiffnessFilter {
     /// The first revolution in the work: F_y and the feed give a first, wide estimate.
     void begin(double force_N, double feed_mmPerRev, double noise_N2) noexcept;
     void predict(double feed_mmPerRev, double knownChange, double quiet) noexcept;
-    /// Correct the prediction; returns how badly the force fits it: 0 within the noise, else the negative half square
-    /// of the surprise in standard deviations (a log-likelihood with a dead zone, bounded).
-    double correct(double force_N, const Noise& noise) noexcept;
+    /// How a force fits what was predicted.
+    struct Fit {
+        double surprise{0.0};   ///< 0 within the noise, else the negative half square of the surprise in standard
+                                ///< deviations (a log-likelihood with a dead zone, bounded)
+        double spread_N2{1.0};  ///< variance it was expected with, > 0
+    };
+    /// Correct the prediction.
+    Fit correct(double force_N, const Noise& noise) noexcept;
     void shift(double change) noexcept;
     /// Take over another filter's estimate, keeping the own k_x.
     void adopt(const StiffnessFilter& other) noexcept;
@@ -81,7 +88,8 @@ class StiffnessFilter {
     [[nodiscard]] static Way turned(const Way& way, std::size_t from, std::size_t to, double feed_mmPerRev,
                                     double quiet) noexcept;
     void mix(double feed_mmPerRev) noexcept;
-    void predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept;
+    /// The time constant with which the tool follows, in revolutions.
+    double predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept;
     void combine() noexcept;
 
     StiffnessAssumptions m_assume{};
@@ -89,6 +97,7 @@ class StiffnessFilter {
     double m_sin{0.0};
     double m_cos{0.0};
     double m_quiet{1.0};
+    double m_lag_rev{1.0};  ///< of the last revolution predicted, > 0
     std::array<Way, kWays> m_ways{};
     std::array<double, kWays> m_share{};  ///< of each in the estimate
     Eigen::Vector4d m_mean{Eigen::Vector4d::Zero()};

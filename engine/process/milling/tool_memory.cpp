@@ -21,8 +21,7 @@ struct Weighed {
 };
 
 double lnKxOf(std::size_t filter) noexcept {
-    const StiffnessEstimator::Params params;
-    return std::log(params.softest_NPerMm) + static_cast<double>(filter) * std::log(params.ratio);
+    return StiffnessEstimator::lnKxOf(filter, {});
 }
 
 Weighed kxOf(const std::array<double, kMillingKxFilters>& logWeight) noexcept {

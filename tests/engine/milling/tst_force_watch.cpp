@@ -21,6 +21,12 @@ class TestForceWatch : public QObject {
         double chipsAt_rev{8.3};  ///< from here on edge 0 cuts `left` of its chip and edge 1 the rest
         double left{0.1};
         double fallsTo{1.0};  ///< the whole force falls to this share within two revolutions from chipsAt on
+        double feedTo{
+            1.0};  ///< the feed falls to this share within .02 revolutions from chipsAt on, and the force with it
+        double feedFor_rev{1e9};  ///< … for so long
+        bool feedKnown{true};
+        double breaksAt_rev{1e9};  ///< from here on nothing cuts
+        int samplesPerCycle{5};
     };
     /// Where it is seen, revolutions; negative: never.
     [[nodiscard]] static double seenAt_rev(const Cut& cut) {
@@ -41,6 +47,17 @@ class TestForceWatch : public QObject {
             if (past_rev > 0.0 && cut.left < 1.0) {
                 share *= edge == 0 ? cut.left : edge == 1 ? 2.0 - cut.left : 1.0;
             }
+            const double fed = past_rev <= 0.0 || past_rev > cut.feedFor_rev
+                                   ? 1.0
+                                   : std::lerp(1.0, cut.feedTo, std::min(past_rev / 0.02, 1.0));
+            if (i % cut.samplesPerCycle == 0) {  // the feed of the end of the cycle, as the loop sees it
+                const double end_rev = past_rev + cut.samplesPerCycle / static_cast<double>(kPerRevolution);
+                const double feed = end_rev <= 0.0 || end_rev > cut.feedFor_rev
+                                        ? 1.0
+                                        : std::lerp(1.0, cut.feedTo, std::min(end_rev / 0.02, 1.0));
+                watch.setFeed(cut.feedKnown ? std::optional(3.0 * feed) : std::nullopt);
+            }
+            share *= angle_rev < cut.breaksAt_rev ? fed : 0.0;
             FastSample sample;
             sample.stamp_ns = i * 200'000LL;
             sample.spindleAngle_rev = angle_rev;
@@ -83,6 +100,41 @@ class TestForceWatch : public QObject {
                     const Cut cut{flutes, 0.35, runOut, 0.1, 8.3, 1.0, fallsTo};
                     QVERIFY(seenAt_rev(cut) < 0.0);
                 }
+            }
+        }
+    }
+    void aFeedThatFallsIsNoBrokenTool() {
+        for (const int flutes : {1, 2, 3, 4, 6}) {
+            for (const double feedTo : {0.0, 0.05, 0.15, 0.25, 0.5}) {
+                for (const double feedFor_rev : {0.1, 0.25, 0.5, 1e9}) {  // dips too
+                    for (const int samplesPerCycle : {5, 250}) {  // a late cycle brings half a revolution at once
+                        Cut cut{flutes, 0.35, 0.15, 0.1, 8.3, 1.0};
+                        cut.feedTo = feedTo;
+                        cut.feedFor_rev = feedFor_rev;
+                        cut.samplesPerCycle = samplesPerCycle;
+                        QVERIFY2(seenAt_rev(cut) < 0.0, qPrintable(QStringLiteral("%1 flutes, feed to %2 for %3")
+                                                                       .arg(flutes)
+                                                                       .arg(feedTo)
+                                                                       .arg(feedFor_rev)));
+                    }
+                }
+            }
+        }
+        Cut blind{4, 0.35, 0.15, 0.1, 8.3, 1.0};  // the same force without a word about the feed
+        blind.feedTo = 0.1;
+        blind.feedKnown = false;
+        QVERIFY(seenAt_rev(blind) > 8.3);
+    }
+    void aToolThatBreaksIsSeenWithEveryNumberOfFlutes() {
+        for (const int flutes : {1, 2, 3, 4, 6}) {
+            for (const double feedTo : {1.0, 0.6, 2.0}) {  // whatever the feed does
+                Cut cut{flutes, 0.35, 0.15, 0.1, 5.0, 1.0};
+                cut.feedTo = feedTo;
+                cut.breaksAt_rev = 9.37;
+                const double seen_rev = seenAt_rev(cut);
+                const double most_rev = 9.37 + std::max(1.0, 3.0 / flutes);
+                QVERIFY2(seen_rev >= 9.37 && seen_rev <= most_rev,
+                         qPrintable(QStringLiteral("%1 flutes, feed to %2: %3").arg(flutes).arg(feedTo).arg(seen_rev)));
             }
         }
     }
