@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/console/console_application.h"
+#include "app/console/end_signals.h"
 
 namespace {
 
@@ -30,6 +31,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(KERF_VERSION));
 
     console::ConsoleApplication console(*options);
+    const console::EndSignals ended([] { QCoreApplication::exit(0); });
     const auto giveUp = [](const QString& sentence) {
         std::fprintf(stderr, "kerf-console: %s\n", qPrintable(sentence));
         QCoreApplication::exit(kCannotStart);

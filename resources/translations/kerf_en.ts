@@ -7122,6 +7122,14 @@
             <source>Turning</source>
             <translation>Turning</translation>
         </message>
+        <message>
+            <source>Nobody commands this machine: the program that did has ended. This one only reads; end it and start it anew, then it commands.</source>
+            <translation>Nobody commands this machine: the program that did has ended. This one only reads; end it and start it anew, then it commands.</translation>
+        </message>
+        <message>
+            <source>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</source>
+            <translation>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -7117,6 +7117,14 @@
             <source>Turning</source>
             <translation>선삭</translation>
         </message>
+        <message>
+            <source>Nobody commands this machine: the program that did has ended. This one only reads; end it and start it anew, then it commands.</source>
+            <translation>이 기계를 지휘하는 프로그램이 없습니다. 지휘하던 프로그램은 끝났습니다. 이 프로그램은 읽기만 하므로 끝내고 다시 시작하면 지휘합니다.</translation>
+        </message>
+        <message>
+            <source>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</source>
+            <translation>Kerf 실행 중에 데이터 파일 옆의 로그 파일(-wal)이 삭제·이동되거나 바뀌었습니다. 더 이상 저장되지 않습니다. Kerf를 끝내고 다시 시작하십시오. 기다리는 항목은 그 옆에 보관됩니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QProcess>
 #include <QTest>
 #include <cmath>
 #include <functional>
@@ -500,6 +502,29 @@ class TestScriptedControl : public QObject {
         QCOMPARE(m_inputs.reply.number, 42U);
         QVERIFY(!m_inputs.reply.reason.empty());
         QCOMPARE(m_inputs.partSequence, 0U);
+    }
+    void aReaderSaysWhenWhoeverCommandedHasDied() {
+        QProcess other;
+        other.start(QStringLiteral("sleep"), {QStringLiteral("600")});
+        QVERIFY(other.waitForStarted());
+        QFile stat(QStringLiteral("/proc/%1/stat").arg(other.processId()));
+        QVERIFY(stat.open(QIODevice::ReadOnly));
+        const QByteArray text = stat.readAll();
+        const auto begun = text.mid(text.lastIndexOf(')') + 2).split(' ').at(19).toULongLong();
+        const std::uint64_t theirs = (static_cast<std::uint64_t>(other.processId()) << 32U) | (begun & 0xFFFFFFFF);
+        m_bridge->memory->owner.store(theirs);
+        makeMachine();
+        const auto why = [this] { return std::string(m_machine->capabilities().cycleStart.why.english()); };
+        cycles(3);
+        QVERIFY(!m_machine->commands());
+        QVERIFY2(why().find("process " + std::to_string(other.processId())) != std::string::npos, why().c_str());
+        other.kill();
+        QVERIFY(other.waitForFinished());
+        QVERIFY(cyclesUntil([&] { return why().starts_with("Nobody commands"); }));
+        QVERIFY(!m_machine->commands());  // and does not step in by itself
+        QCOMPARE(m_bridge->memory->owner.load(), theirs);
+        m_bridge->memory->owner.store(0);  // given back at a clean end
+        QVERIFY(cyclesUntil([&] { return why().starts_with("Nobody commands"); }));
     }
     void aNumberGivenOutAgainIsNobodysClaim() {
         m_bridge->memory->owner.store((static_cast<std::uint64_t>(::getppid()) << 32U) | 1U);

@@ -97,28 +97,30 @@ Result<void> LinuxCncMachine::endOtherClaim() {
 void LinuxCncMachine::watchOwner() noexcept {
     m_owner = m_memory != nullptr ? m_memory->owner.load() : 0;
     m_mine = m_own != 0 && m_owner == m_own;
+    if (m_rsh != nullptr && m_owner == m_rsh->deadOwner()) {
+        m_owner = 0;
+    }
 }
 
 void LinuxCncMachine::adoptFitted(const Fitted& fitted) noexcept {
-    const std::size_t current = m_current.load(std::memory_order_relaxed);
-    const bool shared = !m_mine && !m_onlyRead;
-    if (m_fittedKnown && fitted == m_fitted && shared == m_shared) {
+    const std::uint64_t commands = m_onlyRead ? m_own : m_owner;
+    if (m_fittedKnown && fitted == m_fitted && commands == m_said) {
         return;
     }
-    m_shared = shared;
-    if (current + 1 < kMachinesSeen) {  // one who still reads the old ones may go on
-        m_capabilities[current + 1] = capabilitiesOf(fitted, m_params.described.force);
-        m_forcePin.fit(fitted.servoPeriod_s, m_capabilities[current + 1].force.bandwidth_Hz);
-        if (shared) {
-            refuseAll(m_capabilities[current + 1], ownedByAnother());
-        }
-        describe(m_capabilities[current + 1], m_params.described);
-        if (const auto why = otherUnits(m_params.described.units, fitted.units)) {
-            refuseAll(m_capabilities[current + 1], *why);
-        }
-        m_current.store(current + 1, std::memory_order_release);
-        m_fitted = fitted;
+    const std::size_t next = (m_current.load(std::memory_order_relaxed) + 1) % kMachinesSeen;
+    Capabilities& capabilities = m_capabilities[next];
+    capabilities = capabilitiesOf(fitted, m_params.described.force);
+    m_forcePin.fit(fitted.servoPeriod_s, capabilities.force.bandwidth_Hz);
+    if (commands != m_own) {
+        refuseAll(capabilities, whyNotOurs());
     }
+    describe(capabilities, m_params.described);
+    if (const auto why = otherUnits(m_params.described.units, fitted.units)) {
+        refuseAll(capabilities, *why);
+    }
+    m_current.store(next, std::memory_order_release);
+    m_fitted = fitted;
+    m_said = commands;
     m_fittedKnown.store(true, std::memory_order_release);
 }
 
@@ -248,7 +250,12 @@ void LinuxCncMachine::followTap(MachineInputs& inputs) noexcept {
     }
 }
 
-Sentence LinuxCncMachine::ownedByAnother() const noexcept {
+Sentence LinuxCncMachine::whyNotOurs() const noexcept {
+    if (m_owner == 0) {
+        return Sentence(
+            KERF_TEXT("Nobody commands this machine: the program that did has ended. This one only reads; end it and "
+                      "start it anew, then it commands."));
+    }
     return Sentence(
         KERF_TEXT("Another program (process %1) commands this machine, this one only reads: end it, or take the "
                   "machine over, and start this one anew."),
@@ -407,7 +414,7 @@ void LinuxCncMachine::setGains(const PortRequest& request, const ServoGains& gai
 
 void LinuxCncMachine::carryOut(const PortRequest& request) noexcept {
     if (!m_mine) {
-        answer(request.number, RequestState::Refused, ownedByAnother());
+        answer(request.number, RequestState::Refused, whyNotOurs());
         return;
     }
     if (const auto* gains = std::get_if<SetServoGains>(&request.action)) {

@@ -60,12 +60,12 @@ class LinuxCncMachine final : public MachinePort {
     [[nodiscard]] bool reached() const noexcept { return m_fittedKnown.load(std::memory_order_acquire); }
 
  private:
-    static constexpr std::size_t kMachinesSeen = 8;
+    static constexpr std::size_t kMachinesSeen = 32;
 
     [[nodiscard]] bool watchLink(std::int64_t now_ns) noexcept;
     void adoptFitted(const Fitted& fitted) noexcept;
     void watchOwner() noexcept;
-    [[nodiscard]] Sentence ownedByAnother() const noexcept;
+    [[nodiscard]] Sentence whyNotOurs() const noexcept;
     void watchStart(std::int64_t now_ns) noexcept;
     void followDeclaration() noexcept;
     [[nodiscard]] Reading overhang_mm(Quality quality) const noexcept;
@@ -83,15 +83,16 @@ class LinuxCncMachine final : public MachinePort {
     }
 
     Params m_params;
-    std::array<Capabilities, kMachinesSeen> m_capabilities{};  ///< a new one per machine that came back different
+    std::array<Capabilities, kMachinesSeen> m_capabilities{};  ///< a new one per change, in turn: whoever reads an old
+                                                               ///< one has done so long before its place comes again
     std::atomic<std::size_t> m_current{0};
     std::atomic<bool> m_fittedKnown{false};
     Fitted m_fitted{};
     bool m_onlyRead{false};
     bool m_mine{false};
-    bool m_shared{false};      ///< capabilities say that another program commands
     std::uint64_t m_own{0};    ///< our claim
-    std::uint64_t m_owner{0};  ///< whoever commands
+    std::uint64_t m_owner{0};  ///< whoever commands; 0: nobody, or a program that has died
+    std::uint64_t m_said{0};   ///< … as the capabilities say it
     std::unique_ptr<SharedLink> m_link;
     std::unique_ptr<RshLink> m_rsh;
     LinkMemory* m_memory{nullptr};  ///< of this cycle

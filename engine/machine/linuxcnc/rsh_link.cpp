@@ -12,6 +12,7 @@
 #include <chrono>
 #include <variant>
 
+#include "engine/machine/linuxcnc/machine_claim.h"
 #include "engine/machine/linuxcnc/programs.h"
 
 namespace kerf::linuxcnc {
@@ -21,6 +22,7 @@ constexpr int kAnswer_ms = 2000;
 constexpr int kSlice_ms = 20;  // an abort does not wait for another command's answer
 constexpr auto kRetry = std::chrono::milliseconds(200);
 constexpr auto kPoll = std::chrono::milliseconds(2);
+constexpr auto kOwnerLook = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -201,8 +203,21 @@ void RshLink::abortFirst(std::uint32_t number) {
     }
 }
 
+/// A claim is looked after in /proc, so here and not in the cycle.
+void RshLink::watchOwner() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - m_ownerSeen < kOwnerLook) {
+        return;
+    }
+    m_ownerSeen = now;
+    const LinkMemory* memory = m_link.take();
+    const std::uint64_t owner = memory != nullptr ? memory->owner.load() : 0;
+    m_deadOwner.store(owner != 0 && !alive(owner) ? owner : 0, std::memory_order_release);
+}
+
 void RshLink::run() {
     while (!m_stop) {
+        watchOwner();
         if (!m_connected) {
             m_connected = connectOnce();
             if (!m_connected) {

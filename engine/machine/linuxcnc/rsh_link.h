@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <thread>
@@ -58,6 +59,9 @@ class RshLink {
     [[nodiscard]] bool connected() const noexcept { return m_connected.load(std::memory_order_acquire); }
     /// Connected, and without a network. Any thread.
     [[nodiscard]] bool overBridge() const noexcept { return m_overBridge.load(std::memory_order_acquire); }
+    /// The claim on the machine whose program has died, as seen within the last half second; 0: it lives, or there is
+    /// no claim. Any thread.
+    [[nodiscard]] std::uint64_t deadOwner() const noexcept { return m_deadOwner.load(std::memory_order_acquire); }
 
  private:
     struct Errand {
@@ -67,6 +71,7 @@ class RshLink {
         std::array<double, 3> shift_um{};
     };
     void run();
+    void watchOwner();
     void abortFirst(std::uint32_t number);
     [[nodiscard]] bool connectOnce();
     void disconnect() noexcept;
@@ -89,6 +94,8 @@ class RshLink {
     int m_socket{-1};
     SharedLink m_link;  ///< of its own: the cycle's may be replaced while we speak
     std::atomic<bool> m_overBridge{false};
+    std::atomic<std::uint64_t> m_deadOwner{0};
+    std::chrono::steady_clock::time_point m_ownerSeen{};
     std::uint32_t m_line{0};  ///< number of the last one
     std::thread m_thread;
 };
