@@ -28,6 +28,18 @@ void keepBeside(const std::string& path, const std::vector<std::string>& items) 
     }
 }
 
+Sentence fileGone() {
+    return Sentence(KERF_TEXT(
+        "The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end "
+        "Kerf and start it anew; what waits is kept beside it."));
+}
+
+Sentence logGone() {
+    return Sentence(KERF_TEXT(
+        "The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is "
+        "stored. End Kerf and start it anew; what waits is kept beside it."));
+}
+
 template <class T>
 void must(const Result<T>& done) {
     if (!done) {
@@ -71,10 +83,8 @@ Result<std::unique_ptr<QLockFile>> lockDataFile(const std::string& path) {
                                         : sentenceForCode(8));
 }
 
-Sentence fileGone() {
-    return Sentence(KERF_TEXT(
-        "The data file was deleted, moved or replaced while Kerf runs: nothing is stored. Put it back, or end "
-        "Kerf and start it anew; what waits is kept beside it."));
+bool saysMissing(const Sentence& sentence) {
+    return sentence.english() == fileGone().english() || sentence.english() == logGone().english();
 }
 
 DataFile::DataFile(std::string path, std::unique_ptr<QLockFile> lock)
@@ -128,17 +138,20 @@ Result<std::unique_ptr<DataFile>> DataFile::open(const std::string& path) {
     return file;
 }
 
-FilePresence::FilePresence(std::string path) : m_path(std::move(path)) {
+FilePresence::Place FilePresence::placeOf(const std::string& path) {
     struct stat status {};
-    if (::stat(m_path.c_str(), &status) == 0) {
-        m_device = status.st_dev;
-        m_inode = status.st_ino;
-    }
+    return ::stat(path.c_str(), &status) == 0 ? Place{path, status.st_dev, status.st_ino} : Place{path};
 }
 
-bool FilePresence::there() const noexcept {
+bool FilePresence::Place::there() const noexcept {
     struct stat status {};
-    return ::stat(m_path.c_str(), &status) == 0 && status.st_dev == m_device && status.st_ino == m_inode;
+    return inode == 0 || (::stat(path.c_str(), &status) == 0 && status.st_dev == device && status.st_ino == inode);
+}
+
+FilePresence::FilePresence(const std::string& path) : m_file(placeOf(path)), m_log(placeOf(path + "-wal")) {}
+
+Sentence FilePresence::missing() const {
+    return !m_file.there() ? fileGone() : !m_log.there() ? logGone() : Sentence();
 }
 
 }  // namespace kerf::db

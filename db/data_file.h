@@ -43,21 +43,29 @@ class DataFile {
 /// The lock of a data file alone. Stale only when its process is gone.
 [[nodiscard]] Result<std::unique_ptr<QLockFile>> lockDataFile(const std::string& path);
 
-/// Says whether a file that is open still stands under its name: one that was deleted or replaced goes on taking writes
-/// that nobody will ever find.
+/// Says whether a data file that is open, and its log file (-wal), still stand under their names: one that was deleted
+/// or replaced goes on taking writes that nobody will ever find.
 class FilePresence {
  public:
-    explicit FilePresence(std::string path);
-    /// The file of the same name is the one that was there first.
-    [[nodiscard]] bool there() const noexcept;
+    /// @pre a connection to the file has read: SQLite has made the log file
+    explicit FilePresence(const std::string& path);
+    /// Why nothing may be stored any more; empty: both files are those that were there first.
+    [[nodiscard]] Sentence missing() const;
 
  private:
-    std::string m_path;
-    std::uint64_t m_device{0};
-    std::uint64_t m_inode{0};
+    struct Place {
+        std::string path{};
+        std::uint64_t device{0};
+        std::uint64_t inode{0};  ///< 0: it was not there
+        [[nodiscard]] bool there() const noexcept;
+    };
+    [[nodiscard]] static Place placeOf(const std::string& path);
+
+    Place m_file;
+    Place m_log;
 };
 
-/// Why nothing is stored any more when it is not.
-[[nodiscard]] Sentence fileGone();
+/// What FilePresence says: it goes away when a person puts the file back.
+[[nodiscard]] bool saysMissing(const Sentence& sentence);
 
 }  // namespace kerf::db

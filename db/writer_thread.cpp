@@ -31,7 +31,7 @@ bool passes(const Sentence& failure) {
             return true;
         }
     }
-    return failure.english() == fileGone().english();
+    return saysMissing(failure);
 }
 
 bool keptWhenRefused(const StoreCommand& command) {
@@ -93,12 +93,12 @@ class WriterThread::Worker {
     template <class Write>
     auto written(const Write& write) -> decltype(write()) {
         applyPageLimit();
-        if (!m_presence.there()) {
-            return tl::unexpected<Sentence>(fileGone());
+        if (const Sentence missing = m_presence.missing(); !missing.empty()) {
+            return tl::unexpected(missing);
         }
         auto result = write();
-        if (result && !m_presence.there()) {
-            return tl::unexpected<Sentence>(fileGone());
+        if (const Sentence missing = m_presence.missing(); result && !missing.empty()) {
+            return tl::unexpected(missing);
         }
         if (result) {
             noteHead();
@@ -130,13 +130,30 @@ class WriterThread::Worker {
     }
 
     void watchFile() {
-        if (const bool there = m_presence.there(); there != m_fileThere) {
+        const Sentence missing = m_presence.missing();
+        if (const bool there = missing.empty(); there != m_fileThere) {
             m_fileThere = there;
+            m_logEmptied = false;
             if (!there) {
-                failed(fileGone());
+                failed(missing);
             } else {
                 m_retryAt = Clock::now();
             }
+        }
+        if (!m_fileThere && !m_logEmptied) {
+            emptyLog();
+        }
+    }
+
+    /// What was accepted before may stand in the log alone, and only what has it open still reaches it, or the file:
+    /// it goes from one into the other, wherever they are now.
+    void emptyLog() {
+        try {
+            Statement statement(m_connection.database(), "PRAGMA wal_checkpoint(TRUNCATE)");
+            m_logEmptied = statement.run().next() && statement.integer(0) == 0;
+        } catch (const SqlFailure& failure) {
+            qCWarning(kerfDb, "checkpoint: %s", failure.what());
+            m_logEmptied = true;  // there is no more to be done
         }
     }
 
@@ -297,6 +314,7 @@ class WriterThread::Worker {
     std::deque<StoreCommand> m_commands;
     std::size_t m_safe{0};  ///< of m_waiting, from its front: in the outbox too
     bool m_fileThere{true};
+    bool m_logEmptied{false};
     bool m_failing{false};
     bool m_probing{false};  ///< a command was refused since it was last seen that there is room
     Clock::time_point m_retryAt{};
