@@ -343,6 +343,52 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
         QVERIFY2(highest < 0.53, qPrintable(QString::number(highest)));
         QVERIFY(std::abs(feedShare() - 0.5) < 0.02);
     }
+    void aStopOutlivesBridgeAndConsole() {
+        kerf::StartProgram program = longProgram();
+        program.plannedFeedScale = 0.5;
+        kerf::MachineOutputs outputs = neutral();
+        outputs.request = {++m_request, program};
+        QVERIFY(
+            cycleUntil([&] { return m_inputs.program == kerf::ProgramState::Running && feedShare() > 0.9; }, outputs));
+        constexpr auto kMilling = static_cast<std::size_t>(kerf::ProcessId::Milling);
+        kerf::MachineOutputs stopped = neutral();
+        (void)kerf::latch(stopped.stops[kMilling], kerf::StopKind::FeedHold, 201);
+        const auto stands = [&] {
+            return m_inputs.link == kerf::LinkState::Up && m_inputs.stops[kMilling] == stopped.stops[kMilling];
+        };
+        const auto rests = [&] { return std::abs(pinValue("motion.current-vel")) < 1e-9; };
+        QVERIFY(cycleUntil([&] { return stands() && m_inputs.actualFeed_mmPerS.value == 0.0; }, stopped));
+
+        for (int round = 0; round < 2; ++round) {  // the one that took the place of a dead one may die as well
+            QVERIFY(kerf::test::LinuxCncControl::killBridge() != 0);
+            m_deadline = std::chrono::steady_clock::now();
+            QVERIFY(linkIs(kerf::LinkState::Down));
+            QVERIFY(rests());
+            QVERIFY(kerf::test::LinuxCncControl::startBridge());
+            m_deadline = std::chrono::steady_clock::now();
+            // A console that has forgotten its stop lowers none.
+            QVERIFY(cycleUntil(stands, neutral()));
+            settle();
+            QVERIFY(rests());
+            QVERIFY(cycleUntil(stands, neutral()));
+            QCOMPARE(m_inputs.program, kerf::ProgramState::Running);
+        }
+        m_machine.reset();  // and the console
+        m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(kerf::linuxcnc::LinuxCncMachine::Params{});
+        QVERIFY(m_machine->connect().has_value());
+        m_deadline = std::chrono::steady_clock::now();
+        QVERIFY(cycleUntil(stands, neutral()));
+        settle();
+        QVERIFY(rests());
+        QVERIFY(cycleUntil(stands, neutral()));
+
+        kerf::MachineOutputs released = neutral();  // a person's release of this stop
+        released.stops[kMilling] = stopped.stops[kMilling];
+        released.stops[kMilling].released = released.stops[kMilling].number;
+        QVERIFY(cycleUntil([this] { return m_inputs.actualFeed_mmPerS.value > 0.0; }, released));
+        QVERIFY(!m_inputs.stops[kMilling].active());
+        QVERIFY(cycleUntil([this] { return homed(); }, neutral()));  // commands go out again
+    }
     void controlKilledIsNoticedAndComesBack() {
         kerf::StartProgram program = longProgram();
         program.plannedFeedScale = 0.5;

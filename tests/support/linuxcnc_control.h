@@ -3,6 +3,7 @@
 
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <QFile>
 #include <QProcess>
@@ -70,6 +71,32 @@ class LinuxCncControl {
     }
     /// The bridge killed as kill -9 does; when it was, 0 if there is none.
     [[nodiscard]] static std::int64_t killBridge() { return killAll({QStringLiteral("kerf-hal")}); }
+    /// A bridge started anew beside the control that runs, as a person does it who has found it dead.
+    [[nodiscard]] static bool startBridge() {
+        QProcess find;
+        find.start(QStringLiteral("pgrep"), {QStringLiteral("-n"), QStringLiteral("-x"), QStringLiteral("milltask")});
+        find.waitForFinished();
+        const QString folder = QFile::symLinkTarget(
+            QStringLiteral("/proc/%1/cwd").arg(QString::fromLatin1(find.readAllStandardOutput()).trimmed()));
+        QProcess halcmd;
+        QStringList words{QStringLiteral("env"),
+                          QStringLiteral("INI_FILE_NAME=%1/kerf-sim.ini").arg(folder),
+                          QStringLiteral("LINUXCNCVERSION=2.9"),
+                          QStringLiteral("halcmd"),
+                          QStringLiteral("loadusr"),
+                          QStringLiteral("-Wn"),
+                          QStringLiteral("kerf-hal"),
+                          folder + QStringLiteral("/kerf-hal")};
+        if (::geteuid() == 0) {
+            words = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=nobody"),
+                                QStringLiteral("--regid=nogroup"), QStringLiteral("--clear-groups")} +
+                    words;
+        }
+        halcmd.setStandardOutputFile(QProcess::nullDevice());  // which the bridge keeps
+        halcmd.setStandardErrorFile(QProcess::nullDevice());
+        halcmd.start(words.takeFirst(), words);
+        return halcmd.waitForFinished(20'000) && halcmd.exitCode() == 0;
+    }
     /// The bridge stands still, as one that gets no processor, or goes on.
     [[nodiscard]] static bool stopBridge(bool still) {
         return killAll({QStringLiteral("kerf-hal")}, still ? SIGSTOP : SIGCONT) != 0;

@@ -24,6 +24,7 @@
 #include "engine/machine/linuxcnc/control_commands.h"
 #include "engine/machine/linuxcnc/feed_keeper.h"
 #include "engine/machine/linuxcnc/hal_pins.h"
+#include "engine/machine/linuxcnc/hal_successor.h"
 #include "engine/machine/linuxcnc/ini_text.h"
 #include "engine/machine/linuxcnc/period_clock.h"
 
@@ -358,7 +359,10 @@ class Bridge {
 int main() {
     std::signal(SIGTERM, onSignal);
     std::signal(SIGINT, onSignal);
+    kerf::linuxcnc::HalSuccessor successor;
+    const bool succeeds = successor.takePlaceOf("kerf-hal");
     const int component = hal_init("kerf-hal");
+    successor.settle();
     if (component < 0) {
         std::fprintf(stderr, "kerf-hal: HAL does not take the component (code %d); is one already loaded?\n",
                      component);
@@ -373,6 +377,9 @@ int main() {
     }
     const kerf::linuxcnc::ControlCommands commands(*link);
     Bridge bridge(pins, *link, openStops(), component, commands);
+    if (succeeds) {
+        successor.linkAgain();
+    }
     hal_ready(component);
     link->magic.store(LinkMemory::kMagic, std::memory_order_release);
 
