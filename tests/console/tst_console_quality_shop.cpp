@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCheckBox>
 #include <QComboBox>
+#include <QTableWidget>
 #include <QTest>
 #include <cmath>
 
@@ -84,6 +85,30 @@ class TestConsoleQualityShop : public QObject {
         QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 20'000);
         QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
         waitForFullLot();
+    }
+    /// Every diameter that was entered says at once when it lies outside, and on which side.
+    void diametersOutsideSaySoWhereTheyWereEntered() {
+        m_bench.console().window()->showPage("boring");
+        QVERIFY(m_bench.press("boringCorrect"));
+        QTRY_VERIFY(m_bench.find<QTableWidget>("boringMeasurementList") != nullptr);
+        const auto* list = m_bench.find<QTableWidget>("boringMeasurementList");
+        const BoringServiceView& view = m_bench.service();
+        QCOMPARE(list->rowCount(), static_cast<int>(view.parts.size()));
+        int outside = 0;
+        for (int row = 0; row < list->rowCount(); ++row) {
+            const BorePartView& part = view.parts[view.parts.size() - 1 - static_cast<std::size_t>(row)];
+            for (const BoreMeasurementView& measured : part.measurements) {
+                const QString cell = list->item(row, measured.depth + 1)->text();
+                const bool small = measured.diameter_mm < view.lowerTolerance_mm;
+                const bool large = measured.diameter_mm > view.upperTolerance_mm;
+                QCOMPARE(cell.contains(QStringLiteral("rework possible")), small);
+                QCOMPARE(cell.contains(QStringLiteral("scrap")), large);
+                outside += small || large ? 1 : 0;
+            }
+        }
+        QVERIFY(outside > 0);  // the first bore, before anything is known
+        look(QStringLiteral("entered"));
+        m_bench.console().window()->sheets().current()->close();
     }
     void aStudyIsShownWithWhatItFound() {
         openQuality();
