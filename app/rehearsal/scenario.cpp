@@ -384,8 +384,8 @@ Scenario readScenario(const std::string& text, const std::string& where, const s
         throw BadInput(fmt::format("{}: nested deeper than {} levels; a scenario is not.", where, kDeepest));
     } catch (const Json::parse_error& error) {  // its words hold the text as it stands there, whatever that is
         throw BadInput(fmt::format("{}: no JSON from byte {} on; expected a scenario.", where, error.byte));
-    } catch (const Json::exception& error) {
-        throw BadInput(fmt::format("{}: no JSON: {}.", where, error.what()));
+    } catch (const Json::exception&) {
+        throw BadInput(fmt::format("{}: a number is too large to be stored; expected a scenario.", where));
     }
     Keys keys(document, where, "");
     Scenario scenario;

@@ -107,6 +107,7 @@ class TestRehearsals : public QObject {
             "events[0].seconds");
         row("{\"process\": \"milling\", \"duration_s\": 1", "no JSON");
         row("[[[[[[[[[[[[[[[[[[[[", "nested");
+        row("{\"process\": \"milling\", \"duration_s\": 1e999}", ": a number is too large to be stored");
     }
     void wrongScenariosNameTheKey() {
         QFETCH(QString, text);

@@ -378,6 +378,26 @@ class TestWriterThread : public QObject {
         QTRY_VERIFY(bench.writer.problem().empty());
         QVERIFY(!refused.load());
     }
+    void aDeletedLogIsSaidAtOnceAndWhatWasAcceptedGoesIntoTheFile() {
+        Bench bench;
+        const QString path = QString::fromStdString(bench.scratch.path());
+        std::optional<bool> accepted;
+        bench.writer.submit(entry(bench.part, 50.0), [&](const Result<Receipt>& done) { accepted = done.has_value(); });
+        QTRY_VERIFY(accepted.value_or(false));
+        QVERIFY(QFile::remove(path + QStringLiteral("-wal")));
+        QTRY_VERIFY(!bench.writer.problem().empty());
+        QVERIFY(bench.writer.problem().english().find("(-wal)") != std::string::npos);
+        accepted.reset();
+        bench.writer.submit(entry(bench.part, 50.1), [&](const Result<Receipt>& done) { accepted = done.has_value(); });
+        QTRY_VERIFY(accepted);
+        QVERIFY(!*accepted);
+        const QString copy = path + QStringLiteral(".copy");  // what is left when Kerf is killed now
+        QVERIFY(QFile::copy(path, copy));
+        const db::Connection left(copy.toStdString(), db::Access::Read);
+        QSqlQuery count(QStringLiteral("SELECT count(*) FROM measurements"), left.database());
+        QVERIFY(count.next());
+        QCOMPARE(count.value(0).toInt(), 1);
+    }
     void secondWriterIsRefused() {
         Bench bench;
         WriterThread second(bench.scratch.path(), nullptr);
