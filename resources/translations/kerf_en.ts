@@ -1844,6 +1844,18 @@
             <source>Touch the one that shall take the place of the data; it is checked first.</source>
             <translation>Touch the one that shall take the place of the data; it is checked first.</translation>
         </message>
+        <message>
+            <source>The backup is whole and takes the place of the data at the next start.</source>
+            <translation>The backup is whole and takes the place of the data at the next start.</translation>
+        </message>
+        <message>
+            <source>Not restored: %1</source>
+            <translation>Not restored: %1</translation>
+        </message>
+        <message>
+            <source>It is being checked …</source>
+            <translation>It is being checked …</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -2926,6 +2938,10 @@
             <source>, %1 %2 ± %3</source>
             <comment>name and value expected of the first part</comment>
             <translation>, %1 %2 ± %3</translation>
+        </message>
+        <message>
+            <source>What tools before count for is kept.</source>
+            <translation>What tools before count for is kept.</translation>
         </message>
     </context>
     <context>
@@ -7129,6 +7145,26 @@
         <message>
             <source>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</source>
             <translation>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>full</translation>
+        </message>
+        <message>
+            <source>kept by a version that noted no hash</source>
+            <translation>kept by a version that noted no hash</translation>
+        </message>
+        <message>
+            <source>part type created</source>
+            <translation>part type created</translation>
+        </message>
+        <message>
+            <source>repeatability of gauge %1, study %2</source>
+            <translation>repeatability of gauge %1, study %2</translation>
+        </message>
+        <message>
+            <source>setup changed</source>
+            <translation>setup changed</translation>
         </message>
     </context>
     <context>

@@ -1844,6 +1844,18 @@
             <source>Touch the one that shall take the place of the data; it is checked first.</source>
             <translation>데이터를 대신할 백업을 누르십시오. 먼저 검사합니다.</translation>
         </message>
+        <message>
+            <source>The backup is whole and takes the place of the data at the next start.</source>
+            <translation>백업이 온전하며, 다음에 시작할 때 지금의 데이터를 대신합니다.</translation>
+        </message>
+        <message>
+            <source>Not restored: %1</source>
+            <translation>복원하지 못했습니다: %1</translation>
+        </message>
+        <message>
+            <source>It is being checked …</source>
+            <translation>확인하는 중 …</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -2921,6 +2933,10 @@
             <source>, %1 %2 ± %3</source>
             <comment>name and value expected of the first part</comment>
             <translation>, %1 %2 ± %3</translation>
+        </message>
+        <message>
+            <source>What tools before count for is kept.</source>
+            <translation>이전 공구의 반영 여부를 저장했습니다.</translation>
         </message>
     </context>
     <context>
@@ -7124,6 +7140,26 @@
         <message>
             <source>The log file (-wal) beside the data file was deleted, moved or replaced while Kerf runs: nothing more is stored. End Kerf and start it anew; what waits is kept beside it.</source>
             <translation>Kerf 실행 중에 데이터 파일 옆의 로그 파일(-wal)이 삭제·이동되거나 바뀌었습니다. 더 이상 저장되지 않습니다. Kerf를 끝내고 다시 시작하십시오. 기다리는 항목은 그 옆에 보관됩니다.</translation>
+        </message>
+        <message>
+            <source>full</source>
+            <translation>수량 완료</translation>
+        </message>
+        <message>
+            <source>kept by a version that noted no hash</source>
+            <translation>해시를 기록하지 않던 버전이 남긴 항목</translation>
+        </message>
+        <message>
+            <source>part type created</source>
+            <translation>품종 등록</translation>
+        </message>
+        <message>
+            <source>repeatability of gauge %1, study %2</source>
+            <translation>게이지 %1의 반복성, 평가 %2</translation>
+        </message>
+        <message>
+            <source>setup changed</source>
+            <translation>설정 변경</translation>
         </message>
     </context>
     <context>

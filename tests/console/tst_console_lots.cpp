@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
 #include <QFile>
+#include <QPointer>
 #include <QTableWidget>
 #include <QTest>
 #include <cmath>
@@ -178,7 +179,14 @@ class TestConsoleLots : public QObject {
         QVERIFY(disabled(bench, "recipeSave"));  // no reason yet
         bench.find<QLineEdit>("recipeReason")->setText(QStringLiteral("drawing B"));
         QVERIFY(bench.press("recipeSave"));
+        // Who types on while it is stored keeps field and text.
+        const QPointer<QLineEdit> next = bench.find<ui::ValueField>("recipeDepth2")->edit();
+        next->setText(QStringLiteral("17"));
+        emit bench.find<ui::ValueField>("recipeDepth2")->edited();
+        bench.find<QLineEdit>("recipeReason")->setText(QStringLiteral("and deeper"));
         QTRY_COMPARE(bench.find<QTableWidget>("recipeRevisions")->rowCount(), 2);
+        QVERIFY(next && next->text() == QStringLiteral("17"));
+        QCOMPARE(bench.find<QLineEdit>("recipeReason")->text(), QStringLiteral("and deeper"));
         bench.find<QTableWidget>("recipeRevisions")->selectRow(1);
         QCOMPARE(bench.find<ui::ValueField>("recipeField2")->value(), 50.03);
         bench.find<QLineEdit>("recipeReason")->setText(QStringLiteral("drawing A holds"));

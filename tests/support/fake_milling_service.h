@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/listeners.h"
@@ -58,24 +60,24 @@ class FakeMillingService final : public MillingService {
     }
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
                    Done done) override {
-        note({"setup", author, reason, setup, {}}, done, [&] { m_view.setup = setup; });
+        note({"setup", author, reason, setup, {}}, done, [this, setup] { m_view.setup = setup; });
     }
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
                    Done done) override {
-        note({"blank", author, source, {}, blank}, done, [&] {
+        note({"blank", author, source, {}, blank}, done, [this, blank, source] {
             m_view.blank = blank;
             m_view.blankSource = source;
         });
     }
     void choosePartType(const std::string& name, const std::string& author, Done done) override {
-        note({"part type", author, name, {}, {}}, done, [&] { m_view.partType = name; });
+        note({"part type", author, name, {}, {}}, done, [this, name] { m_view.partType = name; });
     }
     void newTool(const std::string& author, Done done) override {
         note({"new tool", author, {}, {}, {}}, done, [] {});
     }
     void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
                   Done done) override {
-        note({out ? "leave out" : "take in", author, reason, {}, {}}, done, [&] {
+        note({out ? "leave out" : "take in", author, reason, {}, {}}, done, [this, since, out] {
             for (MillingToolView& tool : m_view.memory.tools) {
                 tool.leftOut = tool.since == since ? out : tool.leftOut;
             }
@@ -116,12 +118,26 @@ class FakeMillingService final : public MillingService {
 
     std::map<std::string, MillingBlank> files{};
     std::vector<Call> calls{};
-    Sentence storeFails{};  ///< not empty: nothing can be stored, and why
+    Sentence storeFails{};    ///< not empty: nothing can be stored, and why
+    bool keepAnswers{false};  ///< answers wait for answerAll()
+    void answerAll() {
+        for (const auto& answer : std::exchange(m_kept, {})) {
+            answer();
+        }
+    }
 
  private:
     template <class Change>
     void note(Call call, const Done& done, Change change) {
         calls.push_back(std::move(call));
+        if (keepAnswers) {
+            m_kept.push_back([this, done, change] { answer(done, change); });
+            return;
+        }
+        answer(done, change);
+    }
+    template <class Change>
+    void answer(const Done& done, Change change) {
         if (!storeFails.empty()) {
             done(tl::unexpected(storeFails));
             return;
@@ -133,6 +149,7 @@ class FakeMillingService final : public MillingService {
 
     MillingServiceView m_view{};
     Listeners<> m_listeners;
+    std::vector<std::function<void()>> m_kept{};
 };
 
 }  // namespace kerf::test

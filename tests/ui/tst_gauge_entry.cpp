@@ -105,6 +105,44 @@ class TestGaugeEntry : public QObject {
         QCOMPARE(m_service->entries.size(), std::size_t{2});
         QCOMPARE(m_service->entries[1].depth, std::uint8_t{1});
     }
+    void aReadingTakesNobodysFormAway() {
+        m_service->cutPart();
+        show();
+        m_bench->session.signOff();
+        Sheet* sheet = m_bench->sheets->open(QStringLiteral("Who is there?"));
+        auto* name = new QLineEdit(QStringLiteral("Le"), sheet);
+        sheet->body()->addWidget(name);
+        burst(m_bench->page, "50.011");
+        burst(m_bench->page, "50.012");
+        QCOMPARE(m_bench->askedForName, 0);
+        QCOMPARE(m_bench->sheets->current(), sheet);
+        QCOMPARE(name->text(), QStringLiteral("Le"));
+        QVERIFY(m_service->entries.empty());
+        QVERIFY(!m_bench->notices.empty() && m_bench->notices.back().contains(QStringLiteral("50.012")));
+        m_bench->session.signOn(QStringLiteral("Lee"));
+        QCOMPARE(m_service->entries.size(), std::size_t{2});
+        QCOMPARE(m_service->entries[1].author, std::string("Lee"));
+    }
+    void whatIsTypedWhileTheStoreTakesItsTimeIsTheNext() {
+        m_service->cutPart();
+        m_service->keepAnswers = true;
+        show();
+        field()->setFocus();
+        for (const char* figures : {"11", "12"}) {
+            QTest::keyClicks(field(), figures);
+            QTest::keyClick(field(), Qt::Key_Return);
+            QTest::keyClick(field(), Qt::Key_Return);  // the last key twice
+        }
+        QVERIFY(m_service->entries.empty());
+        m_service->answerAll();
+        QCOMPARE(m_service->entries.size(), std::size_t{1});
+        m_service->answerAll();
+        QCOMPARE(m_service->entries.size(), std::size_t{2});
+        QCOMPARE(m_service->entries[1].depth, std::uint8_t{1});
+        QCOMPARE(m_service->entries[1].diameter_mm, 50.012);
+        m_service->answerAll();
+        QCOMPARE(m_service->entries.size(), std::size_t{2});
+    }
     void aComparatorNeedsItsRing() {
         m_service->cutPart();
         show();

@@ -18,9 +18,16 @@ struct Restore {
 
 constexpr int kMostFiles = 6;  // newest first: who wants an older one moves it
 
-void laidReady(const PageContext& context, const Result<void>& done) {
+/// Checking a large backup takes seconds: who has left the question and types elsewhere keeps his form.
+void laidReady(const PageContext& context, const Sheet* asked, const Result<void>& done) {
+    const QString why = done ? QString() : sentenceText(done.error(), context.look.units());
+    if (!context.sheets.isOpen(asked)) {
+        context.notify(done ? Restore::tr("The backup is whole and takes the place of the data at the next start.")
+                            : Restore::tr("Not restored: %1").arg(why));
+        return;
+    }
     if (!done) {
-        context.sheets.tell(Restore::tr("Not restored"), sentenceText(done.error(), context.look.units()));
+        context.sheets.tell(Restore::tr("Not restored"), why);
         return;
     }
     Sheet* sheet = context.sheets.open(
@@ -52,13 +59,17 @@ void askWhy(const PageContext& context, const QString& file) {
     sheet->body()->addWidget(why);
     why->setFocus();
     sheet->addButton(Restore::tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    sheet
-        ->addButton(Restore::tr("Check it and lay it ready"),
-                    [context, file, why] {
-                        context.services.restore(file, QString::fromStdString(context.session.author()), why->text(),
-                                                 [context](const Result<void>& done) { laidReady(context, done); });
-                    })
-        ->setObjectName(QStringLiteral("restoreGo"));
+    auto* go = new QPushButton(Restore::tr("Check it and lay it ready"));
+    go->setObjectName(QStringLiteral("restoreGo"));
+    const auto check = [context, file, why, go, sheet] {
+        go->setEnabled(false);
+        why->setReadOnly(true);
+        sheet->setText(Restore::tr("It is being checked …"));
+        context.services.restore(
+            file, QString::fromStdString(context.session.author()), why->text(),
+            [context, asked = QPointer<Sheet>(sheet)](const Result<void>& done) { laidReady(context, asked, done); });
+    };
+    sheet->addButton(go, check, false);
 }
 
 }  // namespace

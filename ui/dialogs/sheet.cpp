@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QResizeEvent>
+#include <utility>
 
 #include "ui/dialogs/sheet_buttons.h"
 #include "ui/widgets/label.h"
@@ -155,33 +156,76 @@ SheetHost::SheetHost(Look& look, QWidget* parent) : QWidget(parent), m_look(look
 
 Sheet* SheetHost::open(const QString& title, const QString& text) {
     QPointer<QWidget> before = m_before;
+    if (Sheet* beneath = std::exchange(m_beneath, nullptr)) {
+        beneath->close();
+    }
     if (m_current != nullptr) {
         m_current->close();
     } else {
         QWidget* focus = window()->focusWidget();
         before = focus != nullptr && isAncestorOf(focus) ? focus : nullptr;
     }
+    Sheet* sheet = make(title, text);
+    m_before = before;
+    return sheet;
+}
+
+Sheet* SheetHost::openOver(const QString& title, const QString& text) {
+    if (m_current == nullptr || m_beneath != nullptr) {  // help on help takes its place
+        Sheet* const beneath = std::exchange(m_beneath, nullptr);
+        Sheet* sheet = open(title, text);
+        m_beneath = beneath;
+        return sheet;
+    }
+    m_formers = m_current->isAncestorOf(window()->focusWidget()) ? window()->focusWidget() : nullptr;
+    m_beneath = m_current;
+    m_beneath->hide();
+    return make(title, text);
+}
+
+Sheet* SheetHost::make(const QString& title, const QString& text) {
     auto* sheet = new Sheet(m_look, this);
     m_current = sheet;
-    connect(sheet, &Sheet::closed, this, [this, sheet] {
-        if (m_current == sheet) {
-            m_current = nullptr;
-            giveBackFocus();
-        }
-    });
-    m_before = before;
+    connect(sheet, &Sheet::closed, this, [this, sheet] { onClosed(sheet); });
     sheet->setTitle(title);
     sheet->setText(text);
     sheet->setGeometry(rect());
     sheet->show();
     sheet->raise();
     sheet->setFocus();
-    // After the events by which its fields are shown, and those are posted while it is filled, after this.
+    settleLater(sheet);
+    return sheet;
+}
+
+// After the events by which its fields are shown, and those are posted while it is filled, after this.
+void SheetHost::settleLater(Sheet* sheet) {
     const auto settle = [sheet] { sheet->settleFocus(); };
     QMetaObject::invokeMethod(
         sheet, [sheet, settle] { QMetaObject::invokeMethod(sheet, settle, Qt::QueuedConnection); },
         Qt::QueuedConnection);
-    return sheet;
+}
+
+void SheetHost::onClosed(Sheet* sheet) {
+    if (m_beneath == sheet) {  // its answer came while help lay over it
+        m_beneath = nullptr;
+        return;
+    }
+    if (m_current != sheet) {
+        return;
+    }
+    m_current = std::exchange(m_beneath, nullptr);
+    if (m_current == nullptr) {
+        giveBackFocus();
+        return;
+    }
+    m_current->setGeometry(rect());
+    m_current->show();
+    m_current->raise();
+    if (m_formers) {
+        m_formers->setFocus();
+    } else {
+        settleLater(m_current);
+    }
 }
 
 void SheetHost::giveBackFocus() {

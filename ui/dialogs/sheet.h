@@ -73,24 +73,36 @@ class SheetHost : public QWidget {
  public:
     explicit SheetHost(Look& look, QWidget* parent = nullptr);
 
-    /// An empty sheet, shown at once.
+    /// An empty sheet, shown at once; the one that is open closes. For what a person asked for now: an answer that
+    /// comes later asks isOpen() first, or it takes a form from under somebody's fingers.
     Sheet* open(const QString& title, const QString& text = {});
+    /// As open(), but the sheet that is open comes back as it was when this one closes: for help.
+    Sheet* openOver(const QString& title, const QString& text = {});
+    /// This very sheet is open, and seen.
+    [[nodiscard]] bool isOpen(const Sheet* sheet) const { return sheet != nullptr && m_current == sheet; }
     /// A question with two answers: the safe one left.
     void ask(const QString& title, const QString& text, const QString& safe, const QString& proceed,
              std::function<void()> onProceed);
     /// A sentence with "Close".
     void tell(const QString& title, const QString& text);
     [[nodiscard]] Sheet* current() const { return m_current; }
+    /// The sheet that waits for figures: the one beneath, when help lies over it.
+    [[nodiscard]] Sheet* waiting() const { return m_beneath != nullptr ? m_beneath : m_current; }
 
  protected:
     void resizeEvent(QResizeEvent* event) override;
 
  private:
+    Sheet* make(const QString& title, const QString& text);
+    void onClosed(Sheet* sheet);
+    void settleLater(Sheet* sheet);
     void giveBackFocus();
 
     Look& m_look;
     Sheet* m_current{nullptr};
-    QPointer<QWidget> m_before;  ///< had the focus when the first sheet came
+    Sheet* m_beneath{nullptr};    ///< hidden by openOver()
+    QPointer<QWidget> m_formers;  ///< had the focus in m_beneath
+    QPointer<QWidget> m_before;   ///< had the focus when the first sheet came
 };
 
 }  // namespace kerf::ui

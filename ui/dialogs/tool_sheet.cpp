@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QPointer>
+#include <algorithm>
 
 #include "ui/link/texts.h"
 #include "ui/services/shift_service.h"
@@ -31,7 +32,14 @@ QString toolText(const ToolLife& tool) {
     return words.join(QStringLiteral(" · "));
 }
 
-void askLife(const PageContext& context, const ToolLife& tool) {
+ToolLife toolOf(const PageContext& context, ProcessId process) {
+    const auto& tools = context.services.shiftService->tools();
+    const auto found = std::ranges::find(tools, process, &ToolLife::process);
+    return found != tools.end() ? *found : ToolLife{process};
+}
+
+void askLife(const PageContext& context, ProcessId process) {
+    const ToolLife tool = toolOf(context, process);
     Sheet* sheet = context.sheets.open(Tools::tr("Life of the tool: %1").arg(processName(tool.process)),
                                        Tools::tr("Parts that a tool is used for. At nine tenths of them Kerf says so. "
                                                  "0: no life is set."));
@@ -46,7 +54,7 @@ void askLife(const PageContext& context, const ToolLife& tool) {
     row->addWidget(field);
     sheet->body()->addLayout(row);
     sheet->addButton(Tools::tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    const auto save = [context, field, process = tool.process] {
+    const auto save = [context, field, process] {
         bool ok = false;
         const uint parts = field->text().trimmed().toUInt(&ok);
         if (!ok) {
@@ -87,21 +95,22 @@ void openTools(const PageContext& context) {
         life->setObjectName(QStringLiteral("toolLife_") + key);
         auto* fresh = new QPushButton(Tools::tr("New tool"), sheet);
         fresh->setObjectName(QStringLiteral("toolNew_") + key);
-        QObject::connect(life, &QPushButton::clicked, sheet, [context, tool] {
-            context.withRole(Role::Setter, [context, tool] { askLife(context, tool); });
+        QObject::connect(life, &QPushButton::clicked, sheet, [context, process = tool.process] {
+            context.withRole(Role::Setter, [context, process] { askLife(context, process); });
         });
-        QObject::connect(fresh, &QPushButton::clicked, sheet, [context, process = tool.process] {
-            context.withOperator([context, process] {
-                context.services.shiftService->newTool(
-                    process, context.session.author(), [context](const Result<void>& result) {
-                        context.notify(result ? Tools::tr("A new tool is in: its parts are counted from here.")
-                                              : sentenceText(result.error(), context.look.units()));
-                        if (result) {
-                            openTools(context);
-                        }
-                    });
+        QObject::connect(
+            fresh, &QPushButton::clicked, sheet, [context, process = tool.process, label = QPointer(text)] {
+                context.withOperator([context, process, label] {
+                    context.services.shiftService->newTool(
+                        process, context.session.author(), [context, process, label](const Result<void>& result) {
+                            context.notify(result ? Tools::tr("A new tool is in: its parts are counted from here.")
+                                                  : sentenceText(result.error(), context.look.units()));
+                            if (label) {  // else the sheet has gone meanwhile: whatever is open is somebody's
+                                label->setText(toolText(toolOf(context, process)));
+                            }
+                        });
+                });
             });
-        });
         grid->addWidget(name, row, 0);
         grid->addWidget(text, row, 1);
         grid->addWidget(life, row, 2);

@@ -64,7 +64,7 @@ void HelpMode::explain(const QWidget* widget) {
 }
 
 void HelpMode::show(const HelpText& text) {
-    Sheet* sheet = m_sheets.open(text.title);
+    Sheet* sheet = m_sheets.openOver(text.title);
     auto* words = makeLabel(TextRole::Body, sheet, true);
     words->setObjectName(QStringLiteral("helpWords"));
     words->setText(text.words);
@@ -102,7 +102,7 @@ void HelpMode::openGuide() {
     if (file.open(QIODevice::ReadOnly)) {
         text = QString::fromUtf8(file.readAll());
     }
-    Sheet* sheet = m_sheets.open(tr("The guide"));
+    Sheet* sheet = m_sheets.openOver(tr("The guide"));
     sheet->setWide();
     auto* guide = new QTextBrowser(sheet);
     guide->setObjectName(QStringLiteral("helpGuideText"));

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <cmath>
 
+#include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
 
 namespace kerf::ui {
@@ -172,7 +173,7 @@ QString changeText(const ShiftChange& change) {
                       : shortened(change.oldValue) + QStringLiteral(" → ") + shortened(change.newValue));
     }
     if (!change.reason.empty()) {
-        words << QStringLiteral("(%1)").arg(QString::fromStdString(change.reason));
+        words << QStringLiteral("(%1)").arg(reasonText(change.reason));
     }
     return words.join(QStringLiteral(" "));
 }

@@ -114,6 +114,11 @@ void BoringPage::build() {
     connect(m_wedge, &GaugeWedge::numLockOff, m_entry, &EntryPanel::tellNumLockOff);
     connect(m_entry, &EntryPanel::gaugeTold, this, &BoringPage::tellElsewhere);
     connect(m_entry, &EntryPanel::channelsRequested, this, &BoringPage::openChannels);
+    connect(&this->context().session, &OperatorSession::changed, this, [this] {
+        if (this->context().session.signedOn()) {
+            takeUnsigned();
+        }
+    });
     const Services& services = context().services;
     GaugeChannels channels;
     if (services.settings != nullptr) {
@@ -135,7 +140,8 @@ void BoringPage::build() {
 void BoringPage::refresh() {
     setObjectName(QStringLiteral("boringPage"));
     const int gap = look().space(Space::Medium);
-    m_rows->setContentsMargins(gap, gap, gap, gap);
+    const int edge = look().space(Space::Small);  // inch in Korean needs the height at 1280 × 800
+    m_rows->setContentsMargins(gap, edge, gap, edge);
     m_rows->setSpacing(gap);
     if (m_missing != nullptr) {
         m_missing->setText(tr("No boring lot is open on this machine. The page fills as soon as one is."));
@@ -316,7 +322,7 @@ void BoringPage::openList() {
 
 void BoringPage::onGauge(const GaugeReading& reading) {
     // A value is being corrected, on whatever page: the gauge means that one.
-    if (const Sheet* sheet = context().sheets.current()) {
+    if (const Sheet* sheet = context().sheets.waiting()) {
         if (auto* form = sheet->findChild<MeasurementForm*>()) {
             form->takeGauge(reading, gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel)));
             context().notify(form->message());
@@ -324,7 +330,7 @@ void BoringPage::onGauge(const GaugeReading& reading) {
         }
         // A study of the gauge itself: its field takes the reading as typed.
         for (QLineEdit* field : sheet->findChildren<QLineEdit*>()) {
-            if (field->property("takesReadings").toBool() && field->isVisible()) {
+            if (field->property("takesReadings").toBool() && field->isVisibleTo(sheet)) {
                 const double value_mm = judgeReading(reading, 0.0, LengthUnit::Millimetre).value_mm;
                 field->setText(QString::number(value_mm, 'g', 12));
                 QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, QStringLiteral("\r"));
@@ -340,7 +346,9 @@ void BoringPage::onGauge(const GaugeReading& reading) {
     m_unsigned.push_back({reading, {}});
     m_unsigned.back().since.start();
     context().notify(tr("The gauge sent %1: it is taken when somebody signs on.").arg(reading.frame));
-    context().withOperator([this] { takeUnsigned(); });
+    if (context().sheets.current() == nullptr) {  // else somebody types in one, perhaps his name
+        context().withOperator([this] { takeUnsigned(); });
+    }
 }
 
 void BoringPage::takeUnsigned() {

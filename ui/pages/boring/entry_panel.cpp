@@ -127,6 +127,8 @@ void EntryPanel::retranslate() {
     setTitle(tr("Enter the bore"));
     m_gauge->setText(tr("Gauge"));
     m_undo->setText(tr("Undo last"));
+    // The style's least width hides that of the text from the layout.
+    m_undo->setMinimumWidth(qMax(m_look.metrics().touch(), m_undo->minimumSizeHint().width()));
     m_correct->setText(tr("Correct"));
     showChannels();
     m_again->setText(tr("Measure again"));
@@ -275,6 +277,7 @@ void EntryPanel::tryKeptAgain() {
 }
 
 void EntryPanel::onTyped() {
+    m_typedMeanwhile = m_pending;
     m_kept.reset();
     m_question.reset();  // typing is the answer "measured again"
     m_confirmWords = nullptr;
@@ -285,7 +288,11 @@ void EntryPanel::onTyped() {
 }
 
 void EntryPanel::commit() {
-    if (m_pending || !m_target) {
+    if (m_pending) {
+        m_enterMeanwhile = m_typedMeanwhile;  // else the last key twice
+        return;
+    }
+    if (!m_target) {
         return;
     }
     constexpr qint64 kEcho_ms = 1500;  // the last key twice
@@ -387,6 +394,9 @@ void EntryPanel::confirm() {
 
 void EntryPanel::store(const BoreEntry& entry) {
     m_pending = true;
+    m_typedMeanwhile = false;
+    m_enterMeanwhile = false;
+    m_field->input().beginAnew();  // who types on means the next bore
     say([this, entry] { return tr("%1: being stored …").arg(place(entry)); });
     m_service.enter(entry, [panel = QPointer<EntryPanel>(this), entry](const Result<void>& result) {
         if (panel) {
@@ -410,7 +420,8 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
                               : tr("Not stored, %1 is kept here: %2 Enter tries again.").arg(value, why);
             },
             true);
-        if (m_field->input().empty()) {  // it came from a gauge: into the field, so that Enter can try again
+        // It came from a gauge, or the next one was being typed: into the field, so that Enter can try again.
+        if (m_field->input().empty() || m_typedMeanwhile) {
             m_field->input().set_mm(entry.diameter_mm);
             m_fromGauge = entry.fromGauge;
             m_gaugeOfField = entry.gauge;
@@ -427,7 +438,9 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
         return;
     }
     m_sinceStored.start();
-    m_field->input().clear();
+    if (!std::exchange(m_typedMeanwhile, false)) {
+        m_field->input().clear();
+    }
     m_fromGauge = false;
     m_chosen.reset();
     m_target = nextTarget();
@@ -441,6 +454,9 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
     refreshView();
     if (entry.fromGauge) {
         told();
+    }
+    if (std::exchange(m_enterMeanwhile, false)) {
+        commit();
     }
     takeNextWaiting();
 }

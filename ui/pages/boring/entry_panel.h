@@ -140,6 +140,8 @@ class EntryPanel : public Card {
     std::optional<BoreEntry> m_question;
     std::optional<BoreEntry> m_kept;  ///< the store had no room for it: tried again by itself while the field shows it
     bool m_pending{false};
+    bool m_typedMeanwhile{false};  ///< while an entry was being stored: the next bore's figures
+    bool m_enterMeanwhile{false};
     bool m_fromGauge{false};       ///< the field holds a reading of a gauge …
     std::string m_gaugeOfField{};  ///< … of this one; empty: not known
     bool m_askGauge{false};

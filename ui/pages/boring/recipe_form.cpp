@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
 #include "ui/pages/boring/lot_form.h"
 #include "ui/theme/particles.h"
@@ -352,8 +353,7 @@ void RecipeForm::save() {
         return;
     }
     const std::string author = m_context.session.author();
-    m_pending = true;
-    m_trouble.clear();
+    beginWaiting();
     const auto self = QPointer<RecipeForm>(this);
     if (m_partType) {
         m_lots.saveRecipe(*m_partType, *now, author, m_reason->text().trimmed().toStdString(),
@@ -375,8 +375,17 @@ void RecipeForm::save() {
         }
         const PageContext context = form->m_context;
         context.notify(tr("The part type is there."));
-        LotForm::open(context)->choosePartType(*made);
+        if (context.sheets.isOpen(form->m_sheet)) {
+            LotForm::open(context)->choosePartType(*made);
+        }
     });
+}
+
+void RecipeForm::beginWaiting() {
+    m_pending = true;
+    m_trouble.clear();
+    m_sent = typed();
+    m_sentReason = m_reason->text();
 }
 
 void RecipeForm::restore() {
@@ -384,8 +393,7 @@ void RecipeForm::restore() {
     if (shown == nullptr || !whyNoRestore().isEmpty()) {
         return;
     }
-    m_pending = true;
-    m_trouble.clear();
+    beginWaiting();
     m_lots.restoreRecipe(*m_partType, shown->revision, m_context.session.author(),
                          m_reason->text().trimmed().toStdString(),
                          [self = QPointer<RecipeForm>(this), revision = shown->revision](const Result<void>& result) {
@@ -403,10 +411,18 @@ void RecipeForm::answered(const Result<void>& result, const QString& done) {
         return;
     }
     m_context.notify(done);
-    m_reason->clear();
+    if (m_reason->text() == m_sentReason) {
+        m_reason->clear();
+    }
     read();
     m_revisions->setCurrentItem(nullptr);
-    showForm(m_known.front().form);
+    // What was typed while the answer was awaited stays, with its field.
+    const auto now = typed();
+    if (now && m_sent && m_lots.compare(*m_sent, *now).empty() && !m_lots.compare(m_known.front().form, *now).empty()) {
+        showForm(m_known.front().form);
+    } else {
+        showDifference();
+    }
     refresh();
 }
 
@@ -453,10 +469,11 @@ void RecipeForm::refresh() {
         const BoringRecipeView& known = m_known[static_cast<std::size_t>(i)];
         const QString when =
             QDateTime::fromMSecsSinceEpoch(known.createdUtc_ms).toString(QStringLiteral("MM-dd HH:mm"));
-        const QString why = known.restoredFrom ? withParticles(tr("back to %1: %2", "revision, reason")
-                                                                   .arg(*known.restoredFrom)
-                                                                   .arg(QString::fromStdString(known.reason)))
-                                               : QString::fromStdString(known.reason);
+        const QString why =
+            known.restoredFrom
+                ? withParticles(
+                      tr("back to %1: %2", "revision, reason").arg(*known.restoredFrom).arg(reasonText(known.reason)))
+                : reasonText(known.reason);
         const QStringList cells{QString::number(known.revision), when + u' ' + QString::fromStdString(known.author),
                                 why};
         for (int c = 0; c < cells.size(); ++c) {

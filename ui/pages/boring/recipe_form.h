@@ -45,6 +45,7 @@ class RecipeForm : public FaceWidget {
     void showDifference();
     void reconsider();
     void save();
+    void beginWaiting();
     void restore();
     void answered(const Result<void>& result, const QString& done);
     /// What is typed now; empty while a field does not hold a number in its range.
@@ -85,6 +86,8 @@ class RecipeForm : public FaceWidget {
     std::vector<BoringRecipeView> m_known;
     QString m_trouble{};
     bool m_pending{false};
+    std::optional<BoringRecipeForm> m_sent{};  ///< what the fields held when the answer began to be awaited
+    QString m_sentReason{};
 };
 
 }  // namespace kerf::ui

@@ -7,9 +7,11 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/dialogs/sheet.h"
+#include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
 #include "ui/widgets/label.h"
@@ -31,8 +33,8 @@ QString toolText(const MillingToolView& tool, Wording wording) {
             .arg(termText(Term::ToolStiffness, wording), UnitSystem::fixed(tool.kx_NPerMm, 0),
                  termText(Term::StiffnessAxis, wording), UnitSystem::fixed(tool.firstStiffness, kStiffness_decimals));
     if (tool.leftOut) {
-        text += u'\n' + ToolMemory::tr("left out by %1: %2")
-                            .arg(QString::fromStdString(tool.author), QString::fromStdString(tool.reason));
+        text += u'\n' +
+                ToolMemory::tr("left out by %1: %2").arg(QString::fromStdString(tool.author), reasonText(tool.reason));
     }
     return text;
 }
@@ -58,13 +60,73 @@ QString toolMemoryText(const MillingMemoryView& memory, Wording wording) {
     return text + u'.';
 }
 
+namespace {
+
+QString aboveTheTools(const PageContext& context, const MillingService& service) {
+    const QString rests = toolMemoryText(service.view().memory, context.look.wording());
+    return rests.isEmpty()
+               ? ToolMemory::tr("A new tool begins from tools of its radius and flutes. There are none yet.")
+               : rests;
+}
+
+/// A tool's line. What is in the other lines and in the reason stays while the answer is awaited.
+struct ToolLine {
+    QPointer<Sheet> sheet{};
+    QPointer<QLabel> words{};
+    QPointer<QPushButton> button{};
+    QPointer<QLineEdit> reason{};
+    QPointer<QLabel> message{};
+};
+
+const MillingToolView* findTool(const MillingService& service, std::uint32_t since) {
+    const auto& tools = service.view().memory.tools;
+    const auto found = std::ranges::find(tools, since, &MillingToolView::since);
+    return found != tools.end() ? &*found : nullptr;
+}
+
+void showTool(const ToolLine& line, const MillingToolView& tool, Wording wording) {
+    line.words->setText(toolText(tool, wording));
+    line.button->setText(tool.leftOut ? ToolMemory::tr("Take in again") : ToolMemory::tr("Leave out"));
+}
+
+void answered(const PageContext& context, const MillingService& service, const ToolLine& line, std::uint32_t since,
+              const QString& reason, const Result<void>& done) {
+    if (!line.sheet) {
+        context.notify(done ? ToolMemory::tr("What tools before count for is kept.")
+                            : sentenceText(done.error(), context.look.units()));
+        return;
+    }
+    line.message->setText(done ? QString() : sentenceText(done.error(), context.look.units()));
+    const MillingToolView* tool = findTool(service, since);
+    if (!done || tool == nullptr) {
+        return;
+    }
+    showTool(line, *tool, context.look.wording());
+    line.sheet->setText(aboveTheTools(context, service));
+    if (line.reason->text() == reason) {  // else the next one is being typed
+        line.reason->clear();
+    }
+}
+
+void leaveOut(const PageContext& context, MillingService& service, const ToolLine& line, std::uint32_t since) {
+    const QString reason = line.reason->text();
+    context.withRole(Role::Setter, [context, &service, line, since, reason] {
+        const MillingToolView* tool = findTool(service, since);
+        if (tool == nullptr) {
+            return;
+        }
+        service.leaveOut(since, !tool->leftOut, context.session.author(), reason.simplified().toStdString(),
+                         [context, &service, line, since, reason](const Result<void>& done) {
+                             answered(context, service, line, since, reason, done);
+                         });
+    });
+}
+
+}  // namespace
+
 void openToolMemory(const PageContext& context, MillingService& service) {
     const MillingMemoryView memory = service.view().memory;
-    const QString rests = toolMemoryText(memory, context.look.wording());
-    Sheet* sheet = context.sheets.open(
-        ToolMemory::tr("Tools before"),
-        rests.isEmpty() ? ToolMemory::tr("A new tool begins from tools of its radius and flutes. There are none yet.")
-                        : rests);
+    Sheet* sheet = context.sheets.open(ToolMemory::tr("Tools before"), aboveTheTools(context, service));
     sheet->setWide();
     auto* list = new QWidget(sheet);
     list->setObjectName(QStringLiteral("millingToolsBefore"));
@@ -74,27 +136,15 @@ void openToolMemory(const PageContext& context, MillingService& service) {
     reason->setPlaceholderText(ToolMemory::tr("Reason"));
     auto* message = makeLabel(TextRole::Body, sheet, true);
     message->setObjectName(QStringLiteral("millingToolsMessage"));
-    const QPointer<Sheet> open = sheet;
     int row = 0;
     for (const MillingToolView& tool : memory.tools) {
         auto* words = makeLabel(TextRole::Body, list, true);
-        words->setText(toolText(tool, context.look.wording()));
-        auto* button =
-            new QPushButton(tool.leftOut ? ToolMemory::tr("Take in again") : ToolMemory::tr("Leave out"), list);
+        auto* button = new QPushButton(list);
         button->setObjectName(QStringLiteral("millingLeaveOut_%1").arg(tool.since));
-        QObject::connect(button, &QPushButton::clicked, sheet, [context, &service, tool, reason, message, open] {
-            const std::string why = reason->text().simplified().toStdString();
-            context.withRole(Role::Setter, [context, &service, tool, why, message = QPointer<QLabel>(message), open] {
-                service.leaveOut(tool.since, !tool.leftOut, context.session.author(), why,
-                                 [context, &service, message, open](const Result<void>& done) {
-                                     if (!done && message) {
-                                         message->setText(sentenceText(done.error(), context.look.units()));
-                                     } else if (done && open) {
-                                         openToolMemory(context, service);
-                                     }
-                                 });
-            });
-        });
+        const ToolLine line{sheet, words, button, reason, message};
+        showTool(line, tool, context.look.wording());
+        QObject::connect(button, &QPushButton::clicked, sheet,
+                         [context, &service, line, since = tool.since] { leaveOut(context, service, line, since); });
         rows->addWidget(words, row, 0);
         rows->addWidget(button, row, 1);
         ++row;

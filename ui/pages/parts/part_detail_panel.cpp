@@ -8,6 +8,7 @@
 #include <QScroller>
 #include <algorithm>
 
+#include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
 #include "ui/link/verdict_text.h"
 #include "ui/widgets/label.h"
@@ -230,7 +231,7 @@ void PartDetailPanel::showHistory() {
             what += QStringLiteral(", ") + verdictText(m_judgement.values[row.station].verdict);
         }
         if (!row.reason.empty()) {
-            what += QStringLiteral(": ") + QString::fromStdString(row.reason);
+            what += QStringLiteral(": ") + reasonText(row.reason);
         }
         if (!counts && row.kind != MeasurementKind::Void) {
             what += QStringLiteral(" – ") + tr("no longer holds");

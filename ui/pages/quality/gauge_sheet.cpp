@@ -209,7 +209,7 @@ void GaugeSheets::openGauge(const Gauge& gauge) {
                                 [this, why, open](const Result<void>& done) {
                                     if (!done && why) {
                                         why->setText(sentenceText(done.error(), m_context.look.units()));
-                                    } else if (done && open) {
+                                    } else if (done && m_context.sheets.isOpen(open)) {
                                         openRegister();
                                     }
                                 });
@@ -334,7 +334,7 @@ void GaugeSheets::openStudy(const Gauge& gauge, bool crossed) {
                                     [this, prompt, open](const Result<void>& done) {
                                         if (!done && prompt) {
                                             prompt->setText(sentenceText(done.error(), m_context.look.units()));
-                                        } else if (done && open) {
+                                        } else if (done && m_context.sheets.isOpen(open)) {
                                             openRegister();
                                         }
                                     });
