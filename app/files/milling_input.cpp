@@ -78,13 +78,16 @@ void printMillingPlant(const milling::CutCase& cut) {
     printJson(json);
 }
 
-milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read) {
+milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read, std::vector<std::string>* notes) {
     const Table table = Table::read(path, read);
     const auto& x_mm = table.column("x_mm");
     const auto& height_mm = table.column("height_mm");
     if (table.rows() < 2) {
         throw BadInput(
             fmt::format("{}: {} rows; expected at least 2, the last one ends the blank.", path, table.rows()));
+    }
+    if (notes != nullptr) {
+        *notes = table.notes();
     }
     const std::size_t steps = table.rows() - 1;
     return checked(path, milling::BlankProfile::ofSteps(std::span(x_mm).first(steps), std::span(height_mm).first(steps),

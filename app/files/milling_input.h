@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/files/table.h"
 #include "engine/core/result.h"
@@ -23,7 +24,9 @@ template <class T>
 void readMillingPlant(const std::string& path, milling::CutCase& cut);
 /// The plant as a file that readMillingPlant() reads back.
 void printMillingPlant(const milling::CutCase& cut);
-/// x_mm,height_mm: each row begins a step; the last row's position ends the blank. @throws BadInput
-[[nodiscard]] milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read = {});
+/// x_mm,height_mm: each row begins a step; the last row's position ends the blank. `notes`: what was found out
+/// rather than known, such as another unit. @throws BadInput
+[[nodiscard]] milling::BlankProfile readBlank(const std::string& path, const ReadOptions& read = {},
+                                              std::vector<std::string>* notes = nullptr);
 
 }  // namespace kerf::headless

@@ -157,7 +157,9 @@ void simulate(const SimulateOptions& options) {
         milling::putOn(machine, cut);
     }
     if (!options.blankFile.empty()) {
-        cut.blank = readBlank(options.blankFile, *options.read);
+        std::vector<std::string> notes;
+        cut.blank = readBlank(options.blankFile, *options.read, &notes);
+        tell(notes);
     } else if (options.blank_mm) {
         cut.blank = checked("--blank", milling::BlankProfile::ofSegments(*options.blank_mm, options.segment_mm));
     } else if (options.machineSeed == 0) {

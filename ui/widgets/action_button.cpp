@@ -7,6 +7,9 @@
 #include <QStyleOptionButton>
 
 namespace kerf::ui {
+namespace {
+constexpr int kTitle = Qt::AlignHCenter | Qt::AlignTop;
+}  // namespace
 
 ActionButton::ActionButton(Look& look, QWidget* parent) : QPushButton(parent), m_look(look) {
     QSizePolicy policy(QSizePolicy::MinimumExpanding, QSizePolicy::Minimum);
@@ -52,14 +55,24 @@ void ActionButton::setPrimary(bool primary) {
     style()->polish(this);
 }
 
-int ActionButton::textHeight(int width) const {
+// Where the button is too narrow for its title, that takes another line too.
+int ActionButton::titleHeight(int width) const {
     const QFontMetrics title(m_look.font(TextSize::Body, QFont::DemiBold));
-    if (m_reason.isEmpty()) {
+    const int inner = qMax(1, width - 2 * m_look.space(Space::Medium));
+    if (title.horizontalAdvance(text()) <= inner) {
         return title.height();
+    }
+    return qMax(title.height(),
+                title.boundingRect(QRect(0, 0, inner, 10000), kTitle | Qt::TextWordWrap, text()).height());
+}
+
+int ActionButton::textHeight(int width) const {
+    if (m_reason.isEmpty()) {
+        return titleHeight(width);
     }
     const QFontMetrics small(m_look.font(TextSize::Label));
     const int inner = qMax(1, width - 2 * m_look.space(Space::Medium));
-    return title.height() +
+    return titleHeight(width) +
            small.boundingRect(QRect(0, 0, inner, 10000), Qt::TextWordWrap | Qt::AlignHCenter, m_reason).height();
 }
 
@@ -91,17 +104,19 @@ void ActionButton::paintEvent(QPaintEvent*) {
     option.text.clear();
     style()->drawControl(QStyle::CE_PushButton, &option, &painter, this);
     const QFont titleFont = m_look.font(TextSize::Body, isEnabled() ? QFont::DemiBold : QFont::Normal);
-    const QFontMetrics title(titleFont);
     const int inset = m_look.space(Space::Medium);
     const QRect inner = rect().adjusted(inset, 0, -inset, 0);
     const int top = (height() - textHeight(width())) / 2;
     painter.setFont(titleFont);
     painter.setPen(m_look.color(isEnabled() ? Token::Text : Token::Dim));
-    painter.drawText(QRect(inner.left(), top, inner.width(), title.height()), Qt::AlignCenter, text());
+    const int titled = titleHeight(width());
+    const bool wraps = titled > QFontMetrics(m_look.font(TextSize::Body, QFont::DemiBold)).height();
+    painter.drawText(QRect(inner.left(), top, inner.width(), titled), wraps ? kTitle | Qt::TextWordWrap : kTitle,
+                     text());
     if (!m_reason.isEmpty()) {
         painter.setFont(m_look.font(TextSize::Label));
         painter.setPen(m_look.color(Token::Dim));
-        painter.drawText(QRect(inner.left(), top + title.height(), inner.width(), height() - top - title.height()),
+        painter.drawText(QRect(inner.left(), top + titled, inner.width(), height() - top - titled),
                          Qt::TextWordWrap | Qt::AlignHCenter | Qt::AlignTop, m_reason);
     }
 }

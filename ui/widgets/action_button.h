@@ -35,6 +35,7 @@ class ActionButton : public QPushButton {
     int heightForWidth(int width) const override;
 
  private:
+    [[nodiscard]] int titleHeight(int width) const;
     [[nodiscard]] int textHeight(int width) const;
 
     Look& m_look;

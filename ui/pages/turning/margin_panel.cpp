@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <algorithm>
@@ -85,8 +86,10 @@ MarginPanel::MarginPanel(Look& look, QWidget* parent)
     body()->addLayout(m_grid);
     body()->addWidget(m_note);
     body()->addStretch(1);
-    body()->addWidget(m_trim);
-    body()->addWidget(m_bar);
+    auto* trim = new QHBoxLayout;
+    trim->addWidget(m_trim);
+    trim->addWidget(m_bar, 1);
+    body()->addLayout(trim);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
 }

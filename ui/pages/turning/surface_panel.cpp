@@ -8,9 +8,15 @@
 
 #include "ui/link/vocabulary.h"
 #include "ui/pages/turning/turning_texts.h"
+#include "ui/widgets/clamp_label.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
+namespace {
+/// Of their own height whatever they say: a label that wraps makes the card's height depend on its width, and then the
+/// page gives it less than its figures need.
+constexpr int kBlindLines = 2;
+}  // namespace
 
 SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
     : Card(look, parent),
@@ -20,7 +26,7 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
       m_without(new NumberDisplay(look, "um", kSurfaceDecimals, TextSize::Card, this)),
       m_spectrum(new SpectrumChart(look, this)),
       m_axes(makeLabel(TextRole::Dim, this)),
-      m_blind(makeLabel(TextRole::Body, this, true)),
+      m_blind(new ClampLabel(kBlindLines, this)),
       m_useSpeed(new ActionButton(look, this)),
       m_columns(new QHBoxLayout),
       m_numbers(new QVBoxLayout),
@@ -30,6 +36,7 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
     m_pv->setObjectName(QStringLiteral("turningSurfacePv"));
     m_without->setObjectName(QStringLiteral("turningUntreatedRms"));
     m_spectrum->setObjectName(QStringLiteral("turningSpectrum"));
+    setTextRole(m_blind, TextRole::Body);
     m_blind->setObjectName(QStringLiteral("turningBlind"));
     m_useSpeed->setObjectName(QStringLiteral("turningUseSpeed"));
     constexpr double kWidest_um = 8.888;
@@ -41,11 +48,13 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
     header()->addWidget(m_axes);
     m_useSpeed->setFocusPolicy(Qt::TabFocus);
     m_columns->addLayout(m_numbers);
-    m_columns->addWidget(m_spectrum, 1);
     m_blindRow->addWidget(m_blind, 1);
     m_blindRow->addWidget(m_useSpeed);
+    auto* beside = new QVBoxLayout;  // the figures have the whole height of the card
+    beside->addWidget(m_spectrum, 1);
+    beside->addLayout(m_blindRow);
+    m_columns->addLayout(beside, 1);
     body()->addLayout(m_columns, 1);
-    body()->addLayout(m_blindRow);
     connect(m_useSpeed, &QPushButton::clicked, this, [this] {
         if (m_blindView.suggestedSpeed_rpm) {
             emit speedWanted(*m_blindView.suggestedSpeed_rpm);
@@ -68,6 +77,7 @@ void SurfacePanel::retranslate() {
     m_pv->setLabel(termText(Term::SurfacePv, m_look.wording()));
     m_without->setLabel(termText(Term::UntreatedRms, m_look.wording()));
     m_columns->setSpacing(m_look.space(Space::Large));
+    m_numbers->setSpacing(m_look.space(Space::Small));
     m_blindRow->setSpacing(m_look.metrics().touchGap());
     m_spectrum->retranslate();
     m_axes->setText(m_spectrum->axesText());
@@ -131,7 +141,7 @@ QString SurfacePanel::blindText() const {
 }
 
 void SurfacePanel::showBlind() {
-    m_blind->setText(blindText());
+    m_blind->say(blindText());
     const bool better = m_blindView.anyBlind && m_blindView.suggestedSpeed_rpm.has_value();
     m_useSpeed->setVisible(better);
     if (better) {

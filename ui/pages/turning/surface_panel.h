@@ -10,6 +10,8 @@
 
 namespace kerf::ui {
 
+class ClampLabel;
+
 /// Predicted surface: RMS and P-V with what they would be without the trim, spectrum with the tones named, and the
 /// blind tones with a better spindle speed.
 class SurfacePanel : public Card {
@@ -39,7 +41,7 @@ class SurfacePanel : public Card {
     NumberDisplay* m_without;
     SpectrumChart* m_spectrum;
     QLabel* m_axes;
-    QLabel* m_blind;
+    ClampLabel* m_blind;
     ActionButton* m_useSpeed;
     QHBoxLayout* m_columns;
     QVBoxLayout* m_numbers;
