@@ -21,6 +21,10 @@ class LotReader {
     [[nodiscard]] virtual Result<std::vector<PartTypeRow>> partTypes(std::optional<ProcessId> process) = 0;
     /// All revisions of a recipe, newest first.
     [[nodiscard]] virtual Result<std::vector<RecipeRevision>> recipes(PartTypeId partType) = 0;
+    /// The newest revision of each part type of a process, in the order in which they were accepted.
+    [[nodiscard]] virtual Result<std::vector<RecipeRevision>> newestRecipes(ProcessId process) = 0;
+    /// All revisions of all its part types, oldest first.
+    [[nodiscard]] virtual Result<std::vector<RecipeRevision>> allRecipes(ProcessId process) = 0;
     /// Newest first, at most `limit`.
     [[nodiscard]] virtual Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) = 0;
     /// The lot that finished parts of the process go to.

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What the rooms keep over a restart beside parts and measurements: setups, tunings, models, sessions. Written with
+/// What the rooms keep over a restart beside parts, measurements and recipes: tools, models, sessions. Written with
 /// AddRoomRecord, never changed: a correction is a newer row. Own read-only connection; use it on one thread.
 class RoomRecordReader {
  public:

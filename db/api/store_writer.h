@@ -44,6 +44,16 @@ struct RestoreRecipe {
     std::string author{};
     std::string reason{};
 };
+/// A revision of the recipe of that part type, which is made when there is none of the name. The audit log notes the
+/// part type and a hash of the parameters. Receipt as SaveRecipe.
+struct KeepRecipe {
+    ProcessId process{ProcessId::Boring};
+    std::string partType{};
+    std::string parametersJson{};
+    std::string author{};
+    std::string reason{};
+    std::optional<std::uint32_t> restoredFrom{};  ///< a revision that there is
+};
 /// Find the lot of that name, or open it. Receipt: id.
 struct EnsureLot {
     MachineId machine{0};
@@ -139,8 +149,8 @@ struct AddAudit {
 /// Keep a value of one process's room for ever (db/api/room_records.h). Receipt: id.
 struct AddRoomRecord {
     ProcessId process{ProcessId::Boring};
-    std::string kind{};      ///< "setup", "tuning", "model" …; never empty
-    std::string subject{};   ///< what it is about: part type, thread, axis; may be empty
+    std::string kind{};      ///< "tool", "model", "session" …; never empty
+    std::string subject{};   ///< what it is about: part type, tool, axis; may be empty
     std::string bodyJson{};  ///< valid JSON; numbers under keys that end in their unit
     std::string author{};    ///< never empty
     std::string reason{};
@@ -167,10 +177,10 @@ struct NoteWrongPin {
 };
 
 using StoreCommand =
-    std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, EnsureLot, CloseLot, SetActiveLot, AddPart,
-                 SetPartSerial, AcceptMeasurement, AcceptMeasurements, StoreSchedule, AcceptSchedule, RaiseAlarm,
-                 ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting, AddAudit, AddRoomRecord,
-                 SaveAccount, RemoveAccount, NoteWrongPin>;
+    std::variant<EnsureMachine, EnsurePartType, SaveRecipe, RestoreRecipe, KeepRecipe, EnsureLot, CloseLot,
+                 SetActiveLot, AddPart, SetPartSerial, AcceptMeasurement, AcceptMeasurements, StoreSchedule,
+                 AcceptSchedule, RaiseAlarm, ClearAlarm, CloseAlarmsOfLastRun, AcknowledgeAlarm, ChangeSetting,
+                 AddAudit, AddRoomRecord, SaveAccount, RemoveAccount, NoteWrongPin>;
 
 /// What a command has made; each command says what it puts here.
 struct Receipt {

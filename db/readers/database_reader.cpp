@@ -119,6 +119,27 @@ Result<std::vector<RecipeRevision>> DatabaseReader::recipes(PartTypeId partType)
     });
 }
 
+Result<std::vector<RecipeRevision>> DatabaseReader::newestRecipes(ProcessId process) {
+    return guarded([&] {
+        Statement find(database(), select(kRecipeColumns,
+                                          "FROM part_types t JOIN recipe_revisions r ON r.part_type_id = t.id AND "
+                                          "r.revision = (SELECT max(n.revision) FROM recipe_revisions n WHERE "
+                                          "n.part_type_id = t.id) WHERE t.process = ? ORDER BY r.id"));
+        find.bind(processKey(process));
+        return readAll(find, readRecipe);
+    });
+}
+
+Result<std::vector<RecipeRevision>> DatabaseReader::allRecipes(ProcessId process) {
+    return guarded([&] {
+        Statement find(database(), select(kRecipeColumns,
+                                          "FROM part_types t JOIN recipe_revisions r ON r.part_type_id = t.id WHERE "
+                                          "t.process = ? ORDER BY r.id"));
+        find.bind(processKey(process));
+        return readAll(find, readRecipe);
+    });
+}
+
 Result<std::vector<LotRow>> DatabaseReader::lots(std::optional<PartTypeId> partType, std::uint32_t limit) {
     return guarded([&] {
         const QString joined = select(kLotColumns, "FROM lots l ") + QLatin1String(kLotJoins);

@@ -21,7 +21,8 @@ void appendAudit(const QSqlDatabase& database, AuditRow row);
 /// source is kept in full (measurement_sources), which those accepted before version 5 have not.
 [[nodiscard]] std::string measurementText(const MeasurementRow& row, bool withSource = true);
 
-/// What the audit log says about a room record: its subject and the hash of its body.
+/// What the audit log says about a room record, or a recipe of KeepRecipe: subject or part type, and the hash of the
+/// body.
 [[nodiscard]] std::string roomRecordText(const std::string& subject, const std::string& body);
 /// One hash over all room records up to `last`, for those kept before each had its own. @throws SqlFailure
 [[nodiscard]] std::string roomRecordsSeal(const QSqlDatabase& database, std::int64_t last);

@@ -14,7 +14,8 @@ struct SavedRecipe {
     std::uint32_t revision;
 };
 
-SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe) {
+/// `hashed`: the log notes this in the place of the parameters, which may be long (a tuning with its curves).
+SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, const std::string& hashed = {}) {
     Statement newest(
         database,
         "SELECT revision, parameters FROM recipe_revisions WHERE part_type_id = ? ORDER BY revision DESC LIMIT 1");
@@ -36,8 +37,8 @@ SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe) 
                            .action = recipe.restoredFrom ? "recipe rolled back" : "recipe saved",
                            .object = "part_type",
                            .objectId = recipe.partType,
-                           .oldValue = before,
-                           .newValue = recipe.parametersJson,
+                           .oldValue = hashed.empty() ? before : std::string(),
+                           .newValue = hashed.empty() ? recipe.parametersJson : hashed,
                            .reason = recipe.reason});
     return {insert.lastId(), revision};
 }
@@ -78,6 +79,20 @@ Receipt Store::run(const RestoreRecipe& command) {
     }
     const SavedRecipe saved =
         addRevision(m_database, {command.partType, find.text(0), command.author, command.reason, command.revision});
+    return {saved.id, saved.revision};
+}
+
+Receipt Store::run(const KeepRecipe& command) {
+    Statement find(m_database, "SELECT id FROM part_types WHERE process = ? AND name = ?");
+    const bool known = find.bind(processKey(command.process)).bind(command.partType).run().next();
+    PartTypeId id = known ? find.integer(0) : 0;
+    if (!known) {
+        Statement insert(m_database, "INSERT INTO part_types (process, name, created_utc_ms) VALUES (?, ?, ?)");
+        id = insert.bind(processKey(command.process)).bind(command.partType).bind(utcNow_ms()).run().lastId();
+    }
+    const SavedRecipe saved =
+        addRevision(m_database, {id, command.parametersJson, command.author, command.reason, command.restoredFrom},
+                    roomRecordText(command.partType, command.parametersJson));
     return {saved.id, saved.revision};
 }
 

@@ -32,6 +32,7 @@ class Store {
     Receipt run(const EnsurePartType& command);
     Receipt run(const SaveRecipe& command);
     Receipt run(const RestoreRecipe& command);
+    Receipt run(const KeepRecipe& command);
     Receipt run(const EnsureLot& command);
     Receipt run(const CloseLot& command);
     Receipt run(const SetActiveLot& command);

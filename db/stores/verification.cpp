@@ -122,26 +122,89 @@ void verifyRoomRecords(const QSqlDatabase& database, AuditVerdict& verdict) {
     }
 }
 
-void verifyRecipes(const QSqlDatabase& database) {
-    std::map<std::int64_t, std::vector<std::string>> logged;
+/// A part type's recipe as the log has it, and as room records had it before version 6 (migration 006).
+struct RecipeLog {
+    std::string name{};
+    std::vector<std::string> logged{};  ///< the parameters, or their hash
+    struct Kept {
+        std::string bodyHash{}, author{}, reason{};  // the bodies themselves may be many megabytes
+        std::int64_t created_ms{0};
+    };
+    std::vector<Kept> kept{};
+    std::size_t revisions{0};  ///< that are stored
+
+    std::size_t seenLogged{0};
+    std::size_t seenKept{0};
+
+    /// The next revision, of which the log or a record must speak.
+    [[nodiscard]] bool speaksOf(const RecipeRevision& row) {
+        if (row.revision != seenLogged + seenKept + 1) {
+            return false;
+        }
+        if (seenKept + logged.size() < revisions && seenKept < kept.size()) {
+            const Kept& record = kept[seenKept];
+            if (record.bodyHash == sha256(row.parametersJson) && record.author == row.author &&
+                record.reason == row.reason && record.created_ms == row.createdUtc_ms) {
+                ++seenKept;
+                return true;
+            }
+        }
+        if (seenLogged >= logged.size()) {
+            return false;
+        }
+        const std::string& text = logged[seenLogged++];
+        return text == row.parametersJson || text == roomRecordText(name, row.parametersJson);
+    }
+};
+
+std::map<std::int64_t, RecipeLog> recipeLogs(const QSqlDatabase& database) {
+    std::map<std::int64_t, RecipeLog> logs;
+    Statement types(database,
+                    "SELECT t.id, t.name, count(*) FROM part_types t JOIN recipe_revisions r ON r.part_type_id = t.id "
+                    "GROUP BY t.id");
+    types.run();
+    while (types.next()) {
+        logs[types.integer(0)].name = types.text(1);
+        logs[types.integer(0)].revisions = static_cast<std::size_t>(types.integer(2));
+    }
     Statement entries(
         database,
         "SELECT object_id, new_value FROM audit WHERE object = 'part_type' AND action IN ('recipe saved', "
         "'recipe rolled back') ORDER BY id");
     entries.run();
     while (entries.next()) {
-        logged[entries.integer(0)].push_back(entries.text(1));
+        logs[entries.integer(0)].logged.push_back(entries.text(1));
     }
-    Statement stored(database, "SELECT id, part_type_id, revision, parameters FROM recipe_revisions ORDER BY id");
+    Statement kept(database,
+                   "SELECT t.id, k.body, k.author, k.reason, k.created_utc_ms, k.name FROM kept_recipes k LEFT JOIN "
+                   "part_types t ON t.process = k.process AND t.name = k.name ORDER BY k.room_record_id");
+    kept.run();
+    while (kept.next()) {
+        RecipeLog& log = logs[kept.integer(0)];
+        log.name = kept.text(5);
+        log.kept.push_back({sha256(kept.text(1)), kept.text(2), kept.text(3), kept.integer(4)});
+    }
+    return logs;
+}
+
+void verifyRecipes(const QSqlDatabase& database) {
+    std::map<std::int64_t, RecipeLog> logs = recipeLogs(database);
+    Statement stored(database, QStringLiteral("SELECT %1 FROM recipe_revisions r ORDER BY r.part_type_id, r.revision")
+                                   .arg(QLatin1String(kRecipeColumns)));
     stored.run();
     while (stored.next()) {
-        const auto& texts = logged[stored.integer(1)];
-        const auto revision = static_cast<std::size_t>(stored.integer(2));
-        if (revision == 0 || revision > texts.size() || texts[revision - 1] != stored.text(3)) {
-            throw Broken{stored.integer(0),
-                         Sentence(KERF_TEXT("Recipe revision %1 differs from what was logged when it "
-                                            "was saved."),
-                                  number(stored.integer(0)))};
+        const RecipeRevision row = readRecipe(stored);
+        if (!logs[row.partType].speaksOf(row)) {
+            throw Broken{row.id, Sentence(KERF_TEXT("Recipe revision %1 differs from what was logged when it "
+                                                    "was saved."),
+                                          number(row.id))};
+        }
+    }
+    for (const auto& [partType, log] : logs) {
+        if (log.seenLogged < log.logged.size() || log.seenKept < log.kept.size()) {
+            throw Broken{0, Sentence(KERF_TEXT("%1 revisions of the recipe of %2 were saved, %3 are stored."),
+                                     number(static_cast<std::int64_t>(log.logged.size() + log.kept.size())),
+                                     SentenceArg(log.name), number(static_cast<std::int64_t>(log.revisions)))};
         }
     }
 }

@@ -1858,6 +1858,74 @@
         </message>
     </context>
     <context>
+        <name>Revisions</name>
+        <message>
+            <source>and %1 more values</source>
+            <translation>and %1 more values</translation>
+        </message>
+        <message>
+            <source>The same values as now.</source>
+            <translation>The same values as now.</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>Rev.</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>When, by</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>Why</translation>
+        </message>
+        <message>
+            <source>back to %1: %2</source>
+            <comment>revision, reason</comment>
+            <translation>back to %1: %2</translation>
+        </message>
+        <message>
+            <source>Revisions of %1</source>
+            <translation>Revisions of %1</translation>
+        </message>
+        <message>
+            <source>Nothing was changed yet.</source>
+            <translation>Nothing was changed yet.</translation>
+        </message>
+        <message>
+            <source>The first one holds. Touch an older one to compare it.</source>
+            <translation>The first one holds. Touch an older one to compare it.</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>Reason for the change</translation>
+        </message>
+        <message>
+            <source>Roll back to it</source>
+            <translation>Roll back to it</translation>
+        </message>
+        <message>
+            <source>touch an older revision</source>
+            <translation>touch an older revision</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>The revision is back.</source>
+            <translation>The revision is back.</translation>
+        </message>
+        <message>
+            <source>Earlier revisions</source>
+            <translation>Earlier revisions</translation>
+        </message>
+    </context>
+    <context>
         <name>Settings</name>
         <message>
             <source>Settings</source>
@@ -7165,6 +7233,22 @@
         <message>
             <source>setup changed</source>
             <translation>setup changed</translation>
+        </message>
+        <message>
+            <source>%1 revisions of the recipe of %2 were saved, %3 are stored.</source>
+            <translation>%1 revisions of the recipe of %2 were saved, %3 are stored.</translation>
+        </message>
+        <message>
+            <source>Nothing is stored here.</source>
+            <translation>Nothing is stored here.</translation>
+        </message>
+        <message>
+            <source>This recipe revision is of another version, or cannot be used.</source>
+            <translation>This recipe revision is of another version, or cannot be used.</translation>
+        </message>
+        <message>
+            <source>This revision leaves a tuning out or takes it in; it has no settings of its own.</source>
+            <translation>This revision leaves a tuning out or takes it in; it has no settings of its own.</translation>
         </message>
     </context>
     <context>

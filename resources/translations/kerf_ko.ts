@@ -1858,6 +1858,74 @@
         </message>
     </context>
     <context>
+        <name>Revisions</name>
+        <message>
+            <source>and %1 more values</source>
+            <translation>그 밖에 값 %1개</translation>
+        </message>
+        <message>
+            <source>The same values as now.</source>
+            <translation>지금과 같은 값입니다.</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>개정</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>언제, 누가</translation>
+        </message>
+        <message>
+            <source>Why</source>
+            <translation>사유</translation>
+        </message>
+        <message>
+            <source>back to %1: %2</source>
+            <comment>revision, reason</comment>
+            <translation>%1(으)로 되돌림: %2</translation>
+        </message>
+        <message>
+            <source>Revisions of %1</source>
+            <translation>%1의 개정</translation>
+        </message>
+        <message>
+            <source>Nothing was changed yet.</source>
+            <translation>아직 바뀐 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The first one holds. Touch an older one to compare it.</source>
+            <translation>맨 위의 것이 적용 중입니다. 이전 것을 터치하면 비교합니다.</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 사유</translation>
+        </message>
+        <message>
+            <source>Roll back to it</source>
+            <translation>이 개정으로 되돌리기</translation>
+        </message>
+        <message>
+            <source>touch an older revision</source>
+            <translation>이전 개정을 누르십시오</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>사유를 쓰십시오</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>The revision is back.</source>
+            <translation>개정을 되돌렸습니다.</translation>
+        </message>
+        <message>
+            <source>Earlier revisions</source>
+            <translation>이전 개정</translation>
+        </message>
+    </context>
+    <context>
         <name>Settings</name>
         <message>
             <source>Settings</source>
@@ -7160,6 +7228,22 @@
         <message>
             <source>setup changed</source>
             <translation>설정 변경</translation>
+        </message>
+        <message>
+            <source>%1 revisions of the recipe of %2 were saved, %3 are stored.</source>
+            <translation>%2의 레시피 개정은 %1개 저장되었으나 들어 있는 것은 %3개입니다.</translation>
+        </message>
+        <message>
+            <source>Nothing is stored here.</source>
+            <translation>여기에는 저장된 것이 없습니다.</translation>
+        </message>
+        <message>
+            <source>This recipe revision is of another version, or cannot be used.</source>
+            <translation>이 레시피 개정은 다른 버전의 것이거나 쓸 수 없는 것입니다.</translation>
+        </message>
+        <message>
+            <source>This revision leaves a tuning out or takes it in; it has no settings of its own.</source>
+            <translation>이 개정은 튜닝을 제외하거나 다시 넣는 것이어서 자체 설정이 없습니다.</translation>
         </message>
     </context>
     <context>

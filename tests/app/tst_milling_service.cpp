@@ -26,7 +26,7 @@ struct Bench {
             const Trust has = author == "Park" ? Trust::Engineer : author == "Lee" ? Trust::Setter : Trust::Operator;
             return has >= permissionOf(deed).least ? std::nullopt : std::optional(Sentence("not trusted with it"));
         };
-        service = std::make_unique<StoredMillingService>(std::move(links), *reader, *reader);
+        service = std::make_unique<StoredMillingService>(std::move(links), *reader, *reader, *reader);
     }
     template <class Call>
     [[nodiscard]] bool done(const Call& call) {
@@ -157,6 +157,8 @@ class TestMillingService : public QObject {
             QVERIFY(bench.save(setup, "Park"));
         }
         bench.open();
+        const auto verdict = bench.reader->verifyAudit();
+        QVERIFY2(verdict && verdict->finding.empty(), verdict->finding.english().c_str());
         QCOMPARE(bench.service->view().partType, std::string("Hard"));
         QCOMPARE(bench.service->view().partTypes.size(), std::size_t{4});
         QCOMPARE(bench.service->view().setup.overload_N, 1500.0);

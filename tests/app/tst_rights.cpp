@@ -41,14 +41,14 @@ struct Shop {
         openBoring();
         StoredMillingService::Links millingLinks{writer, engine, [this] { return signedOn; }, {}, {}};
         millingLinks.rights = rights;
-        milling = std::make_unique<StoredMillingService>(std::move(millingLinks), *reader, *reader);
-        StoredTurningService::Links turningLinks{writer, engine, *turningExchange, *reader};
+        milling = std::make_unique<StoredMillingService>(std::move(millingLinks), *reader, *reader, *reader);
+        StoredTurningService::Links turningLinks{writer, engine, *turningExchange, *reader, *reader};
         turningLinks.rights = rights;
         turning = std::make_unique<StoredTurningService>(turningLinks);
         StoredThermalService::Links thermalLinks{engine, writer, *thermalExchange};
         thermalLinks.rights = rights;
         thermalLinks.dayFolder = scratch.path() + "-days";
-        thermal = std::make_unique<StoredThermalService>(thermalLinks, *reader);
+        thermal = std::make_unique<StoredThermalService>(thermalLinks, *reader, *reader);
         StoredTappingService::Params tappingParams;
         tappingParams.rights = rights;
         tappingParams.note = [this](const std::string& who, const char* key, const std::string& what) {

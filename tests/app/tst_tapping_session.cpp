@@ -29,7 +29,11 @@ struct ServiceBench : TappingBench {
         : TappingBench(machineParams) {
         StoredTappingService::Params params;
         params.known = std::move(known);
-        params.store = [this](const tapping::StoredTuning& tuning) { stored.push_back(tuning); };
+        params.store = [this](const tapping::StoredTuning& tuning, const tapping::TuningWords&,
+                              const RecipeHistory::Done& done) {
+            stored.push_back(tuning);
+            if (done) done({});
+        };
         service = std::make_unique<StoredTappingService>(*engine, *exchange, std::move(params));
         service->poll();
         engine->runCycles(3);

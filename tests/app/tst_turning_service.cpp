@@ -234,7 +234,7 @@ class TestTurningService : public QObject {
         QVERIFY(m_writer->start().has_value());
         m_reader = std::move(*db::DatabaseReader::open(m_folder->path()));
         m_service = std::make_unique<StoredTurningService>(
-            StoredTurningService::Links{*m_writer, *m_engine, *m_exchange, *m_reader});
+            StoredTurningService::Links{*m_writer, *m_engine, *m_exchange, *m_reader, *m_reader});
     }
     void close() {
         (void)m_writer->stop();

@@ -198,16 +198,16 @@ class TestConsoleLinuxCnc : public QObject {
         }
         QVERIFY(m_bench.press("tappingAccept"));
         const auto tunings = [this] {
-            std::vector<RoomRecordRow> rows;
+            std::vector<RecipeRevision> rows;
             if (const auto reader = db::DatabaseReader::open(m_bench.console().databasePath())) {
-                if (auto found = (*reader)->roomRecords(ProcessId::Tapping, "tuning", {}, 100)) {
+                if (auto found = (*reader)->allRecipes(ProcessId::Tapping)) {
                     rows = std::move(*found);
                 }
             }
             return rows;
         };
         QTRY_COMPARE_WITH_TIMEOUT(tunings().size(), std::size_t{1}, 10'000);
-        const auto tuning = formats::tuningFromJson(tunings().front().bodyJson);
+        const auto tuning = formats::tuningFromJson(tunings().front().parametersJson);
         QVERIFY(tuning.has_value());
         std::printf("contour error less by %.1f %%, engaged p-p %.1f -> %.1f um, %u taps\n",
                     100.0 * tuning->proof.reduction(), tuning->proof.first.engagedPp_um,

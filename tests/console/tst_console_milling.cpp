@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
+#include <QLineEdit>
+#include <QTableWidget>
 #include <QTextStream>
 
 #include "tests/support/console_bench.h"
@@ -146,10 +148,36 @@ class TestConsoleMilling : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(enabled("millingTeach"), 5'000);
         QVERIFY(m_bench->press("millingTeach"));
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(milling().reference_N - mean_N) < 1e-9, 5'000);
-        QTRY_COMPARE_WITH_TIMEOUT(records("setup").size(), std::size_t{2}, 10'000);  // the law, the reference
+        QTRY_COMPARE_WITH_TIMEOUT(setups(), std::size_t{3}, 10'000);  // what it began with, the law, the reference
         restart();
         QTRY_COMPARE_WITH_TIMEOUT(milling().reference_N, mean_N, 10'000);
         QCOMPARE(milling().law, MillingLaw::Constant);
+    }
+    void aSetupIsRolledBackOnTheScreen() {
+        signOn();
+        const double before_N = milling().reference_N;
+        QVERIFY(m_bench->press("millingSetup"));
+        QVERIFY(type("millingField0", "380"));
+        QVERIFY(m_bench->press("millingSetupSave"));
+        QTRY_COMPARE_WITH_TIMEOUT(milling().reference_N, 380.0, 10'000);
+        QTRY_VERIFY_WITH_TIMEOUT(enabled("millingSetup"), 5'000);
+        QVERIFY(m_bench->press("millingSetup"));
+        QVERIFY(m_bench->press("recipeHistory"));
+        auto* revisions = m_bench->find<QTableWidget>("recipeRevisions");
+        QVERIFY(revisions != nullptr);
+        QCOMPARE(revisions->rowCount(), 2);
+        QVERIFY(!enabled("recipeRestore"));
+        revisions->selectRow(1);
+        const QString difference = m_bench->text("recipeDifference");
+        QVERIFY2(difference.contains(QStringLiteral("380")) && difference.contains(QString::number(before_N)),
+                 qPrintable(difference));
+        QVERIFY(!enabled("recipeRestore"));  // not without a reason
+        m_bench->find<QLineEdit>("recipeReason")->setText(QStringLiteral("as before"));
+        QVERIFY(m_bench->press("recipeRestore"));
+        QTRY_COMPARE_WITH_TIMEOUT(milling().reference_N, before_N, 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(setups(), std::size_t{3}, 10'000);
+        QTRY_COMPARE(m_bench->find<QTableWidget>("recipeRevisions")->rowCount(), 3);
+        QVERIFY(m_bench->press("sheetSafe"));
     }
     void anUnpluggedForceNeverMeansFaster() {
         start(kCutSpeed);
@@ -216,7 +244,7 @@ class TestConsoleMilling : public QObject {
             cutPart();
         }
         QTRY_COMPARE_WITH_TIMEOUT(records("tool").size(), std::size_t{4}, 10'000);
-        QTRY_COMPARE_WITH_TIMEOUT(records("setup").size(), std::size_t{2}, 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(setups(), std::size_t{3}, 10'000);
         const MillingStatus before = milling();
         QVERIFY(before.wear > 0.0 && before.wearPerPart > 0.0);
         QTRY_VERIFY_WITH_TIMEOUT(m_bench->text("millingLastCut").contains(QStringLiteral("Cut 4")), 5'000);
@@ -258,6 +286,11 @@ class TestConsoleMilling : public QObject {
         const auto rows =
             reader ? (*reader)->roomRecords(ProcessId::Milling, kind, {}, 100) : Result<std::vector<RoomRecordRow>>();
         return rows ? *rows : std::vector<RoomRecordRow>();
+    }
+    [[nodiscard]] std::size_t setups() {
+        auto reader = db::DatabaseReader::open(m_bench->console().databasePath());
+        const auto rows = reader ? (*reader)->allRecipes(ProcessId::Milling) : Result<std::vector<RecipeRevision>>();
+        return rows ? rows->size() : 0;
     }
     void restart() {
         m_bench->stop();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "app/service/tapping/tapping_tuning_json.h"
@@ -70,10 +71,11 @@ class TestConsoleTapping : public QObject {
         std::vector<tapping::StoredTuning> tunings;
         const auto reader = db::DatabaseReader::open(m_bench.console().databasePath());
         if (!reader) return tunings;
-        const auto rows = (*reader)->roomRecords(ProcessId::Tapping, "tuning", {}, 100);
+        auto rows = (*reader)->allRecipes(ProcessId::Tapping);
         if (!rows) return tunings;
-        for (const RoomRecordRow& row : *rows) {
-            if (auto tuning = formats::tuningFromJson(row.bodyJson)) tunings.push_back(std::move(*tuning));
+        std::ranges::reverse(*rows);  // newest first
+        for (const RecipeRevision& row : *rows) {
+            if (auto tuning = formats::tuningFromJson(row.parametersJson)) tunings.push_back(std::move(*tuning));
         }
         return tunings;
     }

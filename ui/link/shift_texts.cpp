@@ -167,7 +167,11 @@ QString changeText(const ShiftChange& change) {
     if (change.object == "setting" || change.object.starts_with("setting ") || change.object.starts_with("loop.")) {
         words << QString::fromStdString(change.object).section(u' ', -1);
     }
-    if (!change.newValue.empty() && !change.action.ends_with(" kept")) {  // what a room keeps is for programs
+    if (const auto hash = change.newValue.find("; sha256="); hash != std::string::npos) {
+        if (!change.action.ends_with(" kept")) {  // a recipe: of which part type
+            words << QString::fromStdString(change.newValue.substr(0, hash));
+        }
+    } else if (!change.newValue.empty() && !change.action.ends_with(" kept")) {  // what a room keeps is for programs
         words << (change.oldValue.empty()
                       ? shortened(change.newValue)
                       : shortened(change.oldValue) + QStringLiteral(" → ") + shortened(change.newValue));

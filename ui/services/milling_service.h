@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/core/subscription.h"
 #include "engine/process/milling/milling_fields.h"
+#include "ui/services/recipe_history.h"
 
 /// What belongs to milling outside the cycle: part types with their setup and blank profile, the tool in the spindle,
 /// the log of cuts. The page sees values; the service stores first, then hands the engine what it is to use.
@@ -89,6 +90,9 @@ class MillingService {
                                                        double end_mm) const = 0;
     /// A CSV file "begin_mm,height_mm" with a last row "end_mm,". The error names line and column.
     [[nodiscard]] virtual Result<MillingBlank> readBlank(const std::string& file) const = 0;
+
+    /// The revisions of the part type's setup. Null: there is no store behind the service.
+    [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
 
     /// Called on the caller's thread when the change is safely on disk and the engine uses it (or why not).
     using Done = std::function<void(const Result<void>&)>;

@@ -8,6 +8,7 @@
 
 #include "engine/core/result.h"
 #include "engine/process/tapping/tapping_types.h"
+#include "ui/services/recipe_history.h"
 
 /// The tuning of a tapping cycle outside the engine's cycle: trials, the tuner's proposal, what the operator decides,
 /// what has been tuned before. The page sees values.
@@ -133,6 +134,9 @@ class TappingService {
     /// Leave the stored tuning that the loaded job began from out, for a reason: the job is loaded again with the next
     /// one, or the machine's own gains. Or take in again what was left out of it.
     [[nodiscard]] virtual Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) = 0;
+    /// The revisions of this thread's recipe: the tunings that were accepted. Null: there is no store behind the
+    /// service.
+    [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
     virtual void setAutomatic(bool automatic, const std::string& author) = 0;
     virtual void oneMore(const std::string& author) = 0;   ///< make the proposed tap
     virtual void accept(const std::string& author) = 0;    ///< keep the best so far

@@ -11,6 +11,7 @@
 
 #include "engine/core/result.h"
 #include "engine/process/thermal/thermal_types.h"
+#include "ui/services/recipe_history.h"
 
 /// Thermal models outside the engine's cycle: training on a worker, comparison, going live and back, gap-sensor
 /// sessions, history. The page sees values. Drift and shift in µm, temperatures in °C, times in minutes of the machine.
@@ -142,6 +143,8 @@ class ThermalService {
     [[nodiscard]] virtual Result<void> goLive(const std::string& author) = 0;
     /// The model that was live before.
     [[nodiscard]] virtual Result<void> rollBack(const std::string& author) = 0;
+    /// The revisions of the limits. Null: there is no store behind the service.
+    [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
     [[nodiscard]] virtual Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
                                                    const std::string& reason) = 0;
     /// The part finished last has been measured: deviation of its surface along +axis; a diameter counts half. Empty:

@@ -13,6 +13,7 @@
 #include "engine/core/result.h"
 #include "engine/core/subscription.h"
 #include "engine/process/turning/turning_types.h"
+#include "ui/services/recipe_history.h"
 
 /// What happens to turned surfaces outside the cycle: the setup of the cut, spectra, margins, blind tones, the archive
 /// of parts and the comparison of a cut without the loop with one under it. The page sees values; the service stores
@@ -125,6 +126,8 @@ class TurningService {
 
     /// Called on the caller's thread when the change is safely on disk (or has failed: the sentence says why).
     using Done = std::function<void(const Result<void>&)>;
+    /// The revisions of the setup. Null: there is no store behind the service.
+    [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
     /// The next part is cut with this setup. A larger trim authority is a limit: it wants a process engineer and a
     /// reason.
     virtual void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,

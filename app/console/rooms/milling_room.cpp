@@ -52,7 +52,8 @@ void MillingRoom::open(const Context& context) {
     if (m_plant != nullptr) {
         links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
     }
-    m_service = std::make_unique<StoredMillingService>(std::move(links), context.reader, context.reader);
+    m_service =
+        std::make_unique<StoredMillingService>(std::move(links), context.reader, context.reader, context.reader);
 }
 
 void MillingRoom::serve(ui::Services& services) {

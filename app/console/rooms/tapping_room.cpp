@@ -3,8 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <limits>
-
 #include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated/simulated_tapping.h"
@@ -17,23 +15,21 @@ namespace {
 
 constexpr const char* kBeforehand = "Kerf";
 constexpr std::uint32_t kPreparedTaps = 3;
-constexpr const char* kTuning = "tuning";
-constexpr std::uint32_t kMostTunings = std::numeric_limits<std::int32_t>::max();  // none vanishes
 constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
 
 /// Oldest first; one that cannot be read is left out and named in the log.
-std::vector<tapping::StoredTuning> storedTunings(RoomRecordReader& reader) {
+std::vector<tapping::StoredTuning> storedTunings(RecipeBook& book) {
     std::vector<tapping::StoredTuning> tunings;
-    const auto rows = reader.roomRecords(ProcessId::Tapping, kTuning, {}, kMostTunings);
-    if (!rows) {
-        spdlog::error("tunings: {}", rows.error().english());
+    const auto recipes = book.all();
+    if (!recipes) {
+        spdlog::error("tunings: {}", recipes.error().english());
         return tunings;
     }
-    for (auto row = rows->rbegin(); row != rows->rend(); ++row) {
-        if (auto tuning = formats::tuningFromJson(row->bodyJson)) {
+    for (const RecipeBook::Recipe& recipe : *recipes) {
+        if (auto tuning = formats::tuningFromJson(recipe.revision.parametersJson)) {
             tunings.push_back(std::move(*tuning));
         } else {
-            spdlog::error("tuning {}: {}", row->id, tuning.error().english());
+            spdlog::error("tuning {} of {}: {}", recipe.revision.revision, recipe.partType, tuning.error().english());
         }
     }
     return tunings;
@@ -78,8 +74,15 @@ void TappingRoom::open(const Context& context) {
         entry.object = key;
         m_writer->submit(entry, {});
     };
-    params.known = storedTunings(context.reader);
-    params.store = [this](const tapping::StoredTuning& tuning) { keep(tuning); };
+    m_recipes.emplace(context.writer, context.reader, ProcessId::Tapping);
+    m_history.emplace(StoredRecipeHistory::Links{
+        *m_recipes, [this] { return m_service->view().choice.thread; },
+        [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
+               const RecipeHistory::Done& done) { restore(revision, author, reason, done); }});
+    params.recipes = &*m_history;
+    params.known = storedTunings(*m_recipes);
+    params.store = [this](const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
+                          const RecipeHistory::Done& done) { keep(tuning, words, done); };
     m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));
 }
 
@@ -101,17 +104,22 @@ void TappingRoom::poll() {
     if (m_service) m_service->poll();
 }
 
-void TappingRoom::keep(const tapping::StoredTuning& tuning) {
-    AddRoomRecord record;
-    record.process = ProcessId::Tapping;
-    record.kind = kTuning;
-    record.subject = tuning.choice.thread;
-    record.bodyJson = formats::tuningToJson(tuning);
-    record.author = tuning.leftOut ? tuning.leftOutAuthor : tuning.proof.author;
-    record.reason = tuning.leftOut ? tuning.leftOutReason : tuning.proof.rolledBack ? "rolled back" : "accepted";
-    m_writer->submit(std::move(record), [this](const Result<Receipt>& result) {
-        m_service->setStoreProblem(result ? Sentence{} : result.error());
-    });
+void TappingRoom::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
+                       const RecipeHistory::Done& done) {
+    m_recipes->keep(tuning.choice.thread, formats::tuningToJson(tuning), words.author, words.reason, words.restoredFrom,
+                    [this, done](const Result<Receipt>& receipt) {
+                        m_service->setStoreProblem(receipt ? Sentence{} : receipt.error());
+                        if (done) done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
+                    });
+}
+
+void TappingRoom::restore(const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                          const RecipeHistory::Done& done) {
+    if (const auto tuning = formats::tuningFromJson(revision.parametersJson)) {
+        m_service->takeBack(*tuning, revision.revision, author, reason, done);
+    } else if (done) {
+        done(tl::unexpected(tuning.error()));
+    }
 }
 
 }  // namespace kerf::console

@@ -4,13 +4,14 @@
 #include <optional>
 
 #include "app/console/rooms/room.h"
+#include "app/service/stored_recipe_history.h"
 #include "app/service/tapping/tapping_service.h"
 #include "engine/process/tapping/tap_exchange.h"
 
 namespace kerf::console {
 
 /// Tapping on the console: the built-in machine's drive, the loop that makes and records taps, the service that tunes.
-/// Accepted tunings are room records of kind "tuning"; at a start they come back in the order they were made.
+/// Accepted tunings are revisions of their thread's recipe; at a start they come back in the order they were made.
 class TappingRoom final : public Room {
  public:
     [[nodiscard]] ProcessId process() const noexcept override { return ProcessId::Tapping; }
@@ -24,10 +25,14 @@ class TappingRoom final : public Room {
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:
-    void keep(const tapping::StoredTuning& tuning);
+    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, const RecipeHistory::Done& done);
+    void restore(const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                 const RecipeHistory::Done& done);
 
     std::unique_ptr<TapExchange> m_exchange{std::make_unique<TapExchange>()};
     StoreWriter* m_writer{nullptr};
+    std::optional<RecipeBook> m_recipes{};
+    std::optional<StoredRecipeHistory> m_history{};
     std::unique_ptr<StoredTappingService> m_service;
 };
 

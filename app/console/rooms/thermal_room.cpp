@@ -90,7 +90,7 @@ void ThermalRoom::open(const Context& context) {
     links.machineSeed = m_machineSeed;
     links.hardSeed = context.options.machineSeed;
     links.sensors = context.temperatures;
-    m_service = std::make_unique<StoredThermalService>(links, context.reader);
+    m_service = std::make_unique<StoredThermalService>(links, context.reader, context.reader);
 }
 
 void ThermalRoom::serve(ui::Services& services) {

@@ -37,7 +37,11 @@ bool blank(const std::string& text) {
 
 StoredBoringLots::StoredBoringLots(const StoredBoringService::Links& links, LotReader& reader, BoringLotRequest first,
                                    std::function<void()> lotOpened)
-    : m_links(links), m_reader(reader), m_first(std::move(first)), m_lotOpened(std::move(lotOpened)) {}
+    : m_links(links),
+      m_reader(reader),
+      m_recipes(m_links.writer, reader, ProcessId::Boring),
+      m_first(std::move(first)),
+      m_lotOpened(std::move(lotOpened)) {}
 
 Result<std::vector<LotRow>> StoredBoringLots::rows() {
     auto all = m_reader.lots(std::nullopt, kLotsLooked);
@@ -154,7 +158,7 @@ std::optional<Sentence> StoredBoringLots::whyUnusable(const BoringRecipeForm& fo
 }
 
 Result<std::vector<BoringPartTypeView>> StoredBoringLots::partTypes() {
-    const auto types = m_reader.partTypes(ProcessId::Boring);
+    const auto types = m_recipes.partTypes();
     if (!types) {
         return tl::unexpected(types.error());
     }
@@ -166,7 +170,7 @@ Result<std::vector<BoringPartTypeView>> StoredBoringLots::partTypes() {
 }
 
 Result<std::vector<BoringRecipeView>> StoredBoringLots::recipes(PartTypeId partType) {
-    const auto revisions = m_reader.recipes(partType);
+    const auto revisions = m_recipes.revisions(partType);
     if (!revisions) {
         return tl::unexpected(revisions.error());
     }
@@ -407,7 +411,7 @@ void StoredBoringLots::close(const std::string& author, const std::string& reaso
 void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
                                    PartTypeDone done) {
     const auto refuse = [&done](const Sentence& why) { done(tl::unexpected(why)); };
-    const auto known = m_reader.partTypes(ProcessId::Boring);
+    const auto known = m_recipes.partTypes();
     if (!known) {
         return refuse(known.error());
     }
@@ -423,12 +427,12 @@ void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeFo
     if (const auto why = whyUnusable(form)) {
         return refuse(*why);
     }
-    m_links.writer.submit(EnsurePartType{ProcessId::Boring, name, recipeJson(recipeOf(form)), author},
-                          [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
-                              if (alive.lock()) {
-                                  done(receipt ? Result<PartTypeId>(receipt->id) : tl::unexpected(receipt.error()));
-                              }
-                          });
+    m_recipes.add(name, recipeJson(recipeOf(form)), author,
+                  [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+                      if (alive.lock()) {
+                          done(receipt ? Result<PartTypeId>(receipt->id) : tl::unexpected(receipt.error()));
+                      }
+                  });
 }
 
 void StoredBoringLots::saveRecipe(PartTypeId partType, const BoringRecipeForm& form, const std::string& author,
@@ -442,7 +446,7 @@ void StoredBoringLots::saveRecipe(PartTypeId partType, const BoringRecipeForm& f
     if (const auto may = permitted(m_links.rights, author, Deed::BoringRecipe, reason); !may) {
         return answer(done, may);
     }
-    submit(SaveRecipe{partType, recipeJson(recipeOf(form)), author, reason, {}}, std::move(done));
+    m_recipes.save(partType, recipeJson(recipeOf(form)), author, reason, answered(std::move(done)));
 }
 
 void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision, const std::string& author,
@@ -453,16 +457,19 @@ void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision
     if (const auto may = permitted(m_links.rights, author, Deed::BoringRecipe, reason); !may) {
         return answer(done, may);
     }
-    submit(RestoreRecipe{partType, revision, author, reason}, std::move(done));
+    m_recipes.restore(partType, revision, author, reason, answered(std::move(done)));
 }
 
 void StoredBoringLots::submit(StoreCommand command, Done done) {
-    m_links.writer.submit(
-        std::move(command), [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
-            if (alive.lock()) {
-                answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-            }
-        });
+    m_links.writer.submit(std::move(command), answered(std::move(done)));
+}
+
+StoreWriter::Done StoredBoringLots::answered(Done done) const {
+    return [alive = std::weak_ptr(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+        if (alive.lock()) {
+            answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+        }
+    };
 }
 
 }  // namespace kerf

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/service/boring/current_boring_service.h"
+#include "app/service/recipe_book.h"
 #include "ui/services/boring_lots.h"
 
 namespace kerf {
@@ -65,11 +66,14 @@ class StoredBoringLots final : public BoringLots {
     void activate(LotId lot, const std::string& author, Done done);
     [[nodiscard]] Result<void> openService(LotId lot);
     void submit(StoreCommand command, Done done);
+    /// The writer's answer, as the page is told of it.
+    [[nodiscard]] StoreWriter::Done answered(Done done) const;
     void askShop(LotId lot);
     void shopTold(LotId lot, const Result<std::vector<BoringMemoryLot>>& told);
 
     StoredBoringService::Links m_links;
     LotReader& m_reader;
+    RecipeBook m_recipes;
     BoringLotRequest m_first;
     std::function<void()> m_lotOpened;
     std::optional<LotId> m_current{};

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kCutsShown = 25;
 constexpr std::uint32_t kMostRecords = 20'000;
 constexpr const char* kMemoryRecord = "tool_memory";
+constexpr const char* kItself = "Kerf";
 constexpr double kSameRadius_mm = 1e-6;
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
@@ -94,8 +95,12 @@ MillingCut cutOf(const std::vector<PartFigure>& figures) {
 
 }  // namespace
 
-StoredMillingService::StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts)
-    : m_links(std::move(links)) {
+StoredMillingService::StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts, LotReader& lots)
+    : m_links(std::move(links)),
+      m_recipes(m_links.writer, lots, ProcessId::Milling),
+      m_history({m_recipes, [this] { return m_type; },
+                 [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
     restore(records, parts);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     use(m_type);
@@ -173,15 +178,11 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
     const auto chosen = read("part_type");  // what was chosen last comes last
     for (const RoomRecordRow& row : chosen) {
         m_type = row.subject;
-        PartType type = first;
-        if (const auto begun = millingSetupFromJson(row.bodyJson); begun && row.bodyJson != "{}") {
-            type.setup = *begun;
-        }
-        m_types.try_emplace(m_type, type);
+        m_types.try_emplace(m_type, first);
     }
-    for (const RoomRecordRow& row : read("setup")) {
-        m_types.try_emplace(row.subject, first).first->second.setup =
-            keep(millingSetupFromJson(row.bodyJson), first.setup);
+    for (const RecipeBook::Recipe& recipe : keep(m_recipes.newest(), std::vector<RecipeBook::Recipe>{})) {
+        m_types.try_emplace(recipe.partType, first).first->second.setup =
+            keep(millingSetupFromJson(recipe.revision.parametersJson), first.setup);
     }
     for (const RoomRecordRow& row : read("blank")) {
         m_types.try_emplace(row.subject, first).first->second.blank =
@@ -270,22 +271,26 @@ void StoredMillingService::store(const std::string& kind, const std::string& sub
     if (author.empty()) {
         return answer(done, tl::unexpected(signOnFirst()));
     }
+    m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
+                          answered(std::move(done), std::move(then)));
+}
+
+StoreWriter::Done StoredMillingService::answered(Done done, std::function<void()> then) {
     ++m_busy;
     rebuild();
-    m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
-                          [this, done = std::move(done), then = std::move(then),
-                           alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-                              if (!alive.lock()) {
-                                  return;
-                              }
-                              --m_busy;
-                              m_problem = receipt ? Sentence() : receipt.error();
-                              if (receipt && then) {
-                                  then();
-                              }
-                              rebuild();
-                              answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-                          });
+    return [this, done = std::move(done), then = std::move(then),
+            alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (!alive.lock()) {
+            return;
+        }
+        --m_busy;
+        m_problem = receipt ? Sentence() : receipt.error();
+        if (receipt && then) {
+            then();
+        }
+        rebuild();
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+    };
 }
 
 std::optional<Sentence> StoredMillingService::whyBusy() const {
@@ -297,6 +302,20 @@ std::optional<Sentence> StoredMillingService::whyBusy() const {
 
 void StoredMillingService::saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
                                      Done done) {
+    accept(setup, author, reason, std::nullopt, std::move(done));
+}
+
+void StoredMillingService::restoreRevision(const RecipeRevision& revision, const std::string& author,
+                                           const std::string& reason, Done done) {
+    const auto setup = millingSetupFromJson(revision.parametersJson);
+    if (!setup) {
+        return answer(done, tl::unexpected(setup.error()));
+    }
+    accept(*setup, author, reason, revision.revision, std::move(done));
+}
+
+void StoredMillingService::accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
+                                  std::optional<std::uint32_t> restoredFrom, Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
     }
@@ -310,10 +329,12 @@ void StoredMillingService::saveSetup(const MillingSetup& setup, const std::strin
     if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
         return answer(done, may);
     }
-    store("setup", m_type, millingSetupJson(setup), author, reason, std::move(done), [this, setup, type = m_type] {
-        m_types[type].setup = setup;
-        use(m_type);
-    });
+    m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
+    m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom,
+                   answered(std::move(done), [this, setup, type = m_type] {
+                       m_types[type].setup = setup;
+                       use(m_type);
+                   }));
 }
 
 void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
@@ -349,12 +370,22 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
     like.setup = m_types[m_type].setup;
     const auto known = m_types.find(name);
     const MillingSetup& setup = known == m_types.end() ? like.setup : known->second.setup;
-    // With the setup it begins with: until one is saved for it, a restart knows no other.
-    store("part_type", name, millingSetupJson(setup), author, "chosen", std::move(done), [this, name, like] {
-        m_types.try_emplace(name, like);
-        m_type = name;
-        use(name);
-    });
+    // The setup it begins with is its first revision; who has chosen it is kept once that is on the disk.
+    m_recipes.begin(name, millingSetupJson(setup), author,
+                    [this, name, like, author, done = std::move(done),
+                     alive = std::weak_ptr(m_alive)](const Result<Receipt>& begun) mutable {
+                        if (!alive.lock()) {
+                            return;
+                        }
+                        if (!begun) {
+                            return answer(done, tl::unexpected(begun.error()));
+                        }
+                        store("part_type", name, "{}", author, "chosen", std::move(done), [this, name, like] {
+                            m_types.try_emplace(name, like);
+                            m_type = name;
+                            use(name);
+                        });
+                    });
 }
 
 void StoredMillingService::newTool(const std::string& author, Done done) {
@@ -417,7 +448,7 @@ void StoredMillingService::partStored(const StoredPart& part) {
     m_tool.toolRadius_mm = m_setup.toolRadius_mm;
     m_tool.flutes = m_setup.flutes;
     m_past[m_tool.since] = m_tool;
-    store("tool", {}, millingToolJson(m_tool), "Kerf", {}, {}, {});
+    store("tool", {}, millingToolJson(m_tool), kItself, {}, {}, {});
 }
 
 void StoredMillingService::use(const std::string& partType) {
@@ -458,8 +489,11 @@ void StoredMillingService::poll() {
     }
     m_setup.law = now.law;
     m_setup.reference_N = now.reference_N;
+    m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
     m_types[m_type].setup = m_setup;
-    store("setup", m_type, millingSetupJson(m_setup), m_links.author(), kAtTheMachine, {}, {});
+    const std::string author = m_links.author();
+    m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine, std::nullopt,
+                   answered({}, {}));
 }
 
 void StoredMillingService::rebuild() {

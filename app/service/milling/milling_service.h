@@ -9,6 +9,7 @@
 
 #include "app/service/milling/milling_json.h"
 #include "app/service/rights.h"
+#include "app/service/stored_recipe_history.h"
 #include "db/api/part_reader.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
@@ -23,9 +24,10 @@ namespace kerf {
 /// hands the engine what it is to use; a law or reference changed while cutting is stored behind it. After a restart
 /// setup, blank, tool and log are what they were. GUI thread only.
 ///
-/// Room records: "part_type" (subject: its name) when one is chosen, "setup" and "blank" of a part type, "tool" after
-/// each cut, "tool_memory" (subject: the tool) when one is left out or taken in again. Cuts the console did not live to
-/// see are added to the tool's wear from their stored figures.
+/// A part type's setup is its recipe: every accepted one is a revision. Room records: "part_type" (subject: its name)
+/// when one is chosen, "blank" of a part type, "tool" after each cut, "tool_memory" (subject: the tool) when one is
+/// left out or taken in again. Cuts the console did not live to see are added to the tool's wear from their stored
+/// figures.
 class StoredMillingService final : public MillingService {
  public:
     struct Links {
@@ -40,13 +42,15 @@ class StoredMillingService final : public MillingService {
     static constexpr const char* kFirstPartType = "Rail";
 
     /// Reads what is kept and hands it to the engine. What cannot be read is said in view().problem; the defaults hold.
-    StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts);
+    /// `lots` outlives the service, the others are used here only.
+    StoredMillingService(Links links, RoomRecordReader& records, PartReader& parts, LotReader& lots);
 
     [[nodiscard]] const MillingServiceView& view() const override { return m_view; }
     [[nodiscard]] std::span<const MillingField> fields() const override;
     [[nodiscard]] std::optional<Sentence> whyUnusable(const MillingSetup& setup) const override;
     [[nodiscard]] Result<MillingBlank> blankOf(std::span<const MillingBlankStep> steps, double end_mm) const override;
     [[nodiscard]] Result<MillingBlank> readBlank(const std::string& file) const override;
+    [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
     void choosePartType(const std::string& name, const std::string& author, Done done) override;
@@ -72,16 +76,25 @@ class StoredMillingService final : public MillingService {
     /// A tool that has not cut yet begins from the tools before it.
     void beginFromMemory();
     [[nodiscard]] milling::ToolMemory memory() const;
+    /// Checked, stored as a revision of the present part type's recipe, then used.
+    void accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
+                std::optional<std::uint32_t> restoredFrom, Done done);
+    void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                         Done done);
     template <class Value>
     [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback);
     void partStored(const StoredPart& part);
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);
+    /// Waits for the writer's answer: then `then`, then `done`.
+    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void()> then);
     void use(const std::string& partType);
     void rebuild();
     [[nodiscard]] std::optional<Sentence> whyBusy() const;
 
     Links m_links;
+    RecipeBook m_recipes;
+    StoredRecipeHistory m_history;
     Listeners<> m_listeners;
     MillingServiceView m_view{};
     std::map<std::string, PartType> m_types;

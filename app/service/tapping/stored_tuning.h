@@ -26,6 +26,13 @@ struct StoredTuning {
     std::string leftOutReason{}, leftOutAuthor{};
 };
 
+/// Who keeps a tuning and why; `restoredFrom`: the revision of its thread's recipe that comes back.
+struct TuningWords {
+    std::string author{};
+    std::string reason{};
+    std::optional<std::uint32_t> restoredFrom{};
+};
+
 /// Tunings that jobs may begin from, oldest first: not those that were left out.
 [[nodiscard]] std::vector<const StoredTuning*> standing(const std::vector<StoredTuning>& known);
 /// The newest record that leaves out a tuning which would serve this choice; null: none.

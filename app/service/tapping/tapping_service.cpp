@@ -232,8 +232,37 @@ Result<void> StoredTappingService::leaveOut(bool out, const std::string& author,
     word.leftOutReason = reason;
     word.leftOutAuthor = author;
     m_params.known.push_back(word);
-    if (m_params.store) m_params.store(word);
+    keep(word, {author, reason, {}});
     return load(m_view.choice, author);
+}
+
+void StoredTappingService::takeBack(const tapping::StoredTuning& tuning, std::uint32_t revision,
+                                    const std::string& author, const std::string& reason,
+                                    const RecipeHistory::Done& done) {
+    const auto answer = [&done](const Result<void>& result) {
+        if (done) done(result);
+    };
+    if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return answer(may);
+    if (const auto why = whyNotNow()) return answer(tl::unexpected(*why));
+    if (tuning.leftOut) {
+        return answer(
+            fail(KERF_TEXT("This revision leaves a tuning out or takes it in; it has no settings of its own.")));
+    }
+    if (!m_params.store) return answer(fail(KERF_TEXT("Nothing is stored here.")));
+    m_params.store(tuning, {author, reason, revision},
+                   [this, tuning, author, done, alive = std::weak_ptr<bool>(m_alive)](const Result<void>& stored) {
+                       if (alive.expired()) return;
+                       Result<void> result = stored;
+                       if (stored) {
+                           m_params.known.push_back(tuning);
+                           if (m_view.revision > 0) result = load(m_view.choice, author);
+                       }
+                       if (done) done(result);
+                   });
+}
+
+void StoredTappingService::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words) {
+    if (m_params.store) m_params.store(tuning, words, {});
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
@@ -410,7 +439,7 @@ void StoredTappingService::decided(const std::string& author, bool rolledBack) {
     m_view.proof = tuning.proof;
     m_params.known.push_back(tuning);
     showStored();
-    if (m_params.store) m_params.store(tuning);
+    keep(tuning, {author, rolledBack ? "rolled back" : "accepted", {}});
 }
 
 void StoredTappingService::rebuild() {

@@ -15,7 +15,8 @@ namespace kerf {
 
 /// The tapping service over tuning sessions on one engine. GUI thread; asking the tuner takes some milliseconds.
 ///
-/// It knows nothing of a database: tunings of earlier runs come in, accepted ones go out.
+/// It knows nothing of a database: tunings of earlier runs come in, accepted ones go out. A thread's tunings are the
+/// revisions of its recipe.
 class StoredTappingService final : public TappingService {
  public:
     struct Params {
@@ -23,8 +24,11 @@ class StoredTappingService final : public TappingService {
         tapping::DriveParams assumed{tapping::middlingDrive()};
         double abortOverAllowed{10.0};  ///< abort limit over the allowed peak-to-peak: an untuned drive must pass
         int maxTaps{8};
-        std::vector<tapping::StoredTuning> known{};                 ///< oldest first
-        std::function<void(const tapping::StoredTuning&)> store{};  ///< an accepted tuning; may be empty
+        std::vector<tapping::StoredTuning> known{};  ///< oldest first
+        /// Keeps a tuning for ever, as a revision of its thread's recipe; `done` may be empty. May be empty itself.
+        std::function<void(const tapping::StoredTuning&, const tapping::TuningWords&, RecipeHistory::Done done)>
+            store{};
+        RecipeHistory* recipes{nullptr};  ///< where they are; null: nowhere
         Rights rights{};
         /// A change that is no tuning: author, key of the deed, what; for the audit log. May be empty.
         std::function<void(const std::string& author, const char* key, const std::string& what)> note{};
@@ -36,6 +40,11 @@ class StoredTappingService final : public TappingService {
     [[nodiscard]] const std::vector<TapThreadView>& threads() const override { return m_threads; }
     [[nodiscard]] Result<void> load(const TapChoice& choice, const std::string& author) override;
     [[nodiscard]] Result<void> begin(const std::string& author, bool automatic) override;
+    [[nodiscard]] RecipeHistory* recipes() override { return m_params.recipes; }
+    /// A tuning of before, revision `revision` of its thread's recipe, is in force again: stored first, then loaded
+    /// where the present job is one that it serves. `done` is told of both.
+    void takeBack(const tapping::StoredTuning& tuning, std::uint32_t revision, const std::string& author,
+                  const std::string& reason, const RecipeHistory::Done& done);
     [[nodiscard]] Result<void> leaveOut(bool out, const std::string& author, const std::string& reason) override;
     void setAutomatic(bool automatic, const std::string& author) override;
     void oneMore(const std::string& author) override;
@@ -62,6 +71,7 @@ class StoredTappingService final : public TappingService {
     void refused(const Sentence& why);
     void note(const std::string& author, Deed deed, const std::string& what) const;
     void decided(const std::string& author, bool rolledBack);
+    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words);
 
     EngineApi& m_engine;
     TapExchange& m_exchange;
@@ -78,6 +88,7 @@ class StoredTappingService final : public TappingService {
     std::vector<std::uint32_t> m_sent{};
     std::string m_author{};
     TappingServiceView m_view{};
+    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };
 
 }  // namespace kerf

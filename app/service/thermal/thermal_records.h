@@ -19,7 +19,6 @@ inline constexpr const char* kShifts = "shift";
 inline constexpr const char* kGap = "gap";
 inline constexpr const char* kSession = "session";
 inline constexpr const char* kZero = "gap-zero";
-inline constexpr const char* kSetup = "setup";
 inline constexpr const char* kLearnt = "learnt";
 
 [[nodiscard]] std::string shiftsToJson(const std::vector<ThermalShiftRow>& rows);

@@ -14,6 +14,7 @@
 #include "app/service/thermal/thermal_records.h"
 #include "engine/process/thermal/plant/simulated_day.h"
 #include "engine/process/thermal/plant/simulated_elements.h"
+#include "engine/process/thermal/thermal_setup.h"
 
 namespace kerf {
 namespace {
@@ -29,6 +30,7 @@ constexpr std::int64_t kWriteEvery_ms = 10'000;
 constexpr std::int64_t kDay_ms = 12LL * 3600 * 1000;  ///< so old may be what was learnt of today
 constexpr double kSameZero_um = 1e-6;
 constexpr const char* kAuthor = "Kerf";
+constexpr const char* kNamelessMachine = "Machine";  // as migration 006 calls it
 constexpr const char* kBuiltInDays = "built-in:";
 constexpr const char* kFile = "file:";
 constexpr const char* kSession = "session:";
@@ -62,7 +64,12 @@ ThermalModelCard cardOf(const thermal::ThermalModel& model) {
 
 }  // namespace
 
-StoredThermalService::StoredThermalService(const Links& links, RoomRecordReader& reader) : m_links(links) {
+StoredThermalService::StoredThermalService(const Links& links, RoomRecordReader& reader, LotReader& lots)
+    : m_links(links),
+      m_recipes(m_links.writer, lots, ProcessId::Thermal),
+      m_history({m_recipes, [this] { return recipeName(); },
+                 [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                        RecipeHistory::Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
     const Capabilities& machine = m_links.engine.capabilities();
     m_view.sensors =
         m_links.sensors.empty() ? thermalSensors(machine.temperatureCount, machine.simulated) : m_links.sensors;
@@ -112,11 +119,28 @@ void StoredThermalService::load(RoomRecordReader& reader) {
     if (const auto rows = newest(records::kZero, 1); !rows.empty()) {
         m_keptZero = records::zeroFromJson(rows.front().bodyJson);
     }
-    if (const auto rows = newest(records::kSetup, 1); !rows.empty()) {
-        if (const auto setup = records::setupFromJson(rows.front().bodyJson)) m_view.setup = *setup;
-    }
-    if (m_view.setup.revision > 0) (void)send(LoadThermalSetup{m_view.setup});
+    loadSetup();
     if (m_keptZero) (void)send(LoadGapZero{*m_keptZero});
+}
+
+void StoredThermalService::loadSetup() {
+    const auto recipes = m_recipes.newest();
+    if (!recipes) {
+        m_view.storeProblem = recipes.error();
+    } else if (!recipes->empty()) {
+        if (const auto setup = records::setupFromJson(recipes->back().revision.parametersJson)) m_view.setup = *setup;
+    }
+    m_setupOwed = m_view.setup.revision > 0;
+    sendSetup();
+}
+
+void StoredThermalService::sendSetup() {
+    if (m_setupOwed) m_setupOwed = !send(LoadThermalSetup{m_view.setup}).has_value();
+}
+
+std::string StoredThermalService::recipeName() const {
+    const std::string machine(m_links.engine.capabilities().machineName.data());
+    return machine.empty() ? kNamelessMachine : machine;
 }
 
 void StoredThermalService::loadModels(RoomRecordReader& reader) {
@@ -315,14 +339,40 @@ Result<void> StoredThermalService::rollBack(const std::string& author) {
 
 Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author,
                                                const std::string& reason) {
+    return accept(setup, author, reason, std::nullopt, {});
+}
+
+void StoredThermalService::restoreRevision(const RecipeRevision& revision, const std::string& author,
+                                           const std::string& reason, RecipeHistory::Done done) {
+    const auto setup = records::setupFromJson(revision.parametersJson);
+    const Result<void> begun = setup
+                                   ? accept(*setup, author, reason, revision.revision, done)
+                                   : fail(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
+    if (!begun && done) done(begun);
+}
+
+Result<void> StoredThermalService::accept(const ThermalSetup& setup, const std::string& author,
+                                          const std::string& reason, std::optional<std::uint32_t> restoredFrom,
+                                          RecipeHistory::Done done) {
     const bool far = raisedFar(m_view.setup.maxShift_um, setup.maxShift_um);
     if (const auto may = permittedLimit(m_links.rights, author, Deed::ThermalLimits, reason, far); !may) return may;
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
-    if (const auto sent = send(LoadThermalSetup{next}); !sent) return sent;
-    m_view.setup = next;
-    keep(records::kSetup, records::setupToJson(next), author, reason);
-    changed();
+    if (const auto why = thermal::whyUnusable(next)) return tl::unexpected(*why);
+    m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kAuthor);
+    m_recipes.keep(
+        recipeName(), records::setupToJson(next), author, reason, restoredFrom,
+        [this, next, alive = std::weak_ptr<bool>(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
+            if (alive.expired()) return;
+            m_view.storeProblem = receipt ? Sentence{} : receipt.error();
+            if (receipt) {
+                m_view.setup = next;
+                m_setupOwed = true;
+                sendSetup();
+            }
+            changed();
+            if (done) done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
+        });
     return {};
 }
 
@@ -417,6 +467,7 @@ thermal::ThermalHistory StoredThermalService::sessionDay() const {
 
 void StoredThermalService::poll() {
     m_links.exchange.collect();
+    sendSetup();
     takeMinutes();
     takeLearnt();
     takeGap(m_links.engine.status().thermal);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/service/rights.h"
+#include "app/service/stored_recipe_history.h"
 #include "app/service/thermal/thermal_records.h"
 #include "app/service/thermal/thermal_trainer.h"
 #include "db/api/room_records.h"
@@ -18,9 +19,10 @@
 
 namespace kerf {
 
-/// The thermal service on the database: models, sessions, shifts and gap measurements are room records.
+/// The thermal service on the database: the limits are a recipe of the machine; models, sessions, shifts and gap
+/// measurements are room records.
 ///
-/// A model is stored first, then offered to the loop. On a simulated machine without a model one is trained on
+/// Limits and models are stored first, then given to the loop. On a simulated machine without a model one is trained on
 /// simulated days of it, so that the loop has something to work with; a real machine starts with none. GUI thread only;
 /// training runs on its own worker.
 class StoredThermalService final : public ThermalService {
@@ -36,8 +38,8 @@ class StoredThermalService final : public ThermalService {
         Rights rights{};
         std::vector<ThermalSensorView> sensors{};  ///< of the machine's sensor file; empty: those of the machine itself
     };
-    /// Loads what was kept and offers the live model. `reader` is used here only; the other links outlive the service.
-    StoredThermalService(const Links& links, RoomRecordReader& reader);
+    /// Loads what was kept and offers the live model. `reader` is used here only; the others outlive the service.
+    StoredThermalService(const Links& links, RoomRecordReader& reader, LotReader& lots);
 
     [[nodiscard]] const ThermalServiceView& view() const override { return m_view; }
     [[nodiscard]] std::vector<std::pair<double, double>> temperatures(std::size_t sensor) const override;
@@ -47,6 +49,7 @@ class StoredThermalService final : public ThermalService {
     void cancelTraining() override { m_trainer.cancel(); }
     [[nodiscard]] Result<void> goLive(const std::string& author) override;
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
+    [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
     [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
                                            const std::string& reason) override;
     [[nodiscard]] Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
@@ -64,6 +67,14 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] bool builtInHeat() const;
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
+    void loadSetup();
+    /// Checked, stored as a revision of the recipe, then sent. `done`, when it is given, is told of the store as well.
+    [[nodiscard]] Result<void> accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                                      std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done);
+    void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                         RecipeHistory::Done done);
+    [[nodiscard]] std::string recipeName() const;
+    void sendSetup();
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,
               std::function<void()> stored = {});
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
@@ -80,6 +91,8 @@ class StoredThermalService final : public ThermalService {
     void changed() { ++m_view.revision; }
 
     Links m_links;
+    RecipeBook m_recipes;
+    StoredRecipeHistory m_history;
     ThermalServiceView m_view{};
     std::shared_ptr<std::vector<std::string>>
         m_trainingNotes{};  ///< what was left out of the days; written by the worker
@@ -99,6 +112,7 @@ class StoredThermalService final : public ThermalService {
     std::uint32_t m_modelNumber{0};
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};
+    bool m_setupOwed{false};  ///< the engine has yet to be told
     std::optional<std::array<double, kAxisCount>> m_keptZero{};
     std::vector<thermal_records::Learnt> m_recalled{};  ///< of this day, from before this start; oldest first
     bool m_firstModel{false};  ///< the training under way is that of the first start: goes live by itself

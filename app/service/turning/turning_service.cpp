@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::size_t kPartsShown = 25;
 constexpr const char* kAuthor = "Kerf";
-constexpr const char* kSetup = "setup";
 constexpr const char* kController = "controller";
 constexpr const char* kPart = "part";
 constexpr double kHighestShown_Hz = 420.0;
@@ -61,7 +60,12 @@ bool isClosed(const TurningPartView& part) {
 }
 }  // namespace
 
-StoredTurningService::StoredTurningService(const Links& links) : m_links(links) {
+StoredTurningService::StoredTurningService(const Links& links)
+    : m_links(links),
+      m_recipes(m_links.writer, m_links.lots, ProcessId::Turning),
+      m_history({m_recipes, [] { return std::string(kPartType); },
+                 [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
     m_view.setup.revision = 1;
     restore();
     recall();
@@ -78,8 +82,8 @@ StoredTurningService::StoredTurningService(const Links& links) : m_links(links) 
 StoredTurningService::~StoredTurningService() = default;
 
 void StoredTurningService::restore() {
-    if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kSetup, {}, 1); rows && !rows->empty()) {
-        if (const auto setup = turningSetupFrom(rows->front().bodyJson)) {
+    if (const auto recipes = m_recipes.newest(); recipes && !recipes->empty()) {
+        if (const auto setup = turningSetupFrom(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
         }
     }
@@ -131,8 +135,12 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
     record.bodyJson = std::move(json);
     record.author = author;
     record.reason = reason;
-    m_links.writer.submit(record, [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
-                                   stored = std::move(stored)](const Result<Receipt>& receipt) {
+    m_links.writer.submit(record, answered(std::move(done), std::move(stored)));
+}
+
+StoreWriter::Done StoredTurningService::answered(Done done, std::function<void()> stored) const {
+    return [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
+            stored = std::move(stored)](const Result<Receipt>& receipt) {
         if (alive.expired()) {
             return;
         }
@@ -142,11 +150,26 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
         if (done) {
             done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
         }
-    });
+    };
 }
 
 void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,
                                      Done done) {
+    accept(setup, author, reason, std::nullopt, std::move(done));
+}
+
+void StoredTurningService::restoreRevision(const RecipeRevision& revision, const std::string& author,
+                                           const std::string& reason, Done done) {
+    if (const auto setup = turningSetupFrom(revision.parametersJson)) {
+        return accept(*setup, author, reason, revision.revision, std::move(done));
+    }
+    if (done) {
+        done(fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
+    }
+}
+
+void StoredTurningService::accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
+                                  std::optional<std::uint32_t> restoredFrom, Done done) {
     if (const auto why = turning::whyUnusable(setup)) {
         if (done) {
             done(tl::unexpected(*why));
@@ -164,14 +187,15 @@ void StoredTurningService::loadSetup(const TurningSetup& setup, const std::strin
     }
     TurningSetup next = setup;
     next.revision = m_view.setup.revision + 1;
-    store(kSetup, {}, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, std::move(done),
-          [this, next] {
-              m_view.setup = next;
-              recall();
-              (void)followBlindTones(m_links.engine.status());
-              send();
-              changed();
-          });
+    m_recipes.begin(kPartType, turningSetupJson(m_view.setup), kAuthor);
+    m_recipes.keep(kPartType, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, restoredFrom,
+                   answered(std::move(done), [this, next] {
+                       m_view.setup = next;
+                       recall();
+                       (void)followBlindTones(m_links.engine.status());
+                       send();
+                       changed();
+                   }));
 }
 
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {

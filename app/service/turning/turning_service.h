@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/service/rights.h"
+#include "app/service/stored_recipe_history.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
@@ -17,8 +18,8 @@
 
 namespace kerf {
 
-/// The turning service on the database: setup, controller and every part are kept as room records ("setup",
-/// "controller", "part"), stored first and then sent to the engine. A restart reads them again and goes on where it
+/// The turning service on the database: the setup is a recipe, controller and every part are room records
+/// ("controller", "part"); stored first and then sent to the engine. A restart reads them again and goes on where it
 /// was: the next part begins with the process and the tones of the stored ones (turning_memory.h).
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
@@ -29,8 +30,11 @@ class StoredTurningService final : public TurningService {
         EngineApi& engine;
         TurningExchange& exchange;
         RoomRecordReader& reader;
+        LotReader& lots;
         Rights rights{};
     };
+    static constexpr const char* kPartType = "Face";
+
     /// Reads what was kept and sends the engine its setup with the next poll(). Links must outlive the service.
     explicit StoredTurningService(const Links& links);
     ~StoredTurningService() override;
@@ -43,6 +47,7 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] std::optional<Sentence> whyUnusable(const TurningSetup& setup) const override;
     [[nodiscard]] Result<double> overlap(double toolRadius_um, double depth_um, double feed_umPerRev) const override;
     void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason, Done done) override;
+    [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
     void setController(TurningController controller, const std::string& author, Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
@@ -74,6 +79,12 @@ class StoredTurningService final : public TurningService {
     };
 
     void restore();
+    /// Checked, stored as a revision of the recipe, then sent.
+    void accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
+                std::optional<std::uint32_t> restoredFrom, Done done);
+    void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
+                         Done done);
+    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void()> stored) const;
     void store(const char* kind, std::string subject, std::string json, const std::string& author,
                const std::string& reason, Done done, std::function<void()> stored);
     void send();
@@ -88,6 +99,8 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] static TurningMargins computeMargins(const MarginBasis& basis);
 
     Links m_links;
+    RecipeBook m_recipes;
+    StoredRecipeHistory m_history;
     TurningServiceView m_view{};
     std::uint32_t m_sentSetup{0};
     std::optional<TurningController> m_sentController{};

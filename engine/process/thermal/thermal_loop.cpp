@@ -8,6 +8,7 @@
 #include "engine/cycle/event_sink.h"
 #include "engine/process/thermal/compensation.h"
 #include "engine/process/thermal/thermal_alarms.h"
+#include "engine/process/thermal/thermal_setup.h"
 #include "engine/process/thermal/thermal_words.h"
 #include "engine/process/thermal/warm_up.h"
 
@@ -19,13 +20,6 @@ constexpr double kForecast_min = 10.0;
 constexpr double kShiftTolerance_um = 1.0;
 constexpr int kMissesUntilAlarm = 2;
 constexpr int kTicksUntilShifted = 2;
-
-bool usable(const ThermalSetup& setup) {
-    const auto inRange = [](double value, double low, double high) { return value >= low && value <= high; };
-    return setup.revision > 0 && inRange(setup.period_min, 0.1, 60.0) && inRange(setup.allowed_um, 0.1, 100.0) &&
-           inRange(setup.maxShift_um, 1.0, 200.0) && inRange(setup.maxStep_umPerMin, 1.0, 60.0) &&
-           inRange(setup.warmUpSpeed_rpm, 100.0, 30'000.0) && inRange(setup.warmUp_min, 1.0, 120.0);
-}
 
 }  // namespace
 
@@ -40,9 +34,8 @@ std::span<const AlarmSpec> ThermalLoop::alarms() const noexcept {
 
 CommandResult ThermalLoop::handle(const Command& command) noexcept {
     if (const auto* load = std::get_if<LoadThermalSetup>(&command.action)) {
-        if (!usable(load->setup)) {
-            return CommandResult::refused(
-                Sentence(KERF_TEXT("The thermal setup has a value outside its range; the last one stays.")));
+        if (const auto why = thermal::whyUnusable(load->setup)) {
+            return CommandResult::refused(*why);
         }
         m_setup = load->setup;
         return CommandResult::ok();

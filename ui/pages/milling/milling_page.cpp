@@ -3,7 +3,9 @@
 
 #include <QDir>
 #include <QPointer>
+#include <algorithm>
 
+#include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/pages/milling/blank_form.h"
@@ -53,8 +55,16 @@ void MillingPage::build() {
     };
     const auto author = [this] { return context().session.author(); };
     m_setup = add("millingSetup", [this, author] {
-        context().withOperator(
-            [this, author] { MillingSetupForm::open(context().sheets, look(), *m_service, author); });
+        context().withOperator([this, author] {
+            MillingSetupForm::open(context().sheets, look(), *m_service, author);
+            offerRecipeSheet(context(), m_service->recipes(), Deed::MillingSetup,
+                             [this](const std::string& key) -> const ParamSpec* {
+                                 const auto fields = m_service->fields();
+                                 const auto found = std::ranges::find_if(
+                                     fields, [&key](const MillingField& field) { return key == field.spec.key; });
+                                 return found == fields.end() ? nullptr : &found->spec;
+                             });
+        });
     });
     m_blank = add("millingBlank", [this, author] {
         context().withOperator([this, author] {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
@@ -91,6 +92,7 @@ void TappingPage::connectActions() {
     connect(m_actions, &TapActions::jobRequested, this, [this] {
         context().withPermission(Deed::TappingJob, [this] {
             JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
+            offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning);
         });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {

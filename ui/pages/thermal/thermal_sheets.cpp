@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "engine/core/param_spec.h"
+#include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/pages/thermal/error_map.h"
 #include "ui/pages/thermal/thermal_texts.h"
@@ -518,6 +519,7 @@ void ThermalSheets::openLimits() {
                        return m_service.changeSetup(next, author, why);
                    });
     });
+    offerRecipeSheet(m_context, m_service.recipes(), Deed::ThermalLimits);
 }
 
 }  // namespace kerf::ui

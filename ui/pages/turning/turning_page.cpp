@@ -5,7 +5,9 @@
 #include <QLabel>
 #include <QPointer>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/pages/turning/comparison_panel.h"
 #include "ui/pages/turning/force_panel.h"
@@ -143,6 +145,12 @@ void TurningPage::onStatus(const Status& status) {
 void TurningPage::openSetup(const TurningSetup& setup) {
     TurningSetupForm::open(
         context().sheets, look(), *m_service, [this] { return context().session.author(); }, setup, context().notify);
+    offerRecipeSheet(
+        context(), m_service->recipes(), Deed::TurningSetup, [this](const std::string& key) -> const ParamSpec* {
+            const auto specs = m_service->setupSpecs();
+            const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
+            return found == specs.end() ? nullptr : &*found;
+        });
 }
 
 void TurningPage::setController(TurningController controller) {

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/recipe_sheet.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QScroller>
+#include <QTableWidget>
+#include <algorithm>
+
+#include "ui/dialogs/sheet.h"
+#include "ui/link/texts.h"
+#include "ui/services/recipe_history.h"
+#include "ui/shell/page.h"
+#include "ui/theme/particles.h"
+#include "ui/widgets/action_button.h"
+#include "ui/widgets/label.h"
+
+namespace kerf::ui {
+namespace {
+
+struct Revisions {
+    Q_DECLARE_TR_FUNCTIONS(Revisions)
+};
+
+constexpr std::size_t kChangesShown = 8;
+
+/// A place in a list, such as a point of a curve.
+bool inList(const RecipeChangeView& change) {
+    const QStringList path = QString::fromStdString(change.key).split(u'.');
+    return std::ranges::any_of(path, [](const QString& name) {
+        return !name.isEmpty() && std::ranges::all_of(name, [](QChar c) { return c.isDigit(); });
+    });
+}
+
+QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSystem& units) {
+    if (stored.empty()) {
+        return QStringLiteral("–");
+    }
+    bool isNumber = false;
+    const double value = QString::fromStdString(stored).toDouble(&isNumber);
+    return spec != nullptr && isNumber ? units.withUnit(value, spec->unit, spec->decimals)
+                                       : QString::fromStdString(stored);
+}
+
+QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf& specOf, const UnitSystem& units) {
+    std::ranges::stable_partition(changes, [](const RecipeChangeView& change) { return !inList(change); });
+    QStringList lines;
+    for (std::size_t i = 0; i < changes.size() && i < kChangesShown; ++i) {
+        const RecipeChangeView& change = changes[i];
+        const ParamSpec* spec = specOf ? specOf(change.key) : nullptr;
+        lines << QStringLiteral("%1: %2 → %3")
+                     .arg(spec != nullptr ? engineText(spec->label) : QString::fromStdString(change.key),
+                          valueText(change.before, spec, units), valueText(change.after, spec, units));
+    }
+    if (changes.size() > kChangesShown) {
+        lines << Revisions::tr("and %1 more values").arg(changes.size() - kChangesShown);
+    }
+    return lines.isEmpty() ? Revisions::tr("The same values as now.") : lines.join(u'\n');
+}
+
+QTableWidget* makeTable(Look& look, const std::vector<RecipeRevisionView>& known, QWidget* parent) {
+    auto* table = new QTableWidget(static_cast<int>(known.size()), 3, parent);
+    table->setObjectName(QStringLiteral("recipeRevisions"));
+    table->setHorizontalHeaderLabels({Revisions::tr("Rev."), Revisions::tr("When, by"), Revisions::tr("Why")});
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(look.metrics().touch());
+    table->setShowGrid(false);
+    QScroller::grabGesture(table->viewport(), QScroller::TouchGesture);
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const RecipeRevisionView& one = known[static_cast<std::size_t>(row)];
+        const QString when =
+            QDateTime::fromMSecsSinceEpoch(one.createdUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+        const QString why = one.restoredFrom ? withParticles(Revisions::tr("back to %1: %2", "revision, reason")
+                                                                 .arg(*one.restoredFrom)
+                                                                 .arg(QString::fromStdString(one.reason)))
+                                             : QString::fromStdString(one.reason);
+        const QStringList cells{QString::number(one.revision), when + u' ' + QString::fromStdString(one.author), why};
+        for (int column = 0; column < cells.size(); ++column) {
+            table->setItem(row, column, new QTableWidgetItem(cells[column]));
+        }
+    }
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
+    return table;
+}
+
+}  // namespace
+
+void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf) {
+    Look& look = context.look;
+    const auto read = history.revisions();
+    const std::vector<RecipeRevisionView> known = read ? *read : std::vector<RecipeRevisionView>{};
+    Sheet* sheet =
+        context.sheets.open(Revisions::tr("Revisions of %1").arg(QString::fromStdString(history.partType())),
+                            !read           ? sentenceText(read.error(), look.units())
+                            : known.empty() ? Revisions::tr("Nothing was changed yet.")
+                                            : Revisions::tr("The first one holds. Touch an older one to compare it."));
+    sheet->setWide();
+    QTableWidget* table = makeTable(look, known, sheet);
+    auto* difference = makeLabel(TextRole::Body, sheet, true);
+    difference->setObjectName(QStringLiteral("recipeDifference"));
+    auto* reason = new QLineEdit(sheet);
+    reason->setObjectName(QStringLiteral("recipeReason"));
+    reason->setPlaceholderText(Revisions::tr("Reason for the change"));
+    reason->setMinimumHeight(look.metrics().touch());
+    auto* message = makeLabel(TextRole::Body, sheet, true);
+    message->setObjectName(QStringLiteral("recipeMessage"));
+    auto* restore = new ActionButton(look);
+    restore->setObjectName(QStringLiteral("recipeRestore"));
+    restore->setText(Revisions::tr("Roll back to it"));
+    const auto chosen = [table, known]() -> const RecipeRevisionView* {
+        const int row = table->currentRow();
+        return row > 0 && row < static_cast<int>(known.size()) ? &known[static_cast<std::size_t>(row)] : nullptr;
+    };
+    restore->setPredicate([chosen, reason] {
+        return chosen() == nullptr                  ? Revisions::tr("touch an older revision")
+               : reason->text().trimmed().isEmpty() ? Revisions::tr("give a reason")
+                                                    : QString();
+    });
+    allowOnly(restore, context.session, deed);
+    QObject::connect(reason, &QLineEdit::textChanged, restore, [restore] { restore->reconsider(); });
+    QObject::connect(table, &QTableWidget::itemSelectionChanged, restore,
+                     [chosen, known, difference, restore, &history, specOf, &look] {
+                         restore->reconsider();
+                         const RecipeRevisionView* one = chosen();
+                         if (one == nullptr) {
+                             return difference->clear();
+                         }
+                         const auto changes = history.compare(known.front().revision, one->revision);
+                         difference->setText(changes ? differenceText(*changes, specOf, look.units())
+                                                     : sentenceText(changes.error(), look.units()));
+                     });
+    sheet->body()->addWidget(table, 1);
+    sheet->body()->addWidget(difference);
+    sheet->body()->addWidget(reason);
+    sheet->body()->addWidget(message);
+    sheet->addButton(Revisions::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    const auto answered = [context, open = QPointer<Sheet>(sheet), message = QPointer<QLabel>(message), &history, deed,
+                           specOf](const Result<void>& done) {
+        if (!done && message) {
+            message->setText(sentenceText(done.error(), context.look.units()));
+        } else if (done && open) {
+            context.notify(Revisions::tr("The revision is back."));
+            openRecipeSheet(context, history, deed, specOf);
+        }
+    };
+    sheet->addButton(
+        restore,
+        [context, &history, deed, chosen, reason, answered] {
+            const RecipeRevisionView* one = chosen();
+            if (one == nullptr) {
+                return;
+            }
+            context.withPermission(
+                deed, [context, &history, revision = one->revision, why = reason->text().trimmed().toStdString(),
+                       answered] { history.restore(revision, context.session.author(), why, answered); });
+        },
+        false);
+}
+
+void offerRecipeSheet(const PageContext& context, RecipeHistory* history, Deed deed, const RecipeSpecOf& specOf) {
+    Sheet* sheet = context.sheets.current();
+    if (history == nullptr || sheet == nullptr) {
+        return;
+    }
+    QPushButton* button = sheet->addButton(
+        Revisions::tr("Earlier revisions"),
+        [context, history, deed, specOf] { openRecipeSheet(context, *history, deed, specOf); }, false);
+    button->setObjectName(QStringLiteral("recipeHistory"));
+}
+
+}  // namespace kerf::ui
