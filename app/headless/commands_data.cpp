@@ -98,6 +98,7 @@ void exportTable(const DataOptions& options) {
         : options.table == "measurements" ? exportMeasurements(*reader, query, sink, format)
         : options.table == "figures"      ? exportFigures(*reader, query, sink, format, verdictOf)
         : options.table == "feed"         ? exportFeed(*reader, query, sink, format)
+        : options.table == "recipes"      ? exportRecipes(*reader, query.process, sink, format)
                                           : exportAudit(*reader, sink, format);
     if (!rows) {
         throw BadInput(fmt::format("{}: {}", path, rows.error().english()));
@@ -202,10 +203,10 @@ void addDataCommands(CLI::App& kerf) {
     CLI::App* exporting = add("export", "A table as CSV on stdout, oldest first", exportTable);
     exporting
         ->add_option("table", options->table,
-                     "parts, bores, measurements, figures, feed or audit; kerf boring replay reads bores")
+                     "parts, bores, measurements, figures, feed, recipes or audit; kerf boring replay reads bores")
         ->required()
-        ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "audit"}));
-    exporting->add_option("--process", options->process, "Only parts of this process")
+        ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "recipes", "audit"}));
+    exporting->add_option("--process", options->process, "Only parts, or recipes, of this process")
         ->check(CLI::IsMember(processKeys()));
     exporting->add_option("--search", options->text,
                           "Only parts whose serial number begins with, or whose lot or part type contains this text");

@@ -286,6 +286,34 @@ Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, con
     });
 }
 
+Result<std::uint64_t> exportRecipes(LotReader& reader, std::optional<ProcessId> process, const CsvSink& sink,
+                                    const CsvFormat& format) {
+    Lines lines("revision_id,process,part_type,revision,restored_from,author,reason,created_utc,parameters",
+                ",created_local", sink, format);
+    const auto types = reader.partTypes(process);
+    if (!types) {
+        return tl::unexpected<Sentence>(types.error());
+    }
+    std::vector<std::pair<RecipeRevision, const PartTypeRow*>> rows;
+    for (const PartTypeRow& type : *types) {
+        auto revisions = reader.recipes(type.id);
+        if (!revisions) {
+            return tl::unexpected<Sentence>(revisions.error());
+        }
+        for (RecipeRevision& revision : *revisions) {
+            rows.emplace_back(std::move(revision), &type);
+        }
+    }
+    std::ranges::sort(rows, {}, [](const auto& row) { return row.first.id; });
+    for (const auto& [row, type] : rows) {
+        lines.add(row.id, processKey(type->process), type->name, row.revision,
+                  row.restoredFrom ? std::to_string(*row.restoredFrom) : std::string(), row.author, row.reason,
+                  isoTime(row.createdUtc_ms), row.parametersJson);
+        lines.end({row.createdUtc_ms});
+    }
+    return lines.flush() ? Result<std::uint64_t>(lines.rows()) : stopped();
+}
+
 Result<std::uint64_t> exportAudit(AuditReader& reader, const CsvSink& sink, const CsvFormat& format) {
     Lines lines("id,utc,author,action,object,object_id,old_value,new_value,reason,previous_hash,hash", ",local", sink,
                 format);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "db/api/audit_reader.h"
+#include "db/api/lot_reader.h"
 #include "db/api/part_reader.h"
 
 /// Tables as CSV for other programs: RFC 4180, UTF-8, '.' and shortest digits unless asked otherwise, stored units
@@ -66,6 +67,11 @@ using FeedAt = std::function<std::optional<double>(const PartDetail&, double ove
 /// scheduled_feed_mm_per_rev, cut_feed_mm_per_rev.
 [[nodiscard]] Result<std::uint64_t> exportFeed(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                                const CsvFormat& format = {});
+
+/// Every revision of every recipe, of one process or of all: revision_id, process, part_type, revision, restored_from,
+/// author, reason, created_utc, parameters (JSON).
+[[nodiscard]] Result<std::uint64_t> exportRecipes(LotReader& reader, std::optional<ProcessId> process,
+                                                  const CsvSink& sink, const CsvFormat& format = {});
 
 /// The audit log with its hashes: id, utc, author, action, object, object_id, old_value, new_value, reason,
 /// previous_hash, hash.

@@ -59,6 +59,25 @@ class TestExport : public QObject {
             QCOMPARE(lines[i].split(u',')[4].toInt(), i);
         }
     }
+    void recipesComeOutWithEveryRevision() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        (void)shop.must(
+            KeepRecipe{ProcessId::Milling, "Rail", R"({"milling.reference_n":333.3})", "Lee", "soft, thin", {}});
+        (void)shop.must(KeepRecipe{ProcessId::Milling, "Rail", R"({"milling.reference_n":300})", "Kim", "softer", {}});
+        (void)shop.must(KeepRecipe{ProcessId::Milling, "Rail", R"({"milling.reference_n":333.3})", "Lee", "back", 1});
+        const auto reader = shop.reader();
+        const auto lines = collected([&](const CsvSink& sink) {
+                               return exportRecipes(*reader, ProcessId::Milling, sink);
+                           }).split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 4);
+        QVERIFY(lines[1].startsWith("2,milling,Rail,1,,Lee,\"soft, thin\","));
+        QVERIFY(lines[1].endsWith(R"("{""milling.reference_n"":333.3}")"));
+        QVERIFY(lines[3].startsWith("4,milling,Rail,3,1,Lee,back,"));
+        QVERIFY(collected([&](const CsvSink& sink) {
+                    return exportRecipes(*reader, std::nullopt, sink);
+                }).contains("1,boring,Sleeve 50,1,,Lee,part type created,"));
+    }
     void sinkCanStopTheExport() {
         test::ScratchDatabase scratch;
         test::Shop shop(scratch.path());
