@@ -163,8 +163,8 @@ class TestConsoleMilling : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(enabled("millingSetup"), 5'000);
         QVERIFY(m_bench->press("millingSetup"));
         QVERIFY(m_bench->press("recipeHistory"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench->find<QTableWidget>("recipeRevisions") != nullptr, 5'000);
         auto* revisions = m_bench->find<QTableWidget>("recipeRevisions");
-        QVERIFY(revisions != nullptr);
         QCOMPARE(revisions->rowCount(), 2);
         QVERIFY(!enabled("recipeRestore"));
         revisions->selectRow(1);
@@ -176,7 +176,8 @@ class TestConsoleMilling : public QObject {
         QVERIFY(m_bench->press("recipeRestore"));
         QTRY_COMPARE_WITH_TIMEOUT(milling().reference_N, before_N, 10'000);
         QTRY_COMPARE_WITH_TIMEOUT(setups(), std::size_t{3}, 10'000);
-        QTRY_COMPARE(m_bench->find<QTableWidget>("recipeRevisions")->rowCount(), 3);
+        QTRY_VERIFY(m_bench->find<QTableWidget>("recipeRevisions") != nullptr &&
+                    m_bench->find<QTableWidget>("recipeRevisions")->rowCount() == 3);
         QVERIFY(m_bench->press("sheetSafe"));
     }
     void anUnpluggedForceNeverMeansFaster() {
