@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "ui/dialogs/sheet.h"
+#include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
 #include "ui/services/recipe_history.h"
 #include "ui/shell/page.h"
@@ -80,8 +81,8 @@ QTableWidget* makeTable(Look& look, const std::vector<RecipeRevisionView>& known
             QDateTime::fromMSecsSinceEpoch(one.createdUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
         const QString why = one.restoredFrom ? withParticles(Revisions::tr("back to %1: %2", "revision, reason")
                                                                  .arg(*one.restoredFrom)
-                                                                 .arg(QString::fromStdString(one.reason)))
-                                             : QString::fromStdString(one.reason);
+                                                                 .arg(reasonText(one.reason)))
+                                             : reasonText(one.reason);
         const QStringList cells{QString::number(one.revision), when + u' ' + QString::fromStdString(one.author), why};
         for (int column = 0; column < cells.size(); ++column) {
             table->setItem(row, column, new QTableWidgetItem(cells[column]));
@@ -143,12 +144,17 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
     sheet->body()->addWidget(reason);
     sheet->body()->addWidget(message);
     sheet->addButton(Revisions::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    // It may come when another sheet is open: then only the bottom line says so.
     const auto answered = [context, open = QPointer<Sheet>(sheet), message = QPointer<QLabel>(message), &history, deed,
                            specOf](const Result<void>& done) {
-        if (!done && message) {
-            message->setText(sentenceText(done.error(), context.look.units()));
-        } else if (done && open) {
-            context.notify(Revisions::tr("The revision is back."));
+        const QString words =
+            done ? Revisions::tr("The revision is back.") : sentenceText(done.error(), context.look.units());
+        if (!context.sheets.isOpen(open)) {
+            context.notify(words);
+        } else if (!done) {
+            message->setText(words);
+        } else {
+            context.notify(words);
             openRecipeSheet(context, history, deed, specOf);
         }
     };
