@@ -9,10 +9,17 @@ namespace kerf::boring {
 namespace {
 
 constexpr int kMaxDepths = static_cast<int>(kMaxBoreDepths);
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxDepths, 1>;
-using Design = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMaxDepths, 3>;
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxDepths, kMaxDepths>;
-using Gain = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxDepths>;
+
+/// Shapes of an update with `Depths` bores. The usual two are known to the compiler, which then unrolls; sums keep
+/// their order, so that the digits are those of the general shape (other sizes would not).
+template <int Depths>
+struct Shape {
+    static constexpr int kMost = Depths == Eigen::Dynamic ? kMaxDepths : Depths;
+    using Vector = Eigen::Matrix<double, Depths, 1, 0, kMost, 1>;
+    using Design = Eigen::Matrix<double, Depths, 3, 0, kMost, 3>;
+    using Square = Eigen::Matrix<double, Depths, Depths, 0, kMost, kMost>;
+    using Gain = Eigen::Matrix<double, 3, Depths, 0, 3, kMost>;
+};
 
 constexpr std::array<double, kMaxBoreDepths> kChiSquare{13.831084, 17.034386, 19.656116, 22.004581,
                                                         24.185464, 26.249856, 28.227094, 30.135882};
@@ -36,13 +43,17 @@ struct Posterior {
 };
 
 /// The part's bores as the update needs them.
+template <int Depths>
 struct Bores {
-    Design x;
-    Vector d_mm;
+    typename Shape<Depths>::Design x;
+    typename Shape<Depths>::Vector d_mm;
 };
 
-Bores boresOf(const PartVisit& visit) noexcept {
-    Bores bores{Design(visit.count, 3), Vector(visit.count)};
+template <int Depths>
+Bores<Depths> boresOf(const PartVisit& visit) noexcept {
+    Bores<Depths> bores;
+    bores.x.resize(visit.count, 3);
+    bores.d_mm.resize(visit.count);
     for (Eigen::Index i = 0; i < visit.count; ++i) {
         const Measurement& m = visit.rows[static_cast<std::size_t>(i)];
         bores.x.row(i) << 1.0, std::log(m.feed_mmPerRev), std::log(m.overhang_mm);
@@ -51,8 +62,19 @@ Bores boresOf(const PartVisit& visit) noexcept {
     return bores;
 }
 
-Vector predicted_mm(const Bores& bores, const Eigen::Vector3d& theta) noexcept {
-    return (bores.x * theta).array().min(kLargestLnD).exp().matrix();
+/// x θ.
+template <int Depths>
+typename Shape<Depths>::Vector along(const Bores<Depths>& bores, const Eigen::Vector3d& theta) noexcept {
+    if constexpr (Depths == Eigen::Dynamic) {
+        return bores.x * theta;
+    } else {  // the same sum in the same order
+        return bores.x.col(0) * theta(0) + bores.x.col(1) * theta(1) + bores.x.col(2) * theta(2);
+    }
+}
+
+template <int Depths>
+typename Shape<Depths>::Vector predicted_mm(const Bores<Depths>& bores, const Eigen::Vector3d& theta) noexcept {
+    return along(bores, theta).array().min(kLargestLnD).exp().matrix();
 }
 
 /// From centred (level, α, β) to (ln C, α, β).
@@ -88,16 +110,31 @@ Eigen::Matrix3d bounded(const Eigen::Matrix3d& p, const KalmanParams::Spread& ce
 /// What is wanted of an update: the test for a change needs no covariance.
 enum class Wanted : std::uint8_t { Cost, Everything };
 
+/// rest P restᵀ + r K Kᵀ.
+template <int Depths>
+Eigen::Matrix3d josephForm(const Eigen::Matrix3d& rest, const Eigen::Matrix3d& p,
+                           const typename Shape<Depths>::Gain& gain, double r) noexcept {
+    if constexpr (Depths == Eigen::Dynamic) {
+        return rest * p * rest.transpose() + r * gain * gain.transpose();
+    } else {
+        Eigen::Matrix3d sum = rest * p * rest.transpose();
+        sum += r * gain.lazyProduct(gain.transpose());
+        return sum;
+    }
+}
+
 /// The most probable θ given a prior and the bores, its covariance (Joseph form) and how well both agree.
-template <Wanted W = Wanted::Everything>
-Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) noexcept {
+template <Wanted W = Wanted::Everything, int Depths>
+Posterior posterior(const Gaussian& prior, const Bores<Depths>& bores, double sigma_mm) noexcept {
+    using Vector = typename Shape<Depths>::Vector;
+    using Square = typename Shape<Depths>::Square;
     const double r = sigma_mm * sigma_mm;
     const Eigen::LDLT<Eigen::Matrix3d> priorInverse(prior.p);
     const auto costOf = [&](const Eigen::Vector3d& theta, const Vector& dHat_mm) {
         const Eigen::Vector3d delta = theta - prior.mean;
         return delta.dot(priorInverse.solve(delta)) + (bores.d_mm - dHat_mm).squaredNorm() / r;
     };
-    Design h;
+    typename Shape<Depths>::Design h;
     Eigen::LLT<Square> innovation;
     const auto linearise = [&](const Vector& dHat_mm) {
         h = dHat_mm.asDiagonal() * bores.x;
@@ -108,7 +145,7 @@ Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) 
 
     // First step in ln d, about the measured values themselves: right at once after a large change.
     Vector dHat_mm = bores.d_mm.cwiseMax(sigma_mm);
-    Vector z = dHat_mm.cwiseProduct(dHat_mm.array().log().matrix() - bores.x * prior.mean);
+    Vector z = dHat_mm.cwiseProduct(dHat_mm.array().log().matrix() - along(bores, prior.mean));
     Eigen::Vector3d theta = prior.mean;
     double cost = 0.0;
     for (int step = 0; step < kMaxSteps; ++step) {
@@ -124,11 +161,11 @@ Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) 
         if (step > 0 && nextCost > cost) {
             break;
         }
-        const double moved = (bores.x * (next - theta)).cwiseAbs().maxCoeff();
+        const double moved = along<Depths>(bores, next - theta).cwiseAbs().maxCoeff();
         theta = next;
         cost = nextCost;
         dHat_mm = nextD_mm;
-        z = bores.d_mm - dHat_mm + dHat_mm.asDiagonal() * (bores.x * (theta - prior.mean));
+        z = bores.d_mm - dHat_mm + dHat_mm.asDiagonal() * along<Depths>(bores, theta - prior.mean);
         if (step > 0 && moved < kSmallStep) {
             break;
         }
@@ -137,13 +174,13 @@ Posterior posterior(const Gaussian& prior, const Bores& bores, double sigma_mm) 
         return {prior, cost, 0.0};
     }
     linearise(dHat_mm);
-    const Gain gain = innovation.solve(h * prior.p).transpose();
+    const typename Shape<Depths>::Gain gain = innovation.solve(h * prior.p).transpose();
     const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - gain * h;
     double lnDeterminant = 0.0;
     for (Eigen::Index i = 0; i < bores.d_mm.size(); ++i) {
         lnDeterminant += 2.0 * std::log(innovation.matrixLLT()(i, i));
     }
-    const Eigen::Matrix3d p = rest * prior.p * rest.transpose() + r * gain * gain.transpose();
+    const Eigen::Matrix3d p = josephForm<Depths>(rest, prior.p, gain, r);
     return {{theta, 0.5 * (p + p.transpose())}, cost, -0.5 * (cost + lnDeterminant)};
 }
 
@@ -189,7 +226,8 @@ Prediction predictionOf(const KalmanState& before, const KalmanParams& params, s
 }
 
 /// `before` with the working point of a part's bores.
-KalmanState pointOf(const KalmanState& before, const PartVisit& visit, const Bores& bores) noexcept {
+template <int Depths>
+KalmanState pointOf(const KalmanState& before, const PartVisit& visit, const Bores<Depths>& bores) noexcept {
     KalmanState point = before;
     point.part = visit.part;
     point.lnFeed = bores.x.col(1).mean();
@@ -197,35 +235,11 @@ KalmanState pointOf(const KalmanState& before, const PartVisit& visit, const Bor
     return point;
 }
 
-}  // namespace
-
-double changeThreshold(std::size_t bores) noexcept {
-    return kChiSquare[std::clamp<std::size_t>(bores, 1, kMaxBoreDepths) - 1];
-}
-
-Estimate combined(const KalmanState& state) noexcept {
-    const KalmanMode mode =
-        modeOf(mixture(gaussianOf(state.modes[kQuiet]), gaussianOf(state.modes[kMoving]), state.movingProbability));
-    return {state.ready, mode.law, mode.covariance};
-}
-
-Estimate predictedFor(const KalmanState& before, const KalmanParams& params, const PartVisit& visit) noexcept {
-    if (!before.ready || visit.count == 0) {
-        return combined(before);
-    }
-    const KalmanState point = pointOf(before, visit, boresOf(visit));
-    const Prediction prediction = predictionOf(before, params, visit.part, point);
-    const KalmanMode mode =
-        modeOf(mixture(prediction.models[kQuiet], prediction.models[kMoving], prediction.movingProbability));
-    return {true, mode.law, mode.covariance};
-}
-
-KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
-                   ChangeKnowledge knowledge, double* lnEvidence) noexcept {
-    if (visit.count == 0) {
-        return before;
-    }
-    const Bores bores = boresOf(visit);
+/// update() for a visit of so many bores, at least one.
+template <int Depths>
+KalmanState updated(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
+                    ChangeKnowledge knowledge, double* lnEvidence) noexcept {
+    const Bores<Depths> bores = boresOf<Depths>(visit);
     KalmanState state = pointOf(before, visit, bores);
     bool changed = false;
     double t2 = 0.0;
@@ -270,6 +284,38 @@ KalmanState update(const KalmanState& before, const KalmanParams& params, const 
         *outcome = {combined(state), changed, t2};
     }
     return state;
+}
+
+}  // namespace
+
+double changeThreshold(std::size_t bores) noexcept {
+    return kChiSquare[std::clamp<std::size_t>(bores, 1, kMaxBoreDepths) - 1];
+}
+
+Estimate combined(const KalmanState& state) noexcept {
+    const KalmanMode mode =
+        modeOf(mixture(gaussianOf(state.modes[kQuiet]), gaussianOf(state.modes[kMoving]), state.movingProbability));
+    return {state.ready, mode.law, mode.covariance};
+}
+
+Estimate predictedFor(const KalmanState& before, const KalmanParams& params, const PartVisit& visit) noexcept {
+    if (!before.ready || visit.count == 0) {
+        return combined(before);
+    }
+    const KalmanState point = pointOf(before, visit, boresOf<Eigen::Dynamic>(visit));
+    const Prediction prediction = predictionOf(before, params, visit.part, point);
+    const KalmanMode mode =
+        modeOf(mixture(prediction.models[kQuiet], prediction.models[kMoving], prediction.movingProbability));
+    return {true, mode.law, mode.covariance};
+}
+
+KalmanState update(const KalmanState& before, const KalmanParams& params, const PartVisit& visit, RowOutcome* outcome,
+                   ChangeKnowledge knowledge, double* lnEvidence) noexcept {
+    if (visit.count == 0) {
+        return before;
+    }
+    return visit.count == 2 ? updated<2>(before, params, visit, outcome, knowledge, lnEvidence)
+                            : updated<Eigen::Dynamic>(before, params, visit, outcome, knowledge, lnEvidence);
 }
 
 }  // namespace kerf::boring
