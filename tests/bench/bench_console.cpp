@@ -62,7 +62,7 @@ void liveConsole(benchmark::State& state) {
         window->resize(size);
         window->showPage("boring");
         // The shift before the operator came is made as fast as it can be.
-        (void)QTest::qWaitFor([&] { return bench.service().parts.size() >= options.preparedParts; }, 60'000);
+        (void)QTest::qWaitFor([&] { return bench.console().shift()->prepared(); }, 60'000);
         send(bench, SetSimulationSpeed{speed});
         (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == speed; }, 10'000);
         if (!bench.status().boring.cutting) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QPaintEvent>
+#include <QScreen>
 #include <QTest>
+#include <QWindow>
 #include <cmath>
 
 #include "ui/charts/chart.h"
@@ -7,6 +10,30 @@
 #include "ui/charts/live_plot.h"
 
 using namespace kerf::ui;
+
+namespace {
+
+/// What of a widget was painted since it was last asked.
+class Painted : public QObject {
+ public:
+    explicit Painted(QWidget* widget) : QObject(widget) { widget->installEventFilter(this); }
+    QRegion take() { return std::exchange(m_region, {}); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            m_region += static_cast<QPaintEvent*>(event)->region();
+        }
+        return false;
+    }
+
+ private:
+    QRegion m_region;
+};
+
+QImage onScreen(QWidget& window) {
+    return window.windowHandle()->screen()->grabWindow(window.winId()).toImage();
+}
+
+}  // namespace
 
 class TestCharts : public QObject {
     Q_OBJECT
@@ -78,6 +105,46 @@ class TestCharts : public QObject {
         const auto* axis = qobject_cast<QValueAxis*>(plot.chart()->axes(Qt::Horizontal).first());
         QCOMPARE(axis->min(), -60.0);
         QCOMPARE(axis->max(), 0.0);
+    }
+    void aLivePointMovesAloneAndLeavesNothingBehind() {
+        Look look(96.0);
+        QWidget window;
+        window.resize(600, 400);
+        Chart chart(look, &window);
+        chart.setGeometry(window.rect());
+        const auto line = chart.addCurve({Token::Measured});
+        const auto point = chart.addCurve({Token::Wanted, Chart::Kind::Points, Chart::Marker::Diamond, Stroke::Bold});
+        chart.setXRange(0.0, 10.0);
+        chart.setYIncludes({0.0, 4.0});
+        chart.setPoints(line, {{0.0, 1.0}, {5.0, 3.0}, {10.0, 2.0}});
+        chart.setPoints(point, {{1.0, 1.0}});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QCoreApplication::processEvents();
+        Painted painted(chart.viewport());
+        const QImage there = onScreen(window);
+        for (const QPointF at : {QPointF(4.0, 2.0), QPointF(4.2, 3.9), QPointF(9.9, 0.1)}) {
+            (void)painted.take();
+            chart.setPoints(point, {at});
+            QCoreApplication::processEvents();
+            const QRect rect = painted.take().boundingRect();
+            QVERIFY(!rect.isEmpty());
+            QVERIFY2(rect != chart.viewport()->rect(), "the whole chart was painted for one point");
+        }
+        chart.setPoints(point, {{1.0, 1.0}});
+        QCoreApplication::processEvents();
+        QCOMPARE(onScreen(window), there);
+        // A point beyond the axes takes them along, and everything is painted.
+        (void)painted.take();
+        chart.setPoints(point, {{1.0, 40.0}});
+        QCoreApplication::processEvents();
+        QCOMPARE(painted.take().boundingRect(), chart.viewport()->rect());
+        // No point any more: nothing of it stays.
+        chart.setPoints(point, {{1.0, 1.0}});
+        chart.setPoints(point, {});
+        QCoreApplication::processEvents();
+        QVERIFY(onScreen(window) != there);
+        QCOMPARE(onScreen(window), window.grab().toImage().convertToFormat(onScreen(window).format()));
     }
     void everyChartDrawsItself() {
         Look look(96.0);

@@ -52,8 +52,8 @@ Chart::Chart(Look& look, QWidget* parent)
         updateGeometry();
     });
     restyle();
-    applyRange(m_x, 0.0, 1.0, false);
-    applyRange(m_y, 0.0, 1.0, false);
+    (void)applyRange(m_x, 0.0, 1.0, false);
+    (void)applyRange(m_y, 0.0, 1.0, false);
 }
 
 void Chart::setXAxis(const QString& title, const char* unit, bool wholeNumbers) {
@@ -110,9 +110,23 @@ void Chart::setPoints(CurveId curve, const std::vector<QPointF>& points) {
     if (m_curves[curve].points == points) {
         return;  // nothing is painted that did not change
     }
-    m_curves[curve].points = points;
-    draw(m_curves[curve]);
-    fit();
+    Curve& changed = m_curves[curve];
+    if (changed.style.kind != Kind::Points || !changed.label.isEmpty()) {
+        changed.points = points;
+        draw(changed);
+        fit();
+        return;
+    }
+    // Points alone, the live one above all: where the axes stay, only what they cover is painted again.
+    const QRegion before = covered(changed);
+    const bool wasEmpty = changed.shown.isEmpty();
+    changed.points = points;
+    draw(changed);
+    if (fitAxes() || wasEmpty != changed.shown.isEmpty()) {
+        viewport()->update();
+    } else {
+        viewport()->update(before + covered(changed));
+    }
 }
 
 Chart::BandId Chart::addBand(Token token) {
@@ -209,7 +223,9 @@ void Chart::draw(Curve& curve) {
         shown.append({x.toShown(p.x()), y.toShown(p.y())});
     }
     curve.shown = shown;
-    curve.series->replace(shown);
+    if (curve.style.kind != Kind::Points) {  // points are painted over the scene
+        curve.series->replace(shown);
+    }
 }
 
 void Chart::rebuild() {
@@ -231,7 +247,7 @@ void Chart::rebuild() {
     fit();
 }
 
-void Chart::applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers) {
+bool Chart::applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers) {
     AxisRange range = roundRange(from, to);
     if (wholeNumbers) {
         range.step = std::max(1.0, std::ceil(range.step));
@@ -250,13 +266,25 @@ void Chart::applyRange(QValueAxis* axis, double from, double to, bool widen, boo
         range.to = to;
     }
     // Qt Charts draws a tick at anchor + n·interval; a range of hundreds of intervals never comes out of roundRange.
-    axis->setTickAnchor(std::ceil(range.from / range.step - 1e-9) * range.step);
+    const double anchor = std::ceil(range.from / range.step - 1e-9) * range.step;
+    const QString format = QStringLiteral("%.%1f").arg(range.decimals);
+    if (axis->tickAnchor() == anchor && axis->tickInterval() == range.step && axis->min() == range.from &&
+        axis->max() == range.to && axis->labelFormat() == format) {
+        return false;
+    }
+    axis->setTickAnchor(anchor);
     axis->setTickInterval(range.step);
     axis->setRange(range.from, range.to);
-    axis->setLabelFormat(QStringLiteral("%.%1f").arg(range.decimals));
+    axis->setLabelFormat(format);
+    return true;
 }
 
 void Chart::fit() {
+    (void)fitAxes();
+    viewport()->update();
+}
+
+bool Chart::fitAxes() {
     const DisplayUnit x = m_look.units().of(m_xUnit);
     const DisplayUnit y = m_look.units().of(m_yUnit);
     Extent across;
@@ -284,19 +312,20 @@ void Chart::fit() {
     const bool figures = !across.empty() || m_emptyText.isEmpty();
     m_x->setLabelsVisible(figures || m_xRange.has_value());
     m_y->setLabelsVisible(figures || m_yRange.has_value());
+    bool moved = false;
     if (m_xRange) {
-        applyRange(m_x, x.toShown(m_xRange->first), x.toShown(m_xRange->second), false, m_wholeNumbers);
+        moved = applyRange(m_x, x.toShown(m_xRange->first), x.toShown(m_xRange->second), false, m_wholeNumbers);
     } else if (!across.empty()) {
         // Half a part of air on both sides when the axis counts parts.
         const double air = m_wholeNumbers ? 0.5 : 0.0;
-        applyRange(m_x, across.low - air, across.high + air, !m_wholeNumbers, m_wholeNumbers);
+        moved = applyRange(m_x, across.low - air, across.high + air, !m_wholeNumbers, m_wholeNumbers);
     }
     if (m_yRange) {
-        applyRange(m_y, y.toShown(m_yRange->first), y.toShown(m_yRange->second), false);
+        moved |= applyRange(m_y, y.toShown(m_yRange->first), y.toShown(m_yRange->second), false);
     } else if (!up.empty()) {
-        applyRange(m_y, up.low, up.high, true);
+        moved |= applyRange(m_y, up.low, up.high, true);
     }
-    viewport()->update();
+    return moved;
 }
 
 void Chart::fitY(double from, double to, bool keepWide) {
@@ -318,7 +347,21 @@ void Chart::fitY(double from, double to, bool keepWide) {
     if (keepWide && inside && (m_y->max() - m_y->min()) < 3.0 * (up.high - up.low)) {
         return;
     }
-    applyRange(m_y, up.low, up.high, true);
+    (void)applyRange(m_y, up.low, up.high, true);
+}
+
+double Chart::radius() const {
+    return m_look.metrics().stroke(Stroke::Bold) * 1.5;
+}
+
+QRegion Chart::covered(const Curve& curve) const {
+    const double reach = 1.4 * radius() + m_look.metrics().stroke(Stroke::Normal) + 1.0;  // a diamond is the widest
+    QRegion region;
+    for (const QPointF& point : curve.shown) {
+        const QPointF at = place(point);
+        region += QRectF(at - QPointF(reach, reach), at + QPointF(reach, reach)).toAlignedRect();
+    }
+    return region;
 }
 
 QPointF Chart::place(const QPointF& shown) const {
@@ -427,7 +470,7 @@ void Chart::paintMarks(QPainter& painter, const QRectF& plot) const {
 
 void Chart::paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
     const QFontMetrics metrics(m_look.font(TextSize::Label));
-    const double r = m_look.metrics().stroke(Stroke::Bold) * 1.5;
+    const double r = radius();
     for (const Curve& curve : m_curves) {
         const QList<QPointF>& points = curve.shown;
         const QColor color = m_look.color(curve.style.token);

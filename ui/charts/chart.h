@@ -104,7 +104,8 @@ class Chart : public QChartView {
     [[nodiscard]] QValueAxis* xAxis() const { return m_x; }
     [[nodiscard]] QValueAxis* yAxis() const { return m_y; }
     [[nodiscard]] const char* yUnit() const { return m_yUnit; }
-    void applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers = false);
+    /// False: the axis shows this already.
+    bool applyRange(QValueAxis* axis, double from, double to, bool widen, bool wholeNumbers = false);
     void fitY(double from, double to, bool keepWide);
 
  private:
@@ -120,6 +121,9 @@ class Chart : public QChartView {
     void paintLowTitle(QPainter& painter, const QRectF& plot) const;
     void draw(Curve& curve);
     void fit();
+    bool fitAxes();
+    [[nodiscard]] double radius() const;                      ///< of a point's mark, px
+    [[nodiscard]] QRegion covered(const Curve& curve) const;  ///< by its points' marks
     void paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
     void paintMarks(QPainter& painter, const QRectF& plot) const;
     void paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;

@@ -16,11 +16,16 @@ void Sparkline::push(double value) {
     if (!std::isfinite(value)) {
         return;
     }
+    // A full line of one value looks the same with another of it: nothing is painted that did not change.
+    const bool same = m_values.size() == m_capacity &&
+                      std::all_of(m_values.begin(), m_values.end(), [value](double other) { return other == value; });
     m_values.push_back(value);
     while (m_values.size() > m_capacity) {
         m_values.pop_front();
     }
-    update();
+    if (!same) {
+        update();
+    }
 }
 
 void Sparkline::setValues(const std::vector<double>& values) {

@@ -11,7 +11,7 @@
 namespace kerf::ui {
 namespace {
 
-constexpr int kChartPeriod_ms = 30;
+constexpr int kLinePeriod_ms = 100;  // of the line behind the live point, which moves with every tick
 constexpr int kTextPeriod_ms = 200;
 constexpr int kCurvePoints = 48;
 
@@ -109,10 +109,7 @@ void FeedPanel::setStatus(const Status& status) {
         }
         m_shownRevision = wanted;
     }
-    if (!m_sinceChart.isValid() || m_sinceChart.elapsed() >= kChartPeriod_ms) {
-        m_sinceChart.start();
-        showLive(boring);
-    }
+    showLive(boring);
     if (!m_sinceText.isValid() || m_sinceText.elapsed() >= kTextPeriod_ms) {
         m_sinceText.start();
         QString text;
@@ -153,10 +150,11 @@ void FeedPanel::showLive(const BoringStatus& boring) {
     if (!isVisible()) {
         return;
     }
+    const bool lineIsDue = !m_sinceLine.isValid() || m_sinceLine.elapsed() >= kLinePeriod_ms || !boring.cutting;
     std::vector<QPointF> cut;
     std::vector<QPointF> point;
     if (boring.cutting) {
-        for (std::size_t i = 0; i < kBins; ++i) {
+        for (std::size_t i = 0; lineIsDue && i < kBins; ++i) {
             if (m_bins[i] > 0.0F) {
                 cut.emplace_back(m_from_mm + (m_to_mm - m_from_mm) * (static_cast<double>(i) + 0.5) / kBins,
                                  static_cast<double>(m_bins[i]));
@@ -168,7 +166,10 @@ void FeedPanel::showLive(const BoringStatus& boring) {
     } else if (m_chart->drawn(m_point).isEmpty() && m_chart->drawn(m_cut).isEmpty()) {
         return;
     }
-    m_chart->setPoints(m_cut, cut);
+    if (lineIsDue) {
+        m_sinceLine.start();
+        m_chart->setPoints(m_cut, cut);
+    }
     m_chart->setPoints(m_point, point);
 }
 

@@ -51,7 +51,7 @@ class FeedPanel : public Card {
     double m_to_mm{1.0};
     std::array<float, kBins> m_bins{};  ///< live feed over the bore; 0: not cut yet
     float m_lastOverhang_mm{0.0F};
-    QElapsedTimer m_sinceChart;
+    QElapsedTimer m_sinceLine;
     QElapsedTimer m_sinceText;
 };
 

@@ -284,27 +284,22 @@ QString OverviewPage::machineSentence() const {
 }
 
 void OverviewPage::onStatus(const Status& status) {
-    const bool sample = m_sinceSample.elapsed() >= kSamplePeriod_ms;
-    if (sample) {
-        m_sinceSample.restart();
-    }
-    if (!sample && isVisible() == false) {
+    if (m_sinceSample.elapsed() < kSamplePeriod_ms) {
         return;
     }
+    m_sinceSample.restart();
     arrange(status);
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
         const KeyFigure figure = figureOf(m_entries[i], context().services, status);
-        if (sample) {
-            m_cards[i]->sample(figure);
-        }
-        if (sample && isVisible()) {
+        m_cards[i]->sample(figure);
+        if (isVisible()) {
             m_cards[i]->show(loopOf(m_entries[i], status), figure);
         }
     }
-    if (sample && status.actualFeed_mmPerS.good()) {
+    if (status.actualFeed_mmPerS.good()) {
         m_feedCourse->push(status.actualFeed_mmPerS.value);
     }
-    if (!sample || !isVisible()) {
+    if (!isVisible()) {
         return;
     }
     m_sentence->setText(machineSentence());
