@@ -22,6 +22,9 @@ NumberDisplay::NumberDisplay(Look& look, const ParamSpec& spec, TextSize size, Q
 }
 
 void NumberDisplay::setLabel(const QString& label) {
+    if (label == m_label) {
+        return;
+    }
     m_label = label;
     setAccessibleName(label);
     updateGeometry();

@@ -29,6 +29,9 @@ void Sparkline::push(double value) {
 }
 
 void Sparkline::setValues(const std::vector<double>& values) {
+    if (std::ranges::equal(m_values, values)) {
+        return;
+    }
     m_values.assign(values.begin(), values.end());
     m_capacity = std::max<std::size_t>(2, values.size());
     update();
