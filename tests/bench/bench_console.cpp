@@ -2,13 +2,18 @@
 // Frames per second of the live charts on the real console, its engine running at 1 kHz beside it: five seconds of one
 // bore in real time at each screen size. Offscreen, so without a graphics card.
 #include <benchmark/benchmark.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEvent>
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <ctime>
 #include <map>
+#include <thread>
 
 #include "tests/support/console_bench.h"
 #include "ui/charts/chart.h"
@@ -44,32 +49,123 @@ double threadTime_s() {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
+/// The console on the Boring page, its engine on a thread of its own, in the middle of a bore.
+bool beginCut(test::ConsoleBench& bench, const QSize& size, double speed) {
+    console::Options options;
+    options.simulationSpeed = speed;
+    options.seed = 5;
+    bench.setOwnThread(true);
+    bench.start(options);
+    if (!QTest::qWaitFor([&] { return bench.up(); }, 20'000)) {
+        return false;
+    }
+    ui::MainWindow* window = bench.console().window();
+    window->resize(size);
+    window->showPage("boring");
+    // The shift before the operator came is made as fast as it can be.
+    (void)QTest::qWaitFor([&] { return bench.console().shift()->prepared(); }, 60'000);
+    send(bench, SetSimulationSpeed{speed});
+    (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == speed; }, 10'000);
+    if (!bench.status().boring.cutting) {
+        send(bench, StartPart{ProcessId::Boring});
+        (void)QTest::qWaitFor([&] { return bench.status().boring.cutting; }, 10'000);
+    }
+    QTest::qWait(500);
+    return true;
+}
+
+std::int64_t monotonic_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+/// Nothing but clock_nanosleep every millisecond, at the engine's priority: what this computer can do at best.
+class BareLoop {
+ public:
+    BareLoop() : m_thread([this] { run(); }) {}
+    ~BareLoop() { (void)stop(); }
+    TimeHistogram stop() {
+        m_stop = true;
+        if (m_thread.joinable()) {
+            m_thread.join();
+        }
+        return m_late;
+    }
+
+ private:
+    void run() {
+        constexpr std::int64_t kPeriod_ns = 1'000'000;
+        sched_param param{};
+        param.sched_priority = 60;
+        (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
+        std::int64_t deadline_ns = monotonic_ns();
+        while (!m_stop) {
+            timespec when{};
+            when.tv_sec = static_cast<time_t>(deadline_ns / 1'000'000'000);
+            when.tv_nsec = static_cast<long>(deadline_ns % 1'000'000'000);
+            while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) != 0) {
+            }
+            const std::int64_t late_ns = std::max<std::int64_t>(monotonic_ns() - deadline_ns, 0);
+            m_late.add(late_ns);
+            deadline_ns += kPeriod_ns * (1 + late_ns / kPeriod_ns);
+        }
+    }
+
+    std::atomic<bool> m_stop{false};
+    TimeHistogram m_late{};
+    std::thread m_thread;
+};
+
+/// Percentile of what was added between two histograms; within a bin in proportion of its logarithm.
+double percentile_us(const TimeHistogram& before, const TimeHistogram& after, double share) {
+    const double wanted = share * static_cast<double>(after.count() - before.count());
+    double seen = 0.0;
+    for (std::size_t i = 0; i < TimeHistogram::kBins; ++i) {
+        const auto here = static_cast<double>(after.bin(i) - before.bin(i));
+        if (here > 0.0 && seen + here >= wanted) {
+            const double high = static_cast<double>(TimeHistogram::upperEdge_ns(i));
+            const double low = i == 0 ? 1.0 : static_cast<double>(TimeHistogram::upperEdge_ns(i - 1));
+            return 1e-3 * low * std::pow(high / low, (wanted - seen) / here);
+        }
+        seen += here;
+    }
+    return 0.0;
+}
+
+/// How late the engine wakes with the screen drawing a cut, and a bare loop beside it in the same seconds.
+void wakeUp(benchmark::State& state) {
+    for (auto _ : state) {
+        test::ConsoleBench bench;
+        if (!beginCut(bench, {1920, 1080}, 1.0)) {
+            state.SkipWithError("the console did not start");
+            return;
+        }
+        const TimeHistogram before = bench.status().stats.lateness;
+        BareLoop bare;
+        QTest::qWait(2 * kMeasured_ms);
+        const TimeHistogram bareLate = bare.stop();
+        const TimeHistogram after = bench.status().stats.lateness;
+        for (const auto& [name, share] : {std::pair("p50", 0.5), std::pair("p99", 0.99), std::pair("p999", 0.999)}) {
+            state.counters[std::string("engine_us_") + name] = percentile_us(before, after, share);
+            state.counters[std::string("bare_us_") + name] = percentile_us({}, bareLate, share);
+        }
+        state.counters["wakeups"] = static_cast<double>(after.count() - before.count());
+        state.counters["cutting"] = bench.status().boring.cutting ? 1 : 0;
+        state.counters["real_time"] = bench.status().stats.realTimeScheduling ? 1 : 0;
+    }
+}
+BENCHMARK(wakeUp)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void liveConsole(benchmark::State& state) {
     const QSize size(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     for (auto _ : state) {
         test::ConsoleBench bench;
-        console::Options options;
-        const double speed = static_cast<double>(state.range(2));
-        options.simulationSpeed = speed;
-        options.seed = 5;
-        bench.setOwnThread(true);
-        bench.start(options);
-        if (!QTest::qWaitFor([&] { return bench.up(); }, 20'000)) {
+        if (!beginCut(bench, size, static_cast<double>(state.range(2)))) {
             state.SkipWithError("the console did not start");
             return;
         }
         ui::MainWindow* window = bench.console().window();
-        window->resize(size);
-        window->showPage("boring");
-        // The shift before the operator came is made as fast as it can be.
-        (void)QTest::qWaitFor([&] { return bench.console().shift()->prepared(); }, 60'000);
-        send(bench, SetSimulationSpeed{speed});
-        (void)QTest::qWaitFor([&] { return bench.status().simulationSpeed == speed; }, 10'000);
-        if (!bench.status().boring.cutting) {
-            send(bench, StartPart{ProcessId::Boring});
-            (void)QTest::qWaitFor([&] { return bench.status().boring.cutting; }, 10'000);
-        }
-        QTest::qWait(500);
         PaintCounter counter;
         for (ui::Chart* chart : window->findChildren<ui::Chart*>()) {
             if (chart->isVisibleTo(window)) {
