@@ -133,7 +133,8 @@ double percentile_us(const TimeHistogram& before, const TimeHistogram& after, do
     return 0.0;
 }
 
-/// How late the engine wakes with the screen drawing a cut, and a bare loop beside it in the same seconds.
+/// How late the engine wakes with the screen drawing a cut, and a bare loop beside it in the same seconds. Run it on
+/// one processor (taskset -c 0): a virtual machine may be late on one of its processors and not on the other.
 void wakeUp(benchmark::State& state) {
     for (auto _ : state) {
         test::ConsoleBench bench;
