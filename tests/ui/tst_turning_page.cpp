@@ -130,6 +130,15 @@ class TestTurningPage : public QObject {
         QVERIFY(text("turningTrim").contains(QStringLiteral("1.20")));
         QVERIFY(text("turningTrim").contains(QStringLiteral("2.00")));
     }
+    void aPartCutWhileAnotherPageWasOpenHasItsFigures() {
+        show();
+        run(20);
+        QCOMPARE(number("turningSurfaceRms"), QStringLiteral("–"));
+        m_service->archiveTwo();
+        run(20);
+        QTRY_VERIFY((run(1), number("turningSurfaceRms") != QStringLiteral("–")));
+        QTRY_VERIFY((run(1), number("turningUntreatedRms") != QStringLiteral("–")));
+    }
     void withoutAMotionSensorTheProcessIsSaidToBeAssumed() {
         show();
         cut();

@@ -92,8 +92,15 @@ void SurfacePanel::setView(const TurningServiceView& view) {
         const TurningRecord& last = view.parts.back().record;
         m_archived.assign(last.tones.begin(), last.tones.begin() + last.toneCount);
     }
+    m_partShown = !view.parts.empty() && view.parts.back().record.valid;
     if (!m_live) {
         m_spectrum->setTones(m_archived);
+        if (m_partShown) {  // whatever page was open while it was cut
+            const TurningRecord& last = view.parts.back().record;
+            m_rms->setValue(last.surfaceRms_um);
+            m_pv->setValue(last.surfacePv_um);
+            m_without->setValue(last.untreatedRms_um);
+        }
     }
     showBlind();
 }
@@ -117,7 +124,7 @@ void SurfacePanel::setStatus(const Status& status) {
         if (!same) {
             m_spectrum->setTones({turning.tones.begin(), turning.tones.begin() + turning.toneCount});
         }
-    } else if (turning.partsCut == 0) {  // figures of the last cut stay as its spectrum does
+    } else if (turning.partsCut == 0 && !m_partShown) {  // figures of the last cut stay as its spectrum does
         for (NumberDisplay* number : {m_rms, m_pv, m_without}) {
             number->setNothing();
         }

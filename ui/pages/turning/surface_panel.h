@@ -50,6 +50,7 @@ class SurfacePanel : public Card {
     std::uint64_t m_revision{0};
     std::vector<TurningTone> m_archived{};
     bool m_live{false};
+    bool m_partShown{false};
 };
 
 }  // namespace kerf::ui
