@@ -32,6 +32,8 @@ struct MachineOptions {
 
 constexpr auto kLook = std::chrono::milliseconds(1);
 constexpr double kAppear_s = 1.0;  ///< how long a link may take to come up
+constexpr const char* kNotReached =
+    "the machine is not reached: it does not run, or its HAL file does not load kerf-hal.";
 
 std::int64_t now_ns() {
     return Clock::now().time_since_epoch().count();
@@ -149,7 +151,7 @@ void status(const MachineOptions& options) {
     json["signals"] = signalsJson(inputs);
     printJson(json);
     if (inputs.link != LinkState::Up) {
-        throw BadInput("the machine is not reached: it does not run, or its HAL file does not load kerf-hal.");
+        throw BadInput(kNotReached);
     }
 }
 
@@ -230,8 +232,10 @@ void jitter(const MachineOptions& options) {
     }
     linuxcnc::SharedLink link;
     linuxcnc::LinkMemory* memory = link.take();
-    if (memory == nullptr) {
-        throw BadInput("the machine is not reached: it does not run, or its HAL file does not load kerf-hal.");
+    MachineInputs inputs;
+    readFor(*machine, kAppear_s, inputs);
+    if (memory == nullptr || inputs.link != LinkState::Up) {  // a bridge that was killed leaves its memory behind
+        throw BadInput(kNotReached);
     }
     std::uint64_t nextPeriod = memory->servo.written();
     Engine engine(*machine, {});

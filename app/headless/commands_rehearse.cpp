@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "app/files/output.h"
 #include "app/files/table.h"
@@ -60,6 +64,38 @@ void writeRow(CsvOutput& csv, const rehearsal::Row& row) {
             alarms);
 }
 
+std::unique_ptr<MachinePort> connected(const MachineDescription& described, bool onlyRead) {
+    auto machine = loadMachine("linuxcnc", described);
+    if (!machine) {
+        throw BadInput(machine.error().english());
+    }
+    if (onlyRead) {
+        (*machine)->onlyRead();
+    }
+    if (const auto done = (*machine)->connect(); !done) {
+        throw BadInput(done.error().english());
+    }
+    return std::move(*machine);
+}
+
+/// A machine that does not answer, or that another program commands, is no place to rehearse on.
+void waitForMachine(MachinePort& machine) {
+    using Clock = std::chrono::steady_clock;
+    constexpr auto kPatience = std::chrono::seconds(1);
+    MachineInputs inputs;
+    for (const auto end = Clock::now() + kPatience; inputs.link != LinkState::Up && Clock::now() < end;) {
+        machine.read((Clock::now() - end).count(), inputs);  // before the rehearsal's time, which begins at 0
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (inputs.link != LinkState::Up) {
+        throw BadInput("--machine linuxcnc: the machine is not reached: it does not run, or its HAL file does not "
+                       "load kerf-hal.");
+    }
+    if (const Capability& start = machine.capabilities().cycleStart; !start.fitted) {
+        throw BadInput(std::string("--machine linuxcnc: ") + start.why.english());
+    }
+}
+
 void rehearse(const RehearseOptions& options) {
     std::string machineKind = options.machine;
     MachineDescription described;
@@ -78,25 +114,31 @@ void rehearse(const RehearseOptions& options) {
                        ", the scenario's process.");
     }
     scenario.limits = described.limits;
-    std::unique_ptr<MachinePort> real;
+    std::unique_ptr<MachinePort> commanded;
+    std::unique_ptr<MachinePort> seen;
+    std::optional<rehearsal::RealMachine> real;
     if (scenario.machine == rehearsal::MachineKind::LinuxCnc) {
-        auto machine = loadMachine("linuxcnc", described);
-        if (!machine) {
-            throw BadInput(machine.error().english());
-        }
-        real = std::move(*machine);
-        if (const auto connected = real->connect(); !connected) {
-            throw BadInput(connected.error().english());
-        }
+        seen = connected(described, true);
+        commanded = connected(described, false);
+        waitForMachine(*commanded);
+        real.emplace(rehearsal::RealMachine{*commanded, *seen});
     }
+    rehearsal::Summary summary;
     if (options.summary) {
-        printJson(rehearsal::summaryJson(scenario, rehearsal::rehearse(scenario, real.get(), 0.0, {})));
-        return;
+        summary = rehearsal::rehearse(scenario, real ? &*real : nullptr, 0.0, {});
+        printJson(rehearsal::summaryJson(scenario, summary));
+    } else {
+        CsvOutput csv(kHeader);
+        summary = rehearsal::rehearse(scenario, real ? &*real : nullptr, options.every_ms / 1000.0,
+                                      [&](const rehearsal::Row& row) { writeRow(csv, row); });
+        csv.flush();
     }
-    CsvOutput csv(kHeader);
-    (void)rehearsal::rehearse(scenario, real.get(), options.every_ms / 1000.0,
-                              [&](const rehearsal::Row& row) { writeRow(csv, row); });
-    csv.flush();
+    if (real && summary.programRuns) {
+        std::fputs(
+            "kerf: the rehearsal has ended while a program runs: it goes on without Kerf, at most at its planned feed. "
+            "End it at the control.\n",
+            stderr);
+    }
 }
 
 }  // namespace

@@ -28,12 +28,13 @@ bool acts(LoopState state) {
 
 class Run {
  public:
-    Run(const Scenario& scenario, MachinePort* linuxCnc, CycleWatch* watch) : m_scenario(scenario), m_watch(watch) {
-        if (linuxCnc == nullptr) {
+    Run(const Scenario& scenario, const RealMachine* real, CycleWatch* watch)
+        : m_scenario(scenario), m_watch(watch), m_real(real) {
+        if (real == nullptr) {
             m_simulated = simulatedMachine(scenario);
             (void)m_simulated->connect();
         }
-        m_port = linuxCnc != nullptr ? linuxCnc : m_simulated.get();
+        m_port = real != nullptr ? &real->commanded : m_simulated.get();
         m_modes.fill(LoopMode::Off);
         m_modes[static_cast<std::size_t>(scenario.process)] = scenario.mode;
         openConsole();
@@ -63,6 +64,8 @@ class Run {
                 eachRow(m_row);
             }
         }
+        m_summary.programRuns =
+            m_row.machine.program == ProgramState::Running || m_row.machine.program == ProgramState::Paused;
         return std::move(m_summary);
     }
 
@@ -127,9 +130,7 @@ class Run {
     }
 
     void look() {
-        m_row.machine = m_simulated != nullptr ? m_simulated->truth()
-                        : m_console != nullptr ? m_console->inputs()
-                                               : m_row.machine;
+        m_row.machine = m_simulated != nullptr ? m_simulated->truth() : realTruth();
         const MachineInputs& in = m_row.machine;
         m_row.plannedFeed_mmPerS =
             in.programmedFeed_mmPerS.value * (in.plannedFeedScale.good() ? in.plannedFeedScale.value : 1.0);
@@ -157,6 +158,29 @@ class Run {
         }
         m_feedHeld = anyStopOf(stops, StopKind::FeedHold);
         m_row.alarms.assign(m_alarms.begin(), m_alarms.end());
+    }
+
+    /// What the console sees while it runs; else what anybody sees. Whose a program is and how it was planned stays as
+    /// the console knew it last.
+    MachineInputs realTruth() {
+        m_real->seen.read(static_cast<std::int64_t>(std::llround(m_row.t_s * kNanosecondPerSecond)), m_seen);
+        if (!m_silent) {
+            return m_console->inputs();
+        }
+        MachineInputs now = m_row.machine;
+        now.link = m_seen.link;
+        now.machineOn = m_seen.machineOn;
+        now.emergencyStop = m_seen.emergencyStop;
+        now.feedHold = m_seen.feedHold;
+        now.actualFeed_mmPerS = m_seen.actualFeed_mmPerS;
+        now.programmedFeed_mmPerS = m_seen.programmedFeed_mmPerS;
+        now.appliedFeedScale = m_seen.appliedFeedScale;
+        now.workOffset_um = m_seen.workOffset_um;
+        now.stops = m_seen.stops;
+        if (now.programProcess != ProcessId::Tapping) {  // a reader cannot tell where a tap begins
+            now.program = m_seen.program;
+        }
+        return now;
     }
 
     void noteStop(ProcessId id, const StopSlot& slot) {
@@ -234,11 +258,13 @@ class Run {
 
     const Scenario& m_scenario;
     CycleWatch* m_watch;
+    const RealMachine* m_real;
     std::unique_ptr<SimulatedMachine> m_simulated;
     MachinePort* m_port{nullptr};
     std::unique_ptr<Console> m_console;
     InjectedFaults m_faults{};
     MachineInputs m_unheard{};
+    MachineInputs m_seen{};
     std::array<LoopMode, kProcessPlaces> m_modes{};
     StopSlots m_keptStops{};
     StopSlots m_stopsBefore{};
@@ -260,9 +286,9 @@ class Run {
 
 }  // namespace
 
-Summary rehearse(const Scenario& scenario, MachinePort* linuxCnc, double every_s,
+Summary rehearse(const Scenario& scenario, const RealMachine* real, double every_s,
                  const std::function<void(const Row&)>& eachRow, CycleWatch* watch) {
-    return Run(scenario, linuxCnc, watch).run(every_s, eachRow);
+    return Run(scenario, real, watch).run(every_s, eachRow);
 }
 
 }  // namespace kerf::rehearsal

@@ -59,6 +59,7 @@ struct Summary {
     std::vector<CommandSeen> commands{};
     std::uint32_t partsFinished{0};
     std::uint32_t partsAborted{0};
+    bool programRuns{false};  ///< at the end
     double feedWhileStopped_mmPerS{0.0};  ///< largest feed while a stop holds the feed
     double wayWhileStopped_mm{0.0};
     double overPlannedWhileUnknown_mmPerS{0.0};  ///< largest feed above the planned one while anything is unknown
@@ -80,10 +81,17 @@ class CycleWatch {
     virtual void ends() noexcept = 0;
 };
 
-/// Runs the real cycle with its supervisor, loops and limiter against the machine. `linuxCnc`: the connected machine
-/// of a scenario for it, else null. `eachRow` is called every `every_s` (0: every cycle), and at the end;
+/// A real machine, connected twice: as the rehearsed console commands it, and as somebody sees it who only reads, also
+/// while the console is dead or stands still.
+struct RealMachine {
+    MachinePort& commanded;
+    MachinePort& seen;
+};
+
+/// Runs the real cycle with its supervisor, loops and limiter against the machine. `real`: the machine of a scenario
+/// for LinuxCNC, else null. `eachRow` is called every `every_s` (0: every cycle), and at the end;
 /// `watch` around each cycle of the console.
-[[nodiscard]] Summary rehearse(const Scenario& scenario, MachinePort* linuxCnc, double every_s,
+[[nodiscard]] Summary rehearse(const Scenario& scenario, const RealMachine* real, double every_s,
                                const std::function<void(const Row&)>& eachRow, CycleWatch* watch = nullptr);
 
 [[nodiscard]] nlohmann::ordered_json summaryJson(const Scenario& scenario, const Summary& summary);

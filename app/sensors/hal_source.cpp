@@ -5,8 +5,8 @@
 
 namespace kerf::sensors {
 
-HalSource::HalSource(const SensorFile& file, std::vector<ChannelJudge>& judges)
-    : m_file(file), m_judges(judges), m_link(linuxcnc::kLinkName) {}
+HalSource::HalSource(const SensorFile& file, std::vector<ChannelJudge>& judges, const std::string& memory)
+    : m_file(file), m_judges(judges), m_link(memory) {}
 
 void HalSource::read() {
     linuxcnc::LinkMemory* memory = m_link.take();
@@ -15,7 +15,7 @@ void HalSource::read() {
     }
     if (memory != m_memory) {
         m_memory = memory;
-        m_written = 0;
+        m_written = memory->temperatures.written();  // a bridge that was killed has left its last ones behind
     }
     linuxcnc::HalTemperatures seen;
     const std::uint64_t written = memory->temperatures.written();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "app/sensors/channel_judge.h"
@@ -13,7 +14,8 @@ namespace kerf::sensors {
 /// Channels that are pins of kerf-hal, read from the memory it shares. LinuxCNC need not be there, and may come back.
 class HalSource {
  public:
-    HalSource(const SensorFile& file, std::vector<ChannelJudge>& judges);
+    HalSource(const SensorFile& file, std::vector<ChannelJudge>& judges,
+              const std::string& memory = linuxcnc::kLinkName);
     void read();
 
  private:

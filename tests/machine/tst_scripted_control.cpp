@@ -56,11 +56,14 @@ class TestScriptedControl : public QObject {
         return until([&] { return link.tryReply(reply); }) ? reply : RequestReply{};
     }
     void makeMachine() {
+        makeMachineOnly();
+        QVERIFY(until([this] { return m_machine->commandsReady(); }));
+    }
+    void makeMachineOnly() {
         LinuxCncMachine::Params params;
         params.rsh = this->params();
         m_machine = std::make_unique<LinuxCncMachine>(params);
         QVERIFY(m_machine->connect().has_value());
-        QVERIFY(until([this] { return m_machine->commandsReady(); }));
     }
     /// A force sensor on its pin, as the machine file describes it.
     void makeMachineWithForce(const DescribedForce& described) {
@@ -98,6 +101,9 @@ class TestScriptedControl : public QObject {
     }
     bool cyclesUntil(const std::function<bool()>& condition) {
         return until([&] { return cycle(), condition(); });
+    }
+    bool cyclesStillUntil(const std::function<bool()>& condition) {  // the bridge stands still
+        return until([&] { return cycle(false), condition(); });
     }
     void ask(std::uint32_t number, const decltype(PortRequest::action)& action) {
         m_outputs.request.number = number;
@@ -304,6 +310,40 @@ class TestScriptedControl : public QObject {
         cycles(2);
         QCOMPARE(m_inputs.link, LinkState::Up);
         QCOMPARE(m_bridge->wish().feedEpoch, 12U);
+    }
+    void whatAKilledBridgeHasLeftBehindIsNoLink_data() {
+        QTest::addColumn<bool>("another");
+        QTest::newRow("at the start") << false;
+        QTest::newRow("found later") << true;
+    }
+    void whatAKilledBridgeHasLeftBehindIsNoLink() {
+        QFETCH(bool, another);
+        m_bridge->seen.emergencyStop = true;
+        m_bridge->seen.programRunning = true;
+        for (int i = 0; i < 700; ++i) {
+            m_bridge->beat();
+        }
+        if (another) {  // nothing was there when the console came
+            const auto memory = std::exchange(m_bridge, nullptr);
+            (void)shm_unlink(test::ownMemory().c_str());
+        }
+        makeMachineOnly();
+        if (another) {
+            m_bridge = std::make_unique<test::ScriptedBridge>();
+            m_bridge->seen.beat = m_bridge->seen.servoPeriods = 700;
+            m_bridge->beat();
+            m_bridge->ready();
+            QVERIFY(cyclesStillUntil([this] { return m_bridge->memory->owner.load() != 0; }));
+        }
+        for (int i = 0; i < 300; ++i) {
+            cycle(false);
+            QCOMPARE(m_inputs.link, LinkState::Down);
+            QVERIFY(!m_inputs.actualFeed_mmPerS.good());
+        }
+        cycles(3, true, false);  // the bridge lives, the control does not
+        QCOMPARE(m_inputs.link, LinkState::Down);
+        cycles(2);
+        QCOMPARE(m_inputs.link, LinkState::Up);
     }
     void aWishFollowsOnWhatTheBridgeHasShown() {
         makeMachine();

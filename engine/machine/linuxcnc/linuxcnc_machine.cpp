@@ -2,8 +2,10 @@
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 #include <variant>
 
 #include "engine/machine/described_machine.h"
@@ -62,7 +64,7 @@ Result<void> LinuxCncMachine::connect() {
     m_params.rsh.password = *password;
     m_own = ownClaim();
     m_rsh = std::make_unique<RshLink>(m_params.rsh);
-    m_memory = m_link->take();
+    meet(m_link->take());
     if (m_memory != nullptr && !m_onlyRead) {
         (void)claim(m_memory->owner);
     }
@@ -70,9 +72,32 @@ Result<void> LinuxCncMachine::connect() {
     FromControl seen;
     if (m_memory != nullptr && m_memory->fromControl.latest(seen)) {
         adoptFitted(seen.fitted);
-        m_nextPeriod = m_memory->servo.written();
+        waitForBeat();
     }
     return {};
+}
+
+/// A bridge that was killed leaves its memory behind: what stands in it is no sign of life, only what moves from now on.
+void LinuxCncMachine::meet(LinkMemory* memory) noexcept {
+    m_memory = memory;
+    m_seen = FromControl{};
+    FromControl stands;
+    const bool shown = memory != nullptr && memory->fromControl.latest(stands);
+    m_beat = shown ? stands.beat : 0;
+    m_periods = shown ? stands.servoPeriods : 0;
+    m_lastBeat_ns.reset();
+    m_lastPeriod_ns.reset();
+    m_nextPeriod = memory != nullptr ? memory->servo.written() : 0;
+}
+
+/// So that the first cycle beside a bridge that lives has its link; nobody waits longer than a silence lasts.
+void LinuxCncMachine::waitForBeat() const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::nanoseconds(kSilence_ns);
+    FromControl seen;
+    while (m_memory->fromControl.latest(seen) && (seen.beat == m_beat || seen.servoPeriods == m_periods) &&
+           std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
 }
 
 void LinuxCncMachine::disconnect() noexcept {
@@ -128,14 +153,10 @@ bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
     LinkMemory* memory = m_link != nullptr ? m_link->take() : nullptr;
     if (memory != m_memory) {                             // another bridge: its counts begin anew
         const bool ours = m_memory == nullptr || m_mine;  // what another program commanded does not fall to us
-        m_memory = memory;
-        m_seen = FromControl{};
+        meet(memory);
         if (memory != nullptr && !m_onlyRead && ours) {
             (void)claimIfFree(memory->owner, m_own);
         }
-        m_nextPeriod = memory != nullptr ? memory->servo.written() : 0;
-        m_beat = 0;
-        m_periods = 0;
     }
     if (m_memory == nullptr || m_memory->magic.load(std::memory_order_acquire) != LinkMemory::kMagic) {
         return false;
@@ -152,8 +173,8 @@ bool LinuxCncMachine::watchLink(std::int64_t now_ns) noexcept {
         m_periods = m_seen.servoPeriods;
         m_lastPeriod_ns = now_ns;
     }
-    return m_beat != 0 && m_periods != 0 && now_ns - m_lastBeat_ns < kSilence_ns &&
-           now_ns - m_lastPeriod_ns < kSilence_ns;
+    return m_lastBeat_ns && m_lastPeriod_ns && now_ns - *m_lastBeat_ns < kSilence_ns &&
+           now_ns - *m_lastPeriod_ns < kSilence_ns;
 }
 
 /// A value that has come since the last program, not one an aborted program has left behind.

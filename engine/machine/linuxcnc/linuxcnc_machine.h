@@ -62,6 +62,8 @@ class LinuxCncMachine final : public MachinePort {
  private:
     static constexpr std::size_t kMachinesSeen = 32;
 
+    void meet(LinkMemory* memory) noexcept;
+    void waitForBeat() const;
     [[nodiscard]] bool watchLink(std::int64_t now_ns) noexcept;
     void adoptFitted(const Fitted& fitted) noexcept;
     void watchOwner() noexcept;
@@ -98,8 +100,8 @@ class LinuxCncMachine final : public MachinePort {
     LinkMemory* m_memory{nullptr};  ///< of this cycle
     FromControl m_seen{};
     std::int64_t m_now_ns{0};
-    std::int64_t m_lastBeat_ns{0};
-    std::int64_t m_lastPeriod_ns{0};
+    std::optional<std::int64_t> m_lastBeat_ns{};  ///< none: this memory has not moved since it was found
+    std::optional<std::int64_t> m_lastPeriod_ns{};
     std::uint64_t m_beat{0};
     std::uint64_t m_periods{0};
     std::uint64_t m_outBeat{0};
