@@ -12,6 +12,7 @@
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "engine/process/boring/boring_loop.h"
 #include "tests/machine/port_conformance.h"
+#include "tests/support/kerf_program.h"
 #include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
@@ -50,6 +51,25 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     double trueFeedShare() override {
         const kerf::StartProgram program = shortProgram();
         return pinValue("motion.current-vel") / (program.programmedFeed_mmPerRev * program.spindleSpeed_rpm / 60.0);
+    }
+
+    /// What the dead bridge has left behind is no machine: for a console, and for every command that looks.
+    bool aConsoleStartedNowHasNoLink() {
+        kerf::linuxcnc::LinuxCncMachine another{kerf::linuxcnc::LinuxCncMachine::Params{}};
+        another.onlyRead();
+        kerf::MachineInputs inputs;
+        if (!another.connect().has_value()) {
+            return false;
+        }
+        for (int i = 0; i < 20; ++i) {
+            another.read(kerf::test::monotonic_ns(), inputs);
+            if (inputs.link != kerf::LinkState::Down) {
+                return false;
+            }
+        }
+        const kerf::test::KerfRun status =
+            kerf::test::runKerf({QStringLiteral("machine"), QStringLiteral("status")});
+        return status.exitCode == 3 && status.err.contains(QStringLiteral("the machine is not reached"));
     }
 
  private:
@@ -364,6 +384,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
             m_deadline = std::chrono::steady_clock::now();
             QVERIFY(linkIs(kerf::LinkState::Down));
             QVERIFY(rests());
+            QVERIFY(aConsoleStartedNowHasNoLink());
             QVERIFY(kerf::test::LinuxCncControl::startBridge());
             m_deadline = std::chrono::steady_clock::now();
             // A console that has forgotten its stop lowers none.
@@ -373,7 +394,22 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
             QVERIFY(cycleUntil(stands, neutral()));
             QCOMPARE(m_inputs.program, kerf::ProgramState::Running);
         }
+        // Beside a console that commands nobody looks at the punctuality; without one, what stands still stays so.
+        const auto jitter = [] {
+            return kerf::test::runKerf({QStringLiteral("machine"), QStringLiteral("jitter"),
+                                        QStringLiteral("--seconds"), QStringLiteral("3")});
+        };
+        const double z_mm = pinValue("joint.2.pos-cmd");
+        const kerf::test::KerfRun refused = jitter();
+        QCOMPARE(refused.exitCode, 3);
+        QVERIFY2(refused.err.contains(QStringLiteral("Another program (process %1)").arg(::getpid())),
+                 qPrintable(refused.err));
         m_machine.reset();  // and the console
+        const kerf::test::KerfRun run = jitter();
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+        QCOMPARE(kerf::test::csvRows(run.out).size(), 4);
+        QVERIFY(rests());
+        QVERIFY(std::abs(pinValue("joint.2.pos-cmd") - z_mm) < 1e-9);
         m_machine = std::make_unique<kerf::linuxcnc::LinuxCncMachine>(kerf::linuxcnc::LinuxCncMachine::Params{});
         QVERIFY(m_machine->connect().has_value());
         m_deadline = std::chrono::steady_clock::now();

@@ -566,6 +566,22 @@ class TestScriptedControl : public QObject {
         m_bridge->memory->owner.store(0);  // given back at a clean end
         QVERIFY(cyclesUntil([&] { return why().starts_with("Nobody commands"); }));
     }
+    void aReaderInTheSameProgramGivesNothingBack() {
+        makeMachine();
+        cycles(3);
+        QVERIFY(m_machine->commands());
+        LinuxCncMachine::Params params;
+        params.rsh = this->params();
+        auto reader = std::make_unique<LinuxCncMachine>(params);
+        reader->onlyRead();
+        QVERIFY(reader->connect().has_value());
+        MachineInputs seen;
+        reader->read(m_now_ns, seen);
+        QVERIFY(!reader->commands());
+        reader.reset();
+        cycles(3);
+        QVERIFY(m_machine->commands());
+    }
     void aNumberGivenOutAgainIsNobodysClaim() {
         m_bridge->memory->owner.store((static_cast<std::uint64_t>(::getppid()) << 32U) | 1U);
         LinuxCncMachine::Params params;

@@ -102,7 +102,7 @@ void LinuxCncMachine::waitForBeat() const {
 
 void LinuxCncMachine::disconnect() noexcept {
     m_rsh.reset();
-    if (m_memory != nullptr) {
+    if (m_memory != nullptr && !m_onlyRead) {  // a reader has none, and may stand beside the owner in one program
         giveUp(m_memory->owner);
     }
     m_mine = false;
@@ -121,7 +121,7 @@ Result<void> LinuxCncMachine::endOtherClaim() {
 
 void LinuxCncMachine::watchOwner() noexcept {
     m_owner = m_memory != nullptr ? m_memory->owner.load() : 0;
-    m_mine = m_own != 0 && m_owner == m_own;
+    m_mine = !m_onlyRead && m_own != 0 && m_owner == m_own;
     if (m_rsh != nullptr && m_owner == m_rsh->deadOwner()) {
         m_owner = 0;
     }
