@@ -88,8 +88,9 @@ void waitForMachine(MachinePort& machine) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (inputs.link != LinkState::Up) {
-        throw BadInput("--machine linuxcnc: the machine is not reached: it does not run, or its HAL file does not "
-                       "load kerf-hal.");
+        throw BadInput(
+            "--machine linuxcnc: the machine is not reached: it does not run, or its HAL file does not "
+            "load kerf-hal.");
     }
     if (const Capability& start = machine.capabilities().cycleStart; !start.fitted) {
         throw BadInput(std::string("--machine linuxcnc: ") + start.why.english());

@@ -59,7 +59,7 @@ struct Summary {
     std::vector<CommandSeen> commands{};
     std::uint32_t partsFinished{0};
     std::uint32_t partsAborted{0};
-    bool programRuns{false};  ///< at the end
+    bool programRuns{false};              ///< at the end
     double feedWhileStopped_mmPerS{0.0};  ///< largest feed while a stop holds the feed
     double wayWhileStopped_mm{0.0};
     double overPlannedWhileUnknown_mmPerS{0.0};  ///< largest feed above the planned one while anything is unknown

@@ -67,8 +67,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
                 return false;
             }
         }
-        const kerf::test::KerfRun status =
-            kerf::test::runKerf({QStringLiteral("machine"), QStringLiteral("status")});
+        const kerf::test::KerfRun status = kerf::test::runKerf({QStringLiteral("machine"), QStringLiteral("status")});
         return status.exitCode == 3 && status.err.contains(QStringLiteral("the machine is not reached"));
     }
 

@@ -46,10 +46,12 @@ class TestHalSource : public QObject {
     void whatAKilledBridgeHasLeftBehindIsNoReading() {
         const SensorFile file = parseSensorFile(kFile);
         std::vector<ChannelJudge> judges{ChannelJudge(file.channels[0]), ChannelJudge(file.channels[1])};
-        for (int i = 0; i < 30; ++i) show(31.5);
+        for (int i = 0; i < 30; ++i)
+            show(31.5);
         m_bridge->ready();
         HalSource source(file, judges, test::ownMemory());
-        for (int i = 0; i < 100; ++i) source.read();
+        for (int i = 0; i < 100; ++i)
+            source.read();
         QCOMPARE(judges[0].value().cause, Cause::NotYetRead);
         QCOMPARE(judges[0].value().changes, 0U);
         show(24.25);  // it lives

@@ -77,7 +77,8 @@ Result<void> LinuxCncMachine::connect() {
     return {};
 }
 
-/// A bridge that was killed leaves its memory behind: what stands in it is no sign of life, only what moves from now on.
+/// A bridge that was killed leaves its memory behind: what stands in it is no sign of life, only what moves from now
+/// on.
 void LinuxCncMachine::meet(LinkMemory* memory) noexcept {
     m_memory = memory;
     m_seen = FromControl{};
