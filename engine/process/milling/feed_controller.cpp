@@ -93,7 +93,8 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
         m_revolutionsInWork = 0;
     } else {
         const bool preview = m_law == LawKind::Preview && m_blank.size() > 0;
-        m_estimator.update(*input.force_N, input.feed_mmPerRev, preview ? m_lnDepthNow - m_lnDepthBefore : 0.0);
+        m_estimator.update(*input.force_N, input.feed_mmPerRev, preview ? m_lnDepthNow - m_lnDepthBefore : 0.0,
+                           m_law == LawKind::Model || m_law == LawKind::Preview);
         ++m_revolutionsInWork;
     }
     if (m_blank.size() > 0) {

@@ -2,6 +2,7 @@
 #include "engine/process/milling/late_force_estimator.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kerf::milling {
 namespace {
@@ -9,27 +10,53 @@ constexpr double kMemory = 1.0 - 1.0 / 100.0;  // of the evidence per period
 constexpr double kMostSaid = 3.0;              // log-likelihood by which one force may tell one lateness from another
 constexpr double kEvidence = 20.0;             // from which a force is taken for late: a comb in step with it says less
 constexpr double kEvidenceBack = 4.0;          // from which it is taken for less late again
+constexpr double kMostAirShare = 3.0;          // of the air force: noisier air than this does not raise it further
 }  // namespace
 
 LateForceEstimator::LateForceEstimator(const StiffnessEstimator::Params& params) noexcept
-    : m_estimators{StiffnessEstimator(params), StiffnessEstimator(params), StiffnessEstimator(params)} {}
+    : m_leastAirForce_N(params.airForce_N),
+      m_meter(params.assume),
+      m_noise{params.assume.forceNoise_N, m_meter.noise()},
+      m_estimators{StiffnessEstimator(params), StiffnessEstimator(params), StiffnessEstimator(params)} {}
 
 void LateForceEstimator::take(const Period& period) noexcept {
     std::shift_right(m_periods.begin(), m_periods.end(), 1);
     m_periods[0] = period;
 }
 
-void LateForceEstimator::update(double force_N, double feed_mm, double knownChange) noexcept {
+void LateForceEstimator::hear(double force_N, const Period& period) noexcept {
+    const StiffnessEstimator& estimator = m_estimators[m_late];
+    const double kx_NPerMm = estimator.estimate().kx_NPerMm;
+    m_noise.before_N = std::sqrt(m_meter.noise().variance_N2);
+    if (estimator.estimate().valid) {
+        m_meter.update(force_N, period.feed_mm, period.knownChange, kx_NPerMm, estimator.filterQuiet(m_noise.before_N));
+    } else if (period.feed_mm > 0.0) {
+        m_meter.begin(force_N, period.feed_mm, kx_NPerMm);
+    }
+    m_noise.now = m_meter.noise();
+}
+
+void LateForceEstimator::update(double force_N, double feed_mm, double knownChange, bool learnLate) noexcept {
     take({feed_mm, knownChange});
-    const bool judged = std::ranges::all_of(m_estimators, [](const auto& one) { return one.estimate().valid; });
+    hear(force_N, m_periods[m_late]);
+    const bool judged =
+        learnLate && std::ranges::all_of(m_estimators, [](const auto& one) { return one.estimate().valid; });
     std::array<double, kLates> logLikelihood{};
     for (std::size_t late = 0; late < kLates; ++late) {
-        m_estimators[late].update(force_N, m_periods[late].feed_mm, m_periods[late].knownChange);
-        logLikelihood[late] = m_estimators[late].logLikelihood();
+        if (learnLate || late == m_late) {
+            m_estimators[late].update(force_N, m_periods[late].feed_mm, m_periods[late].knownChange, m_noise);
+            logLikelihood[late] = m_estimators[late].logLikelihood();
+        } else {
+            m_estimators[late].leaveWork();
+        }
     }
     if (judged) {
         judge(logLikelihood);
     }
+}
+
+double LateForceEstimator::airForce_N() const noexcept {
+    return std::clamp(m_meter.airReach_N(), m_leastAirForce_N, kMostAirShare * m_leastAirForce_N);
 }
 
 void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) noexcept {
@@ -50,16 +77,14 @@ void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) 
 void LateForceEstimator::coast(double feed_mm) noexcept {
     take({feed_mm, 0.0});
     for (std::size_t late = 0; late < kLates; ++late) {
-        m_estimators[late].coast(m_periods[late].feed_mm);
+        m_estimators[late].coast(m_periods[late].feed_mm, m_noise);
     }
 }
 
 void LateForceEstimator::air(double force_N, double feed_mm) noexcept {
     take({feed_mm, 0.0});
-    for (StiffnessEstimator& estimator : m_estimators) {
-        estimator.air(force_N);
-        estimator.leaveWork();
-    }
+    m_meter.air(force_N);
+    leaveWork();
 }
 
 void LateForceEstimator::leaveWork() noexcept {
@@ -72,18 +97,23 @@ void LateForceEstimator::setPeriod(double shift) noexcept {
     for (StiffnessEstimator& estimator : m_estimators) {
         estimator.shift(shift);
     }
+    m_meter.shift(shift);
     m_logEvidence.fill(0.0);
     m_late = 0;
 }
 
 void LateForceEstimator::setReference(double reference_N, double unknownNoise_N) noexcept {
+    m_meter.expect(unknownNoise_N);
+    m_noise.now = m_meter.noise();
     for (StiffnessEstimator& estimator : m_estimators) {
-        estimator.setReference(reference_N, unknownNoise_N);
+        estimator.setReference(reference_N, m_noise);
     }
 }
 
 void LateForceEstimator::newTool(const StiffnessEstimator::Params& params) noexcept {
     m_estimators.fill(StiffnessEstimator(params));
+    m_meter = NoiseMeter(params.assume);
+    m_noise = {params.assume.forceNoise_N, m_meter.noise()};
 }
 
 const std::array<double, LateForceEstimator::kFilters>& LateForceEstimator::kxLogWeights() const noexcept {

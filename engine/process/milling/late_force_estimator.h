@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/process/milling/axis_follow.h"
+#include "engine/process/milling/noise_meter.h"
 #include "engine/process/milling/stiffness_estimator.h"
 
 namespace kerf::milling {
@@ -15,7 +16,8 @@ namespace kerf::milling {
 ///
 /// One StiffnessEstimator for each lateness pairs the force with the feed of so many periods before. Each is weighed by
 /// the likelihood of the forces it was surprised by, slowly forgotten; the law gets the estimate of the likeliest. A
-/// force counts as prompt until the evidence is clear, and who has the floor keeps it until it is clearly beaten.
+/// force counts as prompt until the evidence is clear, and who has the floor keeps it until it is clearly beaten. How
+/// noisy the force is, they are all told by one NoiseMeter, which goes with the likeliest.
 /// What force and feed are late by together does not show here (AxisFollow learns that).
 ///
 /// Forces ≥ 0 in N, feeds ≥ 0 in mm per period. All functions run in the cycle: no allocation, lock, throw or I/O.
@@ -27,7 +29,8 @@ class LateForceEstimator {
     explicit LateForceEstimator(const StiffnessEstimator::Params& params) noexcept;
 
     /// One period with a trusted force; `feed_mm` is what the axis made while the force was on its way, the newest.
-    void update(double force_N, double feed_mm, double knownChange) noexcept;
+    /// `learnLate`: the law uses what is learnt of the lateness; else only the likeliest estimator runs.
+    void update(double force_N, double feed_mm, double knownChange, bool learnLate) noexcept;
     void coast(double feed_mm) noexcept;
     void air(double force_N, double feed_mm) noexcept;
     void leaveWork() noexcept;
@@ -46,7 +49,8 @@ class LateForceEstimator {
     [[nodiscard]] StiffnessEstimate after(std::span<const double> pending_mm) const noexcept;
     /// Change of ln b by the blank profile in the periods whose force has not come.
     [[nodiscard]] double pendingChange() const noexcept;
-    [[nodiscard]] double airForce_N() const noexcept { return m_estimators[m_late].airForce_N(); }
+    /// Below: the tool does not cut.
+    [[nodiscard]] double airForce_N() const noexcept;
 
  private:
     struct Period {
@@ -54,8 +58,12 @@ class LateForceEstimator {
         double knownChange{0.0};
     };
     void take(const Period& period) noexcept;
+    void hear(double force_N, const Period& period) noexcept;
     void judge(const std::array<double, kLates>& logLikelihood) noexcept;
 
+    double m_leastAirForce_N;
+    NoiseMeter m_meter;
+    StiffnessEstimator::Noise m_noise{};
     std::array<StiffnessEstimator, kLates> m_estimators;
     std::array<Period, kLates> m_periods{};      ///< newest first
     std::array<double, kLates> m_logEvidence{};  ///< highest is 0

@@ -13,11 +13,15 @@ constexpr double kLeastLogWeight = -12.0;       // no filter is ever ruled out f
 constexpr double kLeastBefore = -6.0;           // … and one surprise may find the least likely
 constexpr double kLeastLogLikelihood = -500.0;  // keeps its exponential above 0
 constexpr double k95 = 1.96;
+constexpr std::size_t kTurns = 4;  // revolutions in which the filters that hardly count are asked once
 
-constexpr double kMostAirShare = 3.0;  // of the air force: noisier air than this does not raise it further
 constexpr double kAheadMemory = 0.8, kAheadMemoryNoisy = 0.95;  // of the slope in a revolution not yet measured
 constexpr double kSolved = 1e-6;                                // relative, of l
 constexpr double kSmallestFeed_mm = 1e-6;                       // keeps l^(m−1) finite
+
+StiffnessEstimator::Noise known(double noise_N) {
+    return {noise_N, {noise_N * noise_N, noise_N * noise_N}};
+}
 }  // namespace
 
 constexpr StiffnessEstimator::Quiet StiffnessEstimator::kLawQuiet{0.022, 7.0};
@@ -31,14 +35,14 @@ double StiffnessEstimator::lnKxOf(std::size_t filter, const Params& params) noex
     return std::log(params.softest_NPerMm) + fine * std::log(params.ratio) + stiff * std::log(stiffRatio);
 }
 
-StiffnessEstimator::StiffnessEstimator(const Params& params) noexcept : m_params(params), m_meter(params.assume) {
+StiffnessEstimator::StiffnessEstimator(const Params& params) noexcept : m_params(params) {
     for (std::size_t i = 0; i < kFilters; ++i) {
         m_lnKx[i] = lnKxOf(i, params);
         m_filters[i] = StiffnessFilter(params.assume, std::exp(m_lnKx[i]));
         const double off = (m_lnKx[i] - std::log(params.likely_NPerMm)) / params.likelyWidth;
         m_logWeight[i] = std::max(-0.5 * off * off, kLeastBefore);
     }
-    combine();
+    combine(known(params.assume.forceNoise_N));
     m_estimate.valid = false;
 }
 
@@ -47,7 +51,7 @@ bool StiffnessEstimator::setKxLogWeights(const std::array<double, kFilters>& wei
         return false;
     }
     m_logWeight = weights;
-    combine();
+    combine(known(m_estimate.noise_N));
     m_estimate.valid = false;
     return true;
 }
@@ -56,72 +60,83 @@ void StiffnessEstimator::leaveWork() noexcept {
     m_estimate.valid = false;
 }
 
-void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double knownChange) noexcept {
-    if (!m_estimate.valid) {
-        if (force_N < airForce_N() || feed_mmPerRev <= 0.0) {
-            return;
-        }
-        m_meter.begin(force_N, feed_mmPerRev, m_estimate.kx_NPerMm);
-        for (StiffnessFilter& filter : m_filters) {
-            filter.begin(force_N, feed_mmPerRev, m_meter.noise().variance_N2);
-        }
+void StiffnessEstimator::begin(double force_N, double feed_mmPerRev, double noise_N2) noexcept {
+    for (StiffnessFilter& filter : m_filters) {
+        filter.begin(force_N, feed_mmPerRev, noise_N2);
+    }
+}
+
+void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double knownChange, const Noise& noise) noexcept {
+    if (m_estimate.valid) {
+        weigh(force_N, feed_mmPerRev, knownChange, noise);
+    } else if (feed_mmPerRev > 0.0) {
+        begin(force_N, feed_mmPerRev, noise.now.variance_N2);
     } else {
-        const double quietness = quiet(kFilterQuiet);
-        m_meter.update(force_N, feed_mmPerRev, knownChange, m_estimate.kx_NPerMm, quietness);
-        std::array<StiffnessFilter::Fit, kFilters> fit{};
-        bool surprised = false;
-        double total = 0.0;
-        double likelihood = 0.0;
-        for (std::size_t i = 0; i < kFilters; ++i) {
-            const double weight = std::exp(m_logWeight[i]);
-            m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
-            fit[i] = m_filters[i].correct(force_N, m_meter.noise());
-            surprised = surprised || fit[i].surprise < 0.0;
-            total += weight;
-            likelihood += weight * std::exp(std::max(m_filters[i].logLikelihood(), kLeastLogLikelihood));
+        return;
+    }
+    combine(noise);
+}
+
+void StiffnessEstimator::weigh(double force_N, double feed_mmPerRev, double knownChange, const Noise& noise) noexcept {
+    const double quietness = filterQuiet(noise.before_N);
+    std::array<StiffnessFilter::Fit, kFilters> fit{};
+    std::array<bool, kFilters> asked{};
+    bool surprised = false;
+    double total = 0.0;
+    double likelihood = 0.0;
+    m_turn = (m_turn + 1) % kTurns;
+    for (std::size_t i = 0; i < kFilters; ++i) {
+        // What the stiff ones pay by is always asked.
+        asked[i] = m_logWeight[i] > kLeastLogWeight || i % kTurns == m_turn || i == kFilters - kStiff - 1;
+        if (!asked[i]) {
+            continue;
         }
-        // To a stiff tool every change of depth is a large force at once, so its filter expects nearly anything: it
-        // pays for that when others, surer ones, are surprised.
-        const double sure_N2 = fit[kFilters - kStiff - 1].spread_N2;
-        for (std::size_t i = 0; i < kFilters; ++i) {
+        const double weight = std::exp(m_logWeight[i]);
+        m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
+        fit[i] = m_filters[i].correct(force_N, noise.now);
+        surprised = surprised || fit[i].surprise < 0.0;
+        total += weight;
+        likelihood += weight * std::exp(std::max(m_filters[i].logLikelihood(), kLeastLogLikelihood));
+    }
+    // To a stiff tool every change of depth is a large force at once, so its filter expects nearly anything: it
+    // pays for that when others, surer ones, are surprised.
+    const double sure_N2 = fit[kFilters - kStiff - 1].spread_N2;
+    for (std::size_t i = 0; i < kFilters; ++i) {
+        if (asked[i]) {
             const bool pays = surprised && i >= kFilters - kStiff;
             m_logWeight[i] += fit[i].surprise - (pays ? std::log(fit[i].spread_N2 / sure_N2) : 0.0);
         }
-        m_logLikelihood = std::log(likelihood / total);
-        const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logWeight) - m_logWeight.begin());
-        const double highest = m_logWeight[best];
-        for (std::size_t i = 0; i < kFilters; ++i) {
-            m_logWeight[i] -= highest;
-            if (!(m_logWeight[i] > kLeastLogWeight)) {  // so written, a weight that is no number counts as least
-                m_logWeight[i] = kLeastLogWeight;
-                m_filters[i].adopt(m_filters[best]);
-            }
+    }
+    m_logLikelihood = std::log(likelihood / total);
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logWeight) - m_logWeight.begin());
+    const double highest = m_logWeight[best];
+    for (std::size_t i = 0; i < kFilters; ++i) {
+        m_logWeight[i] -= highest;
+        if (!asked[i] || !(m_logWeight[i] > kLeastLogWeight)) {  // so, a weight that is no number counts as least
+            m_logWeight[i] = kLeastLogWeight;
+            m_filters[i].adopt(m_filters[best]);
         }
     }
-    combine();
 }
 
-double StiffnessEstimator::quiet(const Quiet& quiet) const noexcept {
-    const double noise_N = std::sqrt(m_meter.noise().variance_N2);
+double StiffnessEstimator::quiet(const Quiet& quiet, double noise_N) const noexcept {
     return 1.0 / (1.0 + std::pow(noise_N / (quiet.share * m_params.reference_N), quiet.power));
 }
 
-double StiffnessEstimator::airForce_N() const noexcept {
-    return std::clamp(m_meter.airReach_N(), m_params.airForce_N, kMostAirShare * m_params.airForce_N);
+double StiffnessEstimator::filterQuiet(double noise_N) const noexcept {
+    return quiet(kFilterQuiet, noise_N);
 }
 
-void StiffnessEstimator::setReference(double reference_N, double unknownNoise_N) noexcept {
+void StiffnessEstimator::setReference(double reference_N, const Noise& noise) noexcept {
     m_params.reference_N = reference_N;
-    m_meter.expect(unknownNoise_N);
-    m_estimate.noise_N = std::sqrt(m_meter.noise().variance_N2);
-    m_estimate.quiet = quiet(kLawQuiet);
+    m_estimate.noise_N = std::sqrt(noise.now.variance_N2);
+    m_estimate.quiet = quiet(kLawQuiet, std::sqrt(noise.now.variance_N2));
 }
 
 void StiffnessEstimator::shift(double change) noexcept {
     for (StiffnessFilter& filter : m_filters) {
         filter.shift(change);
     }
-    m_meter.shift(change);
     m_estimate.lnCb += change;
 }
 
@@ -146,16 +161,16 @@ StiffnessEstimate StiffnessEstimator::after(std::span<const double> feeds_mmPerR
     return ahead;
 }
 
-void StiffnessEstimator::coast(double feed_mmPerRev) noexcept {
+void StiffnessEstimator::coast(double feed_mmPerRev, const Noise& noise) noexcept {
     if (m_estimate.valid) {
         for (StiffnessFilter& filter : m_filters) {
-            filter.predict(feed_mmPerRev, 0.0, quiet(kFilterQuiet));
+            filter.predict(feed_mmPerRev, 0.0, filterQuiet(noise.before_N));
         }
-        combine();
+        combine(noise);
     }
 }
 
-void StiffnessEstimator::combine() noexcept {
+void StiffnessEstimator::combine(const Noise& noise) noexcept {
     double total = 0.0;
     double lnKx = 0.0;
     StiffnessEstimate mixed;
@@ -175,8 +190,8 @@ void StiffnessEstimator::combine() noexcept {
     mixed.force_N /= total;
     mixed.stepping /= total;
     mixed.slopeMemory /= total;
-    mixed.noise_N = std::sqrt(m_meter.noise().variance_N2);
-    mixed.quiet = quiet(kLawQuiet);
+    mixed.noise_N = std::sqrt(noise.now.variance_N2);
+    mixed.quiet = quiet(kLawQuiet, std::sqrt(noise.now.variance_N2));
     mixed.kx_NPerMm = std::exp(lnKx / total);
     double variance = 0.0;  // within the filters and between them
     for (std::size_t i = 0; i < kFilters; ++i) {

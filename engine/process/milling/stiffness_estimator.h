@@ -7,7 +7,6 @@
 
 #include "engine/core/units.h"
 #include "engine/process/milling/milling_types.h"
-#include "engine/process/milling/noise_meter.h"
 #include "engine/process/milling/stiffness_filter.h"
 
 namespace kerf::milling {
@@ -30,7 +29,7 @@ struct StiffnessEstimate {
 /// Cutting stiffness when k_x is not known: filters at several k_x side by side, weighed by how well each explains the
 /// measured force (Magill 1965). A wrong k_x shows in every transient, so the weights settle within the first entry. A
 /// filter that no longer explains the force is set back onto the best one's estimate, so it can come into its own
-/// again.
+/// again; it is asked in every fourth revolution only.
 ///
 /// Without the bank a law must assume a stiff tool to stay stable on every machine (docs/milling.md has the
 /// comparison).
@@ -52,10 +51,15 @@ class StiffnessEstimator {
     /// ln of the k_x that a filter of the bank assumes, in N/mm.
     [[nodiscard]] static double lnKxOf(std::size_t filter, const Params& params) noexcept;
 
+    /// How noisy the force is, as learnt before this revolution and with it (NoiseMeter).
+    struct Noise {
+        double before_N{0.0};
+        StiffnessFilter::Noise now{};
+    };
     /// One revolution with a trusted force and the feed the axis made in it; `knownChange` see StiffnessFilter.
-    void update(double force_N, double feed_mmPerRev, double knownChange = 0.0) noexcept;
+    void update(double force_N, double feed_mmPerRev, double knownChange, const Noise& noise) noexcept;
     /// One revolution without a trusted force: predicted only, the interval widens.
-    void coast(double feed_mmPerRev) noexcept;
+    void coast(double feed_mmPerRev, const Noise& noise) noexcept;
     /// The period of the law has changed: ln(C b) of the new one is larger by this.
     void shift(double change) noexcept;
     /// Forget the cut (the tool has left the work); what was learnt of k_x stays.
@@ -68,13 +72,10 @@ class StiffnessEstimator {
     [[nodiscard]] StiffnessEstimate after(std::span<const double> feeds_mmPerRev) const noexcept;
     /// Of the last force before it was taken, over all filters.
     [[nodiscard]] double logLikelihood() const noexcept { return m_logLikelihood; }
-    /// Another reference: the same noise counts as more or less of it. `unknownNoise_N`: of a force about which nothing
-    /// was learnt yet.
-    void setReference(double reference_N, double unknownNoise_N) noexcept;
-    /// Below: the tool does not cut.
-    [[nodiscard]] double airForce_N() const noexcept;
-    /// A revolution in air: its force is noise.
-    void air(double force_N) noexcept { m_meter.air(force_N); }
+    /// Another reference: the same noise counts as more or less of it.
+    void setReference(double reference_N, const Noise& noise) noexcept;
+    /// How clean a force of this noise is to the filters, 1 … 0.
+    [[nodiscard]] double filterQuiet(double noise_N) const noexcept;
 
  private:
     struct Quiet {
@@ -82,16 +83,18 @@ class StiffnessEstimator {
         double power;  ///< how sharply the one turns to the other
     };
     static const Quiet kLawQuiet, kFilterQuiet;
-    void combine() noexcept;
-    [[nodiscard]] double quiet(const Quiet& quiet) const noexcept;
+    void begin(double force_N, double feed_mmPerRev, double noise_N2) noexcept;
+    void weigh(double force_N, double feed_mmPerRev, double knownChange, const Noise& noise) noexcept;
+    void combine(const Noise& noise) noexcept;
+    [[nodiscard]] double quiet(const Quiet& quiet, double noise_N) const noexcept;
 
     Params m_params;
-    NoiseMeter m_meter;
     std::array<StiffnessFilter, kFilters> m_filters{};
     std::array<double, kFilters> m_lnKx{};
     std::array<double, kFilters> m_logWeight{};  ///< highest is 0
     StiffnessEstimate m_estimate{};
     double m_logLikelihood{0.0};
+    std::size_t m_turn{0};  ///< whose turn it is of the filters that hardly count
 };
 
 }  // namespace kerf::milling

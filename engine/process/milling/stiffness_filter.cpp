@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/process/milling/plant.h"
-
 namespace kerf::milling {
 namespace {
 
@@ -15,6 +13,7 @@ constexpr double kFirstDeviation = 0.5;         // of g after the first revoluti
 constexpr double kFirstSlopeDeviation = 0.148;  // of v
 constexpr std::array<double, StiffnessFilter::kWays> kFirstProbability{0.2, 0.2, 0.6};
 constexpr double kModelNoise_N2 = 7.55;             // variance of what the plant leaves out
+constexpr double kLeastForce_N = 1.0;               // from which l is looked for
 constexpr double kSolved = 1e-3;                    // relative, of the last step towards l: what is left is its square
 constexpr double kSmallestFeed_mm = 1e-6;           // keeps l^(m−1) finite
 constexpr double kSoftest = -5.0, kHardest = 15.0;  // g of anything a tool survives
@@ -49,6 +48,32 @@ double change(std::size_t from, std::size_t to, double quiet) {
     return from == to ? 1.0 - off[from][0] - off[from][1] - off[from][2] : off[from][to];
 }
 
+/// l and l^m with l + compliance l^m = supply, from an l^m not far away: solveCutFeed_mmPerRev() with one power per
+/// step.
+struct CutFeed {
+    double feed_mmPerRev;  ///< l
+    double power;          ///< l^m
+};
+CutFeed solveCutFeed(double compliance, double supply_mm, double exponent, double near) {
+    if (supply_mm <= kSmallestFeed_mm) {
+        return {kSmallestFeed_mm, std::pow(kSmallestFeed_mm, exponent)};
+    }
+    const double inverse = 1.0 / exponent;
+    double power = std::min(near, supply_mm / compliance);
+    double feed_mm = 0.0;
+    for (int i = 0; i < 64; ++i) {  // convex: from the left it goes right of the root, and from there falls onto it
+        feed_mm = std::pow(power, inverse);
+        const double slope = inverse * feed_mm / power;
+        const double step = (feed_mm + compliance * power - supply_mm) / (slope + compliance);
+        power -= step;
+        feed_mm -= slope * step;
+        if (std::abs(step) <= kSolved * power) {
+            break;
+        }
+    }
+    return {std::max(feed_mm, kSmallestFeed_mm), power};
+}
+
 }  // namespace
 
 StiffnessFilter::StiffnessFilter(const StiffnessAssumptions& assumptions, double kx_NPerMm) noexcept
@@ -81,20 +106,17 @@ void StiffnessFilter::begin(double force_N, double feed_mmPerRev, double noise_N
     combine();
 }
 
-StiffnessFilter::Way StiffnessFilter::turned(const Way& way, std::size_t from, std::size_t to, double feed_mmPerRev,
-                                             double quiet) noexcept {
-    Way turned = way;
+void StiffnessFilter::turn(Way& way, std::size_t from, std::size_t to, double feed_mmPerRev, double quiet) noexcept {
     if (to == kStepWay && from != kStepWay) {
         const double jump = std::min(kJumpPerFeed_perMm.at(quiet) * feed_mmPerRev, kHighestJump.at(quiet));
-        turned.covariance(1, 1) += kJump * kJump;
-        turned.covariance(2, 2) += jump * jump;
+        way.covariance(1, 1) += kJump * kJump;
+        way.covariance(2, 2) += jump * jump;
     } else if (from == kStepWay && to != kStepWay) {
-        turned.state[2] = 0.0;
-        turned.covariance.row(2).setZero();
-        turned.covariance.col(2).setZero();
-        turned.covariance(2, 2) = kSlopeAfterStep * kSlopeAfterStep;
+        way.state[2] = 0.0;
+        way.covariance.row(2).setZero();
+        way.covariance.col(2).setZero();
+        way.covariance(2, 2) = kSlopeAfterStep * kSlopeAfterStep;
     }
-    return turned;
 }
 
 void StiffnessFilter::mix(double feed_mmPerRev) noexcept {
@@ -112,16 +134,24 @@ void StiffnessFilter::mix(double feed_mmPerRev) noexcept {
             weight[from] = std::max(0.0, weight[from] / way.probability - (from == to ? 0.0 : kLeastMixed));
             total += weight[from];
         }
-        std::array<Way, kWays> coming{};
+        if (weight[to] == total) {  // nothing comes from the others: stays as it is
+            continue;
+        }
+        std::array<Way, kWays> coming;
         way.state.setZero();
         for (std::size_t from = 0; from < kWays; ++from) {
-            coming[from] = turned(before[from], from, to, feed_mmPerRev, m_quiet);
-            way.state += weight[from] / total * coming[from].state;
+            if (weight[from] > 0.0) {
+                coming[from] = before[from];
+                turn(coming[from], from, to, feed_mmPerRev, m_quiet);
+                way.state += weight[from] / total * coming[from].state;
+            }
         }
         way.covariance.setZero();
         for (std::size_t from = 0; from < kWays; ++from) {
-            const Eigen::Vector4d off = coming[from].state - way.state;
-            way.covariance += weight[from] / total * (coming[from].covariance + off * off.transpose());
+            if (weight[from] > 0.0) {
+                const Eigen::Vector4d off = coming[from].state - way.state;
+                way.covariance += weight[from] / total * (coming[from].covariance + off * off.transpose());
+            }
         }
     }
 }
@@ -130,21 +160,27 @@ double StiffnessFilter::predict(Way& way, const Walk& walk, double feed_mmPerRev
     const double m = m_assume.exponent;
     const double perNewton_mm = m_cos / (m_sin * m_kx_NPerMm);  // δ_x per newton of F_y
     const double g = way.state[1] + way.state[2] + knownChange;
-    const double compliance = std::exp(g) * m_cos / m_kx_NPerMm;
-    const double cut_mm = std::max(
-        solveCutFeed_mmPerRev(compliance, feed_mmPerRev + perNewton_mm * way.state[0], m, kSolved), kSmallestFeed_mm);
-    const double force_N = std::exp(g) * std::pow(cut_mm, m) * m_sin;
+    const double stiffness = std::exp(g);
+    const double compliance = stiffness * m_cos / m_kx_NPerMm;
+    const double near = std::max(way.state[0], kLeastForce_N) / (stiffness * m_sin);
+    const CutFeed cut = solveCutFeed(compliance, feed_mmPerRev + perNewton_mm * way.state[0], m, near);
+    const double cut_mm = cut.feed_mmPerRev;
+    const double force_N = stiffness * cut.power * m_sin;
     // l + K l^m = s: dl/ds = 1/D, and a change of g moves F_y by F_y/D, with D = 1 + m K l^(m−1).
-    const double damping = 1.0 + m * compliance * std::pow(cut_mm, m - 1.0);
+    const double damping = 1.0 + m * compliance * cut.power / cut_mm;
     const double perForce = m * force_N / cut_mm / damping * perNewton_mm;
     const double perG_N = force_N / damping;
-    Eigen::Matrix4d transition;
-    transition << perForce, perG_N, perG_N, 0.0,  //
-        0.0, 1.0, 1.0, 0.0,                       //
-        0.0, 0.0, walk.slopeMemory, 0.0,          //
-        1.0, 0.0, 0.0, 0.0;
     Eigen::Matrix4d& covariance = way.covariance;
-    covariance = (transition * covariance * transition.transpose()).eval();
+    // T P Tᵀ with the transition T: F_y by perForce of itself and perG_N of g and v, g by v, v kept by ρ.
+    Eigen::Matrix4d half;
+    half.row(1) = covariance.row(1) + covariance.row(2);
+    half.row(0) = perForce * covariance.row(0) + perG_N * half.row(1);
+    half.row(2) = walk.slopeMemory * covariance.row(2);
+    half.row(3) = covariance.row(0);
+    covariance.col(1) = half.col(1) + half.col(2);
+    covariance.col(0) = perForce * half.col(0) + perG_N * covariance.col(1);
+    covariance.col(2) = walk.slopeMemory * half.col(2);
+    covariance.col(3) = half.col(0);
     const double variance = walk.deviation * walk.deviation;  // of g, felt by F_y in the same revolution
     covariance(0, 0) += perG_N * perG_N * variance + kModelNoise_N2;
     covariance(0, 1) += perG_N * variance;

@@ -30,7 +30,7 @@ struct StiffnessAssumptions {
 ///   ways       calm (v stays: a wall, a long ramp), drift (v changes), step (v jumps when it begins, by so much per mm
 ///              of feed, is 0 again when it ends, and walks between)
 ///
-/// The jumps belong to the changes of way (turned()): a step is one change, not a walk, so a noisy force does not pass
+/// The jumps belong to the changes of way (turn()): a step is one change, not a walk, so a noisy force does not pass
 /// for one, and when it is over nothing is left of its slope. `quiet`: how clean the force is, 1 … 0: in a noisy one a
 /// step counts only when it lasts. Δ is a change of ln b known beforehand (blank profile), else 0. Forces ≥ 0 in N,
 /// feeds ≥ 0 in mm/rev. All functions run in the cycle: no allocation, lock, throw or I/O.
@@ -85,8 +85,7 @@ class StiffnessFilter {
         double slopeMemory;     ///< ρ
     };
     [[nodiscard]] static Walk walkOf(std::size_t way, double quiet) noexcept;
-    [[nodiscard]] static Way turned(const Way& way, std::size_t from, std::size_t to, double feed_mmPerRev,
-                                    double quiet) noexcept;
+    static void turn(Way& way, std::size_t from, std::size_t to, double feed_mmPerRev, double quiet) noexcept;
     void mix(double feed_mmPerRev) noexcept;
     /// The time constant with which the tool follows, in revolutions.
     double predict(Way& way, const Walk& walk, double feed_mmPerRev, double knownChange) const noexcept;
