@@ -244,6 +244,11 @@ Result<void> backupDatabase(const std::string& path, const std::string& copyPath
         return fail(KERF_TEXT("The file %1 exists already; a backup never overwrites."), fileName(copyPath));
     }
     QFile::remove(partial);
+    if (QFile place(partial); !place.open(QIODevice::WriteOnly)) {
+        return fail(KERF_TEXT("The backup %1 cannot be written: its folder is missing or read-only."),
+                    fileName(copyPath));
+    }
+    QFile::remove(partial);  // SQLite makes it anew
     const auto expected = HeadFile(path).read();
     Result<void> done = guarded([&] {
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/clock.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 
@@ -33,23 +33,19 @@ bool take(std::string_view& text, char c) noexcept {
     return there;
 }
 
-/// Days since 1970 of "2026-11-27", "2026/11/27"; empty for other spellings.
-std::optional<double> calendarDay(std::string_view date) noexcept {
-    const auto year = takeNumber(date, 4);
-    const char mark = date.empty() ? '\0' : date.front();
-    if (!year || *year < 1900 || (mark != '-' && mark != '/' && mark != '.') || !take(date, mark)) {
+constexpr int kShortYears = 100;
+
+/// Days since 1970 of a date's numbers in this order; empty when they are none.
+std::optional<double> calendarDay(const std::array<std::int16_t, 3>& n, DateOrder order) noexcept {
+    const int year = order == DateOrder::YearFirst ? n[0] : n[2];
+    const int month = order == DateOrder::MonthFirst ? n[0] : n[1];
+    const int day = order == DateOrder::DayFirst ? n[0] : order == DateOrder::MonthFirst ? n[1] : n[2];
+    if (month < 1 || day < 1) {
         return std::nullopt;
     }
-    const auto month = takeNumber(date, 2);
-    if (!month || !take(date, mark)) {
-        return std::nullopt;
-    }
-    const auto day = takeNumber(date, 2);
-    if (!day || !date.empty()) {
-        return std::nullopt;
-    }
-    const std::chrono::year_month_day all{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
-                                          std::chrono::day(static_cast<unsigned>(*day))};
+    const std::chrono::year_month_day all{std::chrono::year(year < kShortYears ? 2000 + year : year),
+                                          std::chrono::month(static_cast<unsigned>(month)),
+                                          std::chrono::day(static_cast<unsigned>(day))};
     return all.ok() ? std::optional(static_cast<double>(std::chrono::sys_days(all).time_since_epoch().count()))
                     : std::nullopt;
 }
@@ -114,20 +110,94 @@ std::optional<ClockTime> readClock(std::string_view text) noexcept {
     return out;
 }
 
-double ClockCounter::seconds(const ClockTime& time) {
-    const auto day = calendarDay(time.date);
-    if (!m_begun) {
-        m_begun = true;
-        m_day = day.value_or(0.0);
-        m_first_s = m_day * kDay_s + time.second_s;
-    } else if (day) {
-        m_day = *day;
-    } else if (time.date.empty() ? time.second_s < m_last_s - kDay_s / 2.0 : time.date != m_date) {
-        m_day += 1.0;
+void ClockColumn::add(const ClockTime& time) {
+    Time out{time.second_s, {}, 0, !time.date.empty(), time.date != m_date};
+    std::string_view date = time.date;
+    if (date.size() == 8 && date.find_first_not_of("0123456789") == std::string_view::npos) {  // 20261127
+        auto year = date.substr(0, 4), month = date.substr(4, 2), day = date.substr(6);
+        out.numbers = {static_cast<std::int16_t>(*takeNumber(year, 4)),
+                       static_cast<std::int16_t>(*takeNumber(month, 2)),
+                       static_cast<std::int16_t>(*takeNumber(day, 2))};
+        out.mark = '-';
+    } else if (const auto first = takeNumber(date, 4); first && !date.empty()) {
+        out.mark = date.front();
+        date.remove_prefix(1);
+        const auto second = takeNumber(date, 2);
+        const auto third = second && take(date, out.mark) ? takeNumber(date, 4) : std::nullopt;
+        if (third && date.empty()) {
+            out.numbers = {static_cast<std::int16_t>(*first), static_cast<std::int16_t>(*second),
+                           static_cast<std::int16_t>(*third)};
+        }
     }
     m_date = time.date;
-    m_last_s = time.second_s;
-    return m_day * kDay_s + time.second_s - m_first_s;
+    m_times.push_back(out);
+}
+
+std::vector<double> ClockColumn::secondsIn(DateOrder order) const {
+    std::vector<double> out;
+    for (const Time& time : m_times) {
+        const bool yearFirst = time.numbers[0] >= kShortYears;
+        const bool dayFirst = time.mark == '.' && !yearFirst;
+        const DateOrder own = yearFirst ? DateOrder::YearFirst : dayFirst ? DateOrder::DayFirst : order;
+        const auto day = calendarDay(time.numbers, own);
+        if (!day) {
+            return {};
+        }
+        out.push_back(*day * kDay_s + time.second_s);
+    }
+    return out;
+}
+
+std::vector<double> ClockColumn::secondsWithoutCalendar() const {
+    std::vector<double> out;
+    double day = 0.0;
+    for (std::size_t k = 0; k < m_times.size(); ++k) {
+        const Time& time = m_times[k];
+        if (k > 0 && (time.dated ? time.another : time.second_s < m_times[k - 1].second_s - kDay_s / 2.0)) {
+            day += 1.0;
+        }
+        out.push_back(day * kDay_s + time.second_s);
+    }
+    return out;
+}
+
+ClockColumn::Counted ClockColumn::counted(std::optional<DateOrder> said) const {
+    std::vector<std::vector<double>> readings;
+    for (const DateOrder order : {DateOrder::DayFirst, DateOrder::MonthFirst, DateOrder::YearFirst}) {
+        if (said && *said != order) {
+            continue;
+        }
+        std::vector<double> seconds = secondsIn(order);
+        if (seconds.empty()) {
+            continue;
+        }
+        const double first_s = seconds.front();
+        for (double& second : seconds) {
+            second -= first_s;
+        }
+        readings.push_back(std::move(seconds));
+    }
+    const auto forward = [](const std::vector<double>& seconds) { return std::ranges::is_sorted(seconds); };
+    if (std::ranges::any_of(readings, forward)) {
+        std::erase_if(readings, [&](const auto& seconds) { return !forward(seconds); });
+    }
+    Counted out;
+    if (readings.empty()) {
+        out.seconds = secondsWithoutCalendar();
+        for (double& second : out.seconds) {
+            second -= m_times.front().second_s;
+        }
+        return out;
+    }
+    for (const auto& other : readings) {
+        const auto [own, differs] = std::ranges::mismatch(readings.front(), other);
+        if (own != readings.front().end()) {
+            out.doubt =
+                std::min(out.doubt.value_or(m_times.size()), static_cast<std::size_t>(own - readings.front().begin()));
+        }
+    }
+    out.seconds = std::move(readings.front());
+    return out;
 }
 
 }  // namespace kerf::files

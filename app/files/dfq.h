@@ -96,9 +96,12 @@ struct Problem {
 };
 
 /// A DFQ, or a DFD alone (no values).
-[[nodiscard]] tl::expected<File, Problem> read(std::string_view bytes);
+/// `said`: what comes first in dates with slashes, where somebody knows. Without it the file must tell: a date that may
+/// be two days, and no other date that tells, is refused.
+[[nodiscard]] tl::expected<File, Problem> read(std::string_view bytes, std::optional<SlashDates> said = {});
 /// Adds the values of a DFX to the description that `file` holds.
-[[nodiscard]] tl::expected<void, Problem> readValues(std::string_view bytes, File& file);
+[[nodiscard]] tl::expected<void, Problem> readValues(std::string_view bytes, File& file,
+                                                     std::optional<SlashDates> said = {});
 
 /// A whole DFQ. Values of one row share a line; what has no place in it follows as K lines.
 [[nodiscard]] std::string write(const File& file);

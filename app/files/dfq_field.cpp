@@ -24,6 +24,13 @@ bool isZeroTime(std::string_view text) {
 
 }  // namespace
 
+std::string eitherOrder(std::string_view text) {
+    return fmt::format(
+        "'{}' may have its day or its month first, and no date of the file tells; say which with --dates day-first or "
+        "--dates month-first",
+        beginOf(text, kQuoted));
+}
+
 std::string keyName(int key) {
     return key < 0 ? fmt::format("place {}", -key) : fmt::format("K{:04}", key);
 }
@@ -93,6 +100,18 @@ bool FieldReader::takeAttribute(Value& value, std::string& text) {
     return true;
 }
 
+/// What the date of `text` says about the order of day and month.
+void FieldReader::judgeOrder(const Time& time, std::string_view local, const std::string& text) {
+    if (m_slashes != SlashDates::MonthFirst || text.find('/') == std::string::npos) {
+        return;
+    }
+    auto other = timeOf(local, SlashDates::DayFirst);
+    if (!other) other = looseTimeOf(text, SlashDates::DayFirst);
+    const bool own = std::ranges::count(text, '/') == 3 || text.find_first_of("Mm") != std::string::npos;
+    m_monthFirst = m_monthFirst || !other || (own && *other != time);
+    m_either = m_either || (other && *other != time && !own);
+}
+
 bool FieldReader::takeTime(Value& value, std::string& text) {
     if (text.empty()) {
         return true;
@@ -125,6 +144,7 @@ bool FieldReader::takeTime(Value& value, std::string& text) {
         m_findings.bad(keyName(4), fmt::format("'{}' is no time; expected dd.MM.yyyy/HH:mm:ss", text));
         return false;
     }
+    judgeOrder(*value.time, local, text);
     if (!offset) {
         const std::string canonical = timeText(*value.time);
         if (canonical != text) {

@@ -32,19 +32,26 @@ class FieldReader {
     [[nodiscard]] bool take(Value& value, int key, std::string& text);
     /// It failed at a date that only stands with its day first.
     [[nodiscard]] bool wantsDayFirst() const noexcept { return m_dayFirst; }
+    /// It met a date that stands with its month first only, or one that would be another day with its day first. What
+    /// the format writes (slashes up to the clock: M/d/yyyy/HH:mm:ss) and what has AM or PM has its month first.
+    [[nodiscard]] bool sawMonthFirst() const noexcept { return m_monthFirst; }
+    [[nodiscard]] bool sawEither() const noexcept { return m_either; }
 
  private:
     bool takeNumber(Value& value, int key, std::string& text);
     bool takeAttribute(Value& value, std::string& text);
     bool takeTime(Value& value, std::string& text);
+    void judgeOrder(const Time& time, std::string_view local, const std::string& text);
     void takeEvents(Value& value, std::string& text);
 
     FieldFindings& m_findings;
     const File& m_file;
     SlashDates m_slashes;
-    bool m_dayFirst{false};
+    bool m_dayFirst{false}, m_monthFirst{false}, m_either{false};
 };
 
+/// Why a date is refused that may be two days.
+[[nodiscard]] std::string eitherOrder(std::string_view text);
 /// "K0001"; "place 3" of an unnamed one.
 [[nodiscard]] std::string keyName(int key);
 

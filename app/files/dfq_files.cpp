@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 
@@ -45,7 +44,8 @@ std::optional<fs::path> partner(const fs::path& path, const std::string& suffix)
 
 }  // namespace
 
-std::vector<std::pair<std::string, dfq::File>> readDfqFiles(const std::vector<std::string>& paths) {
+std::vector<std::pair<std::string, dfq::File>> readDfqFiles(const std::vector<std::string>& paths,
+                                                            std::optional<dfq::SlashDates> dates) {
     std::vector<std::pair<std::string, dfq::File>> files;
     std::set<std::string> taken;
     // One description and one set of values named together belong together, whatever their names.
@@ -75,12 +75,12 @@ std::vector<std::pair<std::string, dfq::File>> readDfqFiles(const std::vector<st
         if (!taken.insert(lower(description)).second) {
             continue;  // the other half of a pair that has been read
         }
-        auto file = dfq::read(readFile(description));
+        auto file = dfq::read(readFile(description), dates);
         if (!file) {
             refuse(description, file.error());
         }
         if (values) {
-            if (const auto added = dfq::readValues(readFile(values->string()), *file); !added) {
+            if (const auto added = dfq::readValues(readFile(values->string()), *file, dates); !added) {
                 refuse(values->string(), added.error());
             }
         }
@@ -93,25 +93,7 @@ std::vector<std::pair<std::string, dfq::File>> readDfqFiles(const std::vector<st
 }
 
 void writeDfqFile(const std::string& path, const dfq::File& file) {
-    const std::string part = path + ".part";
-    const std::string bytes = dfq::write(file);
-    {
-        std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out) {
-            std::error_code ignored;
-            fs::remove(part, ignored);
-            throw BadInput(fmt::format("{}: cannot be written; expected a folder that may be written to.", path));
-        }
-    }
-    std::error_code error;
-    fs::rename(part, path, error);
-    if (error) {
-        std::error_code ignored;
-        fs::remove(part, ignored);
-        throw BadInput(fmt::format("{}: cannot be written ({}).", path, error.message()));
-    }
+    files::writeFile(path, dfq::write(file));
 }
 
 }  // namespace kerf::headless

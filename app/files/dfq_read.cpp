@@ -23,7 +23,7 @@ constexpr std::uint32_t kMostCharacteristics = 100'000;
 
 class Reader : public FieldFindings {
  public:
-    explicit Reader(File& file, SlashDates slashes = SlashDates::MonthFirst) : m_file(file), m_slashes(slashes) {
+    Reader(File& file, SlashDates slashes, bool said) : m_file(file), m_slashes(slashes), m_said(said) {
         for (const Entry& entry : file.entries) {
             note(entry);
         }
@@ -410,11 +410,14 @@ class Reader : public FieldFindings {
 
     /// Checks a field, brings it to the form that is written, and keeps it.
     void set(Value& value, int key, std::string text) {
+        const std::string given = text;
         FieldReader reader(*this, m_file, m_slashes);
         if (!reader.take(value, key, text)) {
             m_dayFirst = m_dayFirst || reader.wantsDayFirst();
             return;
         }
+        m_monthFirst = m_monthFirst || reader.sawMonthFirst();
+        if (reader.sawEither() && !m_either) m_either = Problem{m_line, keyName(key), eitherOrder(given)};
         const auto same = std::ranges::find(value.fields, key, &Field::key);
         if (same != value.fields.end() && key != 9) {
             same->text = std::move(text);
@@ -513,6 +516,9 @@ class Reader : public FieldFindings {
         } else if (m_announced && *m_announced != found) {
             odd(0, fmt::format("K0100 says {} characteristics, there are {}", *m_announced, found));
         }
+        if (m_either && !m_monthFirst && !m_said) {
+            return tl::unexpected(*m_either);
+        }
         m_file.characteristics = std::max({m_file.characteristics, m_announced.value_or(0), found});
         std::ranges::stable_sort(m_file.values, {},
                                  [](const Value& value) { return std::pair(value.row, value.characteristic); });
@@ -538,7 +544,10 @@ class Reader : public FieldFindings {
     std::optional<Problem> m_preface{};  ///< words in front of everything, of which nobody knows yet what they are
     bool m_inFront{false};               ///< K lines of a value stand before its value line
     SlashDates m_slashes;
-    bool m_dayFirst{false};  ///< failed at a date that only stands with its day first
+    bool m_said;                        ///< … by somebody who knows
+    bool m_monthFirst{false};           ///< some date tells
+    std::optional<Problem> m_either{};  ///< the first that does not
+    bool m_dayFirst{false};             ///< failed at a date that only stands with its day first
 };
 
 }  // namespace
@@ -564,22 +573,22 @@ const std::string* File::find(int key, std::uint32_t index) const {
     return own != nullptr ? own : common;
 }
 
-tl::expected<File, Problem> read(std::string_view bytes) {
+tl::expected<File, Problem> read(std::string_view bytes, std::optional<SlashDates> said) {
     File file;
-    if (auto done = readValues(bytes, file); !done) {
+    if (auto done = readValues(bytes, file, said); !done) {
         return tl::unexpected(done.error());
     }
     return file;
 }
 
-tl::expected<void, Problem> readValues(std::string_view bytes, File& file) {
+tl::expected<void, Problem> readValues(std::string_view bytes, File& file, std::optional<SlashDates> said) {
     const Encoding described = file.encoding;
     File before = file;
-    Reader reader(file);
+    Reader reader(file, said.value_or(SlashDates::MonthFirst), said.has_value());
     auto done = reader.run(bytes);
-    if (!done && reader.wantsDayFirst()) {
+    if (!done && !said && reader.wantsDayFirst()) {
         file = std::move(before);
-        done = Reader(file, SlashDates::DayFirst).run(bytes);
+        done = Reader(file, SlashDates::DayFirst, true).run(bytes);
     }
     if (described != Encoding::Windows1252) {
         file.encoding = described;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/clock.h"
 #include "engine/core/utf8.h"
 
 namespace kerf::files {
@@ -93,8 +92,8 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
     m_markLines.resize(width);
     m_odd.resize(width);
     const bool lvm = !layout.format.empty();
-    std::vector<ClockCounter> clocks(width);
-    std::vector<std::size_t> clockCells(width, 0);
+    std::vector<ClockColumn> clocks(width);
+    std::vector<std::vector<std::uint32_t>> clockRows(width);
     Fields row;
     std::size_t blocks = 0;
     for (const TableLayout::Range& range : layout.rows) {
@@ -133,10 +132,10 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
                 }
                 const Cell cell = readCell(text, m_decimal);
                 m_columns[k].push_back(cell.kind == CellKind::Number ? cell.value : 0.0);
-                if (cell.kind == CellKind::Text && m_texts[k] == clockCells[k]) {
+                if (cell.kind == CellKind::Text && m_texts[k] == clockRows[k].size()) {
                     if (const auto time = readClock(text)) {
-                        m_columns[k].back() = clocks[k].seconds(*time);
-                        ++clockCells[k];
+                        clocks[k].add(*time);
+                        clockRows[k].push_back(static_cast<std::uint32_t>(m_columns[k].size() - 1));
                     }
                 }
                 m_kinds[k].push_back(cell.kind);
@@ -156,10 +155,11 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
         }
     }
     for (std::size_t k = 0; k < width; ++k) {
-        if (clockCells[k] > 0 && clockCells[k] == m_texts[k] &&
+        if (clocks[k].size() > 0 && clocks[k].size() == m_texts[k] &&
             std::ranges::find(m_kinds[k], CellKind::Number) == m_kinds[k].end()) {
             std::ranges::replace(m_kinds[k], CellKind::Text, CellKind::Number);
             m_texts[k] = 0;
+            countClock(k, clocks[k].counted(options.dates), clockRows[k]);
             m_parsed[k].unit = std::string("s");  // counted from the first row, whatever unit stands in the name
             m_parsed[k].bracketed = true;
         }
@@ -169,6 +169,20 @@ void Table::take(const std::vector<Line>& lines, const TableLayout& layout, cons
         note(fmt::format("{}: {} blocks under the same header, read as one.", m_path, blocks));
     }
     addTime(layout, options);
+}
+
+void Table::countClock(std::size_t column, const ClockColumn::Counted& counted,
+                       const std::vector<std::uint32_t>& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        m_columns[column][rows[i]] = counted.seconds[i];
+    }
+    if (counted.doubt) {
+        const std::size_t row = rows[*counted.doubt];
+        m_datesInDoubt.emplace(
+            column, fmt::format("{}'{}' may have its day or its month first, and no other date of the column "
+                                "tells; say which with --dates day-first, month-first or year-first.",
+                                where(row, m_names[column]), cellText(row, column)));
+    }
 }
 
 /// -9999 among numbers nowhere near it is how loggers write "no value".
@@ -315,6 +329,9 @@ UnitChange Table::changeTo(std::size_t column, std::string_view unit, std::strin
 }
 
 void Table::requireOneMark(std::size_t column) const {
+    if (const auto doubt = m_datesInDoubt.find(column); doubt != m_datesInDoubt.end()) {
+        throw BadInput(doubt->second);
+    }
     if (m_decimal != 0) {
         return;
     }

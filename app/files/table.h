@@ -91,6 +91,7 @@ class Table {
     Table() = default;
     void take(const std::vector<Line>& lines, const TableLayout& layout, const ReadOptions& options,
               std::vector<std::string>* texts);
+    void countClock(std::size_t column, const ClockColumn::Counted& counted, const std::vector<std::uint32_t>& rows);
     void markSentinels();
     [[nodiscard]] bool sameCells(std::size_t one, std::size_t other) const;
     void addTime(const TableLayout& layout, const ReadOptions& options);
@@ -115,6 +116,7 @@ class Table {
     std::vector<std::map<std::uint32_t, std::string>> m_odd{};     ///< by line: the first cells that are no numbers
     std::vector<std::array<std::uint32_t, kMarks>> m_markLines{};  ///< the first line of each
     std::vector<std::uint32_t> m_lines{};
+    std::map<std::size_t, std::string> m_datesInDoubt{};  ///< by column: why it is refused when it is asked for
     mutable std::map<std::string, std::vector<double>, std::less<>> m_asked{};
     mutable std::vector<std::string> m_notes{};
 };

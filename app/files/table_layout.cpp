@@ -299,7 +299,7 @@ Last lastOf(const std::vector<Line>& lines, std::size_t first, const TableLayout
 }
 
 /// Rows from the header to the end: further blocks begin with the same header, and a note may stand at the end.
-void findRows(const std::vector<Line>& lines, std::size_t first, TableLayout& layout) {
+void findRows(const std::vector<Line>& lines, std::size_t first, const std::string& name, TableLayout& layout) {
     Fields row;
     TableLayout::Range range{first, first};
     std::vector<TableLayout::Range> ranges;
@@ -330,7 +330,12 @@ void findRows(const std::vector<Line>& lines, std::size_t first, TableLayout& la
         // Words where numbers were: the head of another block, if its names follow; else a row to complain about.
         if (!row.isData() && row.width() != layout.names.size()) {
             if (!ahead) ahead = lastOf(lines, first, layout);
-            if (ahead->header > i || ((behindBlank ? ahead->row : ahead->data) < i && row.filled() == 1)) {
+            const bool note = behindBlank ? ahead->row < i : ahead->data < i && row.filled() == 1;
+            if (ahead->header > i || note) {
+                if (ahead->header <= i && (ahead->data > i || row.filled() > 1) && layout.leftOut.empty()) {
+                    layout.leftOut =
+                        fmt::format("{}, line {}: another table begins here; it is left out.", name, lines[i].number);
+                }
                 ranges.push_back(range);
                 inside = false;
                 continue;
@@ -565,7 +570,7 @@ TableLayout findLayout(const std::vector<Line>& all, const ReadOptions& options,
             layout.headerBlockLines += trimmedCell(lines[i].text).empty() || isComment(lines[i].text) ? 0U : 1U;
         }
     }
-    findRows(lines, chosen.firstRow, layout);
+    findRows(lines, chosen.firstRow, name, layout);
     for (auto& range : layout.rows) {  // lines were counted without what stood before them
         range.begin += first;
         range.end += first;

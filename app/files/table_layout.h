@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/clock.h"
 #include "app/files/text_encoding.h"
 #include "app/files/whole_file.h"
 
@@ -20,6 +21,7 @@ struct ReadOptions {
     char decimal{0};    ///< . or , ; 0: found out
     std::optional<Encoding> encoding{};
     std::vector<std::string> names{};  ///< of the columns, for a file without a header; "-" leaves one out
+    std::optional<DateOrder> dates{};  ///< of dates that stand for two days; nothing: the column must tell
     double period_s{0.0};              ///< > 0: a time column t_s is added, for a file without one
     bool acceptImplausible{false};     ///< what cannot be meant is taken all the same, and told
 };

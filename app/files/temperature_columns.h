@@ -20,9 +20,10 @@ struct TemperatureColumns {
 };
 
 /// Which columns of a recorded day are temperatures. A unit in the name decides; else how the column behaves:
-///   a clock or counter   rises by the same step in every row, or in whole numbers from 0
+///   a clock or counter   moves by the same step in every row, in whole numbers from 0, or along a straight line
 ///   a load, a switch     steps by 10 K or more again and again, or once by half of all it ever changes (a machine's
 ///                        temperature has inertia)
+///   a load, a current    begins 10 K below the others, or above 50, the machine at rest; or never moves
 ///   something else       is beyond -30…150 for most of the day, or is words
 /// `known`: not asked for here (time, speed, drifts). `wanted`: taken whatever they do; their health is judged
 /// elsewhere. @throws BadInput when the day looks like kelvin

@@ -203,9 +203,11 @@ void requireMinutes(const Table& table, const thermal::ThermalHistory& history, 
     const bool accepted = options.read.acceptImplausible;
     const double span_min = history.time_min.empty() ? 0.0 : history.time_min.back() - history.time_min.front();
     if (span_min > kLongestDay_min) {
-        files::refuseUnless(accepted, table,
-                            fmt::format("{}{} min is longer than two days; expected minutes, not seconds.",
-                                        table.where(history.time_min.size() - 1, "t_min"), span_min));
+        files::refuseUnless(
+            accepted, table,
+            fmt::format(
+                "{}{} min is longer than two days; expected minutes, not seconds (or the unit in the name, as t [s]).",
+                table.where(history.time_min.size() - 1, "t_min"), span_min));
     }
     const auto rows = static_cast<double>(history.time_min.size());
     if (const double apart_min = span_min / std::max(1.0, rows - 1.0); rows > 2 && apart_min >= kCoarsest_min) {
@@ -347,6 +349,48 @@ Sensors chooseSensors(const Table& table, const HistoryOptions& options) {
     return out;
 }
 
+/// A logger counts from its first row, or writes the time of day: what is at rest before the spindle first turns is the
+/// baseline.
+void setTimeZero(const Table& table, double rest_min, thermal::ThermalHistory& history) {
+    std::vector<double>& time_min = history.time_min;
+    if (time_min.empty() || time_min.front() < 0.0) {
+        if (rest_min > 0.0 && !time_min.empty()) {
+            throw BadInput(
+                fmt::format("{}{} is before time 0 already; --rest-min is for a clock that counts from its "
+                            "first row.",
+                            table.where(0, "t_min"), time_min.front()));
+        }
+        return;
+    }
+    std::size_t first = 0;
+    if (rest_min > 0.0) {
+        while (first < time_min.size() && time_min[first] < time_min.front() + rest_min)
+            ++first;
+    } else {
+        const auto& speed_rpm = history.speed_rpm;
+        const auto turns = std::ranges::find_if(speed_rpm, [](double rpm) { return rpm != 0.0; });
+        first = static_cast<std::size_t>(turns - speed_rpm.begin());
+        if (first > 1 && turns != speed_rpm.end()) --first;  // it began between the last row at rest and this one
+    }
+    if (first == 0 || first >= time_min.size()) {
+        const bool stood = rest_min > 0.0 || !history.speed_rpm.empty();
+        const char* why = !stood ? "no row is before time 0, and there is no column rpm to show when the machine began"
+                          : first == 0 ? "no row is before time 0, and the spindle turns from the first row on"
+                                       : "the machine stands to the last row";
+        throw BadInput(
+            fmt::format("{}{}; expected rows of the machine at rest: t_min < 0, or --rest-min with the "
+                        "minutes it stood at the beginning.",
+                        table.where(0, "t_min"), why));
+    }
+    const double zero_min = time_min[first];
+    for (double& time : time_min) {
+        time -= zero_min;
+    }
+    table.note(fmt::format("{}: no row before time 0; the first {} are the machine at rest, time 0 is line {}{}.",
+                           table.file(), first == 1 ? std::string("row") : fmt::format("{} rows", first),
+                           table.lineOf(first), rest_min > 0.0 ? "" : ", where the spindle begins to turn"));
+}
+
 }  // namespace
 
 HistoryFile readHistoryFile(const std::string& path, const HistoryOptions& options) {
@@ -364,6 +408,7 @@ HistoryFile historyOf(Table table, const std::string& path, const HistoryOptions
     if (table.has("rpm")) {
         history.speed_rpm = speeds(table, options.use);
     }
+    setTimeZero(table, options.rest_min, history);
     Sensors sensors = chooseSensors(table, options);
     history.sensors = std::move(sensors.names);
     const auto rows = static_cast<Eigen::Index>(table.rows());
@@ -402,14 +447,15 @@ HistoryFile historyOf(Table table, const std::string& path, const HistoryOptions
 }
 
 thermal::ThermalHistory readThermalHistory(const std::string& path, HistoryUse use) {
-    return readHistoryFile(path, {use, {}, false, {}}).history;
+    return readHistoryFile(path, {use, {}, false, {}, 0.0}).history;
 }
 
 std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std::string>& paths,
-                                                          const ReadOptions& read, std::vector<std::string>* notes) {
+                                                          const ReadOptions& read, std::vector<std::string>* notes,
+                                                          double rest_min) {
     std::vector<thermal::ThermalHistory> days;
     for (const std::string& path : paths) {
-        HistoryOptions options{HistoryUse::Training, {}, false, read};
+        HistoryOptions options{HistoryUse::Training, {}, false, read, rest_min};
         if (!days.empty()) {
             options.sensors = days.front().sensors;
             options.onlySensors = true;

@@ -19,6 +19,7 @@ struct HistoryOptions {
     std::vector<std::string> sensors{};  ///< taken under these names whatever they do; the rest if temperatures
     bool onlySensors{false};             ///< no others
     ReadOptions read{};
+    double rest_min{0.0};  ///< of a clock that counts from its first row: how long the machine stood; 0: found by rpm
 };
 
 /// A day and what a person should know about how it was read.
@@ -28,6 +29,7 @@ struct HistoryFile {
 };
 
 /// Columns t_min, rpm (optional), temperature columns, y?_meas and y?_true (optional); see docs/thermal.md.
+/// A logger's clock has no row before 0: time 0 is then the first row in which the spindle turns, or rest_min later.
 /// @throws BadInput with file, line and column
 [[nodiscard]] HistoryFile readHistoryFile(const std::string& path, const HistoryOptions& options);
 /// The same of a table that has been read. @throws BadInput
@@ -36,7 +38,8 @@ struct HistoryFile {
 /// Of one machine: the temperature columns of the first file, in every file. @throws BadInput
 [[nodiscard]] std::vector<thermal::ThermalHistory> readThermalHistories(const std::vector<std::string>& paths,
                                                                         const ReadOptions& read = {},
-                                                                        std::vector<std::string>* notes = nullptr);
+                                                                        std::vector<std::string>* notes = nullptr,
+                                                                        double rest_min = 0.0);
 
 /// @throws BadInput
 [[nodiscard]] thermal::ThermalModel readThermalModel(const std::string& path);

@@ -27,7 +27,19 @@ struct DfqOptions {
     std::string out{};
     bool history{false};
     bool json{false};
+    std::optional<dfq::SlashDates> dates{};
 };
+
+void addDates(CLI::App& command, const std::shared_ptr<DfqOptions>& options) {
+    command
+        .add_option_function<std::string>(
+            "--dates",
+            [options](const std::string& text) {
+                options->dates = text == "day-first" ? dfq::SlashDates::DayFirst : dfq::SlashDates::MonthFirst;
+            },
+            "Of dates with slashes (03/04/2026): day-first or month-first (without it the file must tell)")
+        ->check(CLI::IsMember({"day-first", "month-first"}));
+}
 
 std::string keyName(int key) {
     return key < 0 ? fmt::format("place_{}", -key) : fmt::format("K{:04}", key);
@@ -153,7 +165,7 @@ std::string fileText(const std::string& path, const dfq::File& file) {
 }
 
 void read(const DfqOptions& options) {
-    const auto files = readDfqFiles(options.files);
+    const auto files = readDfqFiles(options.files, options.dates);
     if (files.size() == 1) {
         files::writeOut(fileText(files.front().first, files.front().second) + "\n");
         return;
@@ -179,7 +191,7 @@ void write(const DfqOptions& options) {
 }
 
 void copy(const DfqOptions& options) {
-    const auto files = readDfqFiles({options.in});
+    const auto files = readDfqFiles({options.in}, options.dates);
     const dfq::File& file = files.front().second;
     writeDfqFile(options.out, file);
     printJson({{"file", options.out},
@@ -202,6 +214,7 @@ void addQualityDfq(CLI::App& quality) {
         "What cannot be understood ends with exit 3, its line and its field.");
     reading->add_option("files", options->files, "DFQ, DFD or DFX")->required();
     reading->add_flag("--json", options->json, "JSON (the only form)");
+    addDates(*reading, options);
     reading->callback([options] { read(*options); });
 
     CLI::App* writing =
@@ -216,6 +229,7 @@ void addQualityDfq(CLI::App& quality) {
         "copy", "Read and write again: equal values, attributes, times, events and references to catalogues");
     copying->add_option("in", options->in, "DFQ, or one of DFD and DFX")->required();
     copying->add_option("out", options->out, "DFQ to write")->required();
+    addDates(*copying, options);
     copying->callback([options] { copy(*options); });
 }
 

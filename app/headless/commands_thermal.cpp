@@ -69,6 +69,7 @@ struct TrainArguments {
     std::string criterion{"combined"};
     std::string checkRows{};
     std::string output{};
+    double rest_min{0.0};
     int maxSensors{TrainingOptions{}.maxSensors};
     bool report{false};
     std::shared_ptr<files::ReadOptions> read{};
@@ -79,6 +80,14 @@ ThermalModel checked(Result<ThermalModel> model) {
         throw BadInput(model.error().english());
     }
     return std::move(*model);
+}
+
+void addRest(CLI::App& command, double& rest_min) {
+    command
+        .add_option("--rest-min", rest_min,
+                    "Minutes the machine stood at the beginning, of a file whose clock counts from its first row (by "
+                    "default until the spindle first turns)")
+        ->check(CLI::Range(1e-6, 1440.0));
 }
 
 void train(const TrainArguments& arguments) {
@@ -97,7 +106,8 @@ void train(const TrainArguments& arguments) {
         }
     }
     std::vector<std::string> notes;
-    const std::vector<ThermalHistory> days = readThermalHistories(arguments.histories, *arguments.read, &notes);
+    const std::vector<ThermalHistory> days =
+        readThermalHistories(arguments.histories, *arguments.read, &notes, arguments.rest_min);
     ThermalModel model;
     std::vector<Candidate> compared;
     if (arguments.kind == "auto") {
@@ -218,9 +228,9 @@ struct ReplayedDay {
 };
 
 ReplayedDay replayedDay(const std::string& modelPath, const std::string& historyPath, const files::ReadOptions& read,
-                        double measureEvery_min) {
+                        double rest_min, double measureEvery_min) {
     const ThermalModel model = readThermalModel(modelPath);
-    HistoryOptions options{HistoryUse::Prediction, {}, true, read};
+    HistoryOptions options{HistoryUse::Prediction, {}, true, read, rest_min};
     for (const ModelSensor& sensor : model.sensors) {
         options.sensors.push_back(sensor.name);
     }
@@ -239,14 +249,15 @@ struct PredictArguments {
     std::string model{};
     std::string history{};
     std::shared_ptr<files::ReadOptions> read{};
+    double rest_min{0.0};
     double measureEvery_min{0.0};  ///< 0: nothing is measured
     std::string sensors{};         ///< not empty: instead of a history
     double seconds{60.0};
 };
 
 void predict(const PredictArguments& arguments) {
-    const ReplayedDay day =
-        replayedDay(arguments.model, arguments.history, *arguments.read, arguments.measureEvery_min);
+    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read, arguments.rest_min,
+                                        arguments.measureEvery_min);
     CsvOutput out("t_min,x_um,y_um,z_um,x_half_um,y_half_um,z_half_um");
     for (const ReplayedMinute& minute : day.replay.minutes) {
         const ThermalPrediction& p = minute.prediction;
@@ -260,14 +271,15 @@ struct CompensateArguments {
     std::string model{};
     std::string history{};
     CompensationOptions options{};
+    double rest_min{0.0};
     double measureEvery_min{0.0};
     bool summary{false};
     std::shared_ptr<files::ReadOptions> read{};
 };
 
 void compensateHistory(const CompensateArguments& arguments) {
-    const ReplayedDay day =
-        replayedDay(arguments.model, arguments.history, *arguments.read, arguments.measureEvery_min);
+    const ReplayedDay day = replayedDay(arguments.model, arguments.history, *arguments.read, arguments.rest_min,
+                                        arguments.measureEvery_min);
     const ThermalHistory& history = day.day.history;
     if (history.trueDrift_um.size() == 0 && history.drift_um.size() == 0) {
         throw BadInput(
@@ -324,6 +336,7 @@ void addTrain(CLI::App& thermal) {
     command->add_option("-o,--output", arguments->output, "Model file to write")->required();
     command->add_flag("--report", arguments->report, "Print sensors, errors and formula as JSON");
     arguments->read = addReadOptions(*command);
+    addRest(*command, arguments->rest_min);
     command->callback([arguments] { train(*arguments); });
 }
 
@@ -350,6 +363,7 @@ void addPredict(CLI::App& thermal) {
         ->check(CLI::Range(1.0, 1440.0))
         ->excludes(live);
     arguments->read = addReadOptions(*command);
+    addRest(*command, arguments->rest_min);
     command->callback([arguments] {
         if (arguments->sensors.empty()) {
             predict(*arguments);
@@ -383,6 +397,7 @@ void addCompensate(CLI::App& thermal) {
         ->check(CLI::Range(1.0, 1440.0));
     command->add_flag("--summary", arguments->summary, "Only the residuals' max, 95 % and rms, as JSON");
     arguments->read = addReadOptions(*command);
+    addRest(*command, arguments->rest_min);
     command->callback([arguments] { compensateHistory(*arguments); });
 }
 

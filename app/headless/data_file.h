@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QLoggingCategory>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,8 @@ namespace kerf::headless {
 
 /// Qt's SQL drivers want an application object; it lives as long as the command.
 struct QtForSql {
+    /// What goes wrong is one sentence of the command's own.
+    QtForSql() { QLoggingCategory::setFilterRules(QStringLiteral("kerf.db.warning=false\nkerf.setups.info=false")); }
     int argc{1};
     char name[5]{"kerf"};
     char* argv[2]{name, nullptr};

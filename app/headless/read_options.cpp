@@ -17,6 +17,10 @@ const std::map<std::string, char> kSeparators{{";", ';'},    {"semicolon", ';'},
                                               {"\\t", '\t'}, {"blank", ' '},     {"space", ' '}, {" ", ' '}};
 const std::map<std::string, char> kDecimals{{",", ','}, {"comma", ','}, {".", '.'}, {"point", '.'}};
 
+const std::map<std::string, files::DateOrder> kDates{{"day-first", files::DateOrder::DayFirst},
+                                                     {"month-first", files::DateOrder::MonthFirst},
+                                                     {"year-first", files::DateOrder::YearFirst}};
+
 template <class Value>
 auto oneOf(const std::map<std::string, char>& names, Value apply) {
     return [names, apply](const std::string& text) {
@@ -65,6 +69,12 @@ std::shared_ptr<files::ReadOptions> addReadOptions(CLI::App& command) {
             },
             "Of the file's text: utf-8, utf-16, windows-1252 or cp949 (found out without it)")
         ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--dates", [options](const std::string& text) { options->dates = kDates.at(text); },
+            "Of dates like 03/04/2026: day-first, month-first or year-first (found out without it)")
+        ->check(CLI::IsMember({"day-first", "month-first", "year-first"}))
+        ->type_name("ORDER");
     command
         .add_option("--columns", options->names,
                     "Names of the columns of a file without a header line, comma-separated; - leaves one out")

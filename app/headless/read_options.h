@@ -17,7 +17,8 @@ class Table;
 /// What every command that reads a table offers: how to say what the file does not.
 namespace kerf::headless {
 
-/// --separator, --decimal, --encoding, --columns, --period-s. The options live as long as the command.
+/// --separator, --decimal, --encoding, --dates, --columns, --period-s, --accept-implausible. The options live as long
+/// as the command.
 [[nodiscard]] std::shared_ptr<files::ReadOptions> addReadOptions(CLI::App& command);
 
 /// On stderr, once the command has its result: what was found out rather than known.

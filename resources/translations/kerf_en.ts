@@ -7250,6 +7250,10 @@
             <source>This revision leaves a tuning out or takes it in; it has no settings of its own.</source>
             <translation>This revision leaves a tuning out or takes it in; it has no settings of its own.</translation>
         </message>
+        <message>
+            <source>The backup %1 cannot be written: its folder is missing or read-only.</source>
+            <translation>The backup %1 cannot be written: its folder is missing or read-only.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

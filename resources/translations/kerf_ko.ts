@@ -7245,6 +7245,10 @@
             <source>This revision leaves a tuning out or takes it in; it has no settings of its own.</source>
             <translation>이 개정은 튜닝을 제외하거나 다시 넣는 것이어서 자체 설정이 없습니다.</translation>
         </message>
+        <message>
+            <source>The backup %1 cannot be written: its folder is missing or read-only.</source>
+            <translation>백업 %1을(를) 쓸 수 없습니다: 폴더가 없거나 쓰기 금지입니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -565,6 +565,22 @@ class TestDfq : public QObject {
         QVERIFY(copiesEqually(european));
         QVERIFY(!dfq::read(kHead + line("13/06/2020 03:04:05", "06/13/2020 03:04:05")));  // both cannot be
     }
+    void datesThatMayBeTwoDaysAreRefusedAndCanBeSaid() {
+        const auto line = [](const char* first, const char* second) {
+            return std::string("1\x14") + "0\x14" + first + "\x0F" + "2\x14" + "0\x14" + second + "\r\n";
+        };
+        const std::string text = kHead + line("03/04/2026 03:04:05", "05/06/2026 03:04:05");
+        const auto refused = dfq::read(text);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().field == "K0004" && refused.error().line == 10);
+        QVERIFY(refused.error().text.find("--dates") != std::string::npos);
+        QVERIFY((dfq::read(text, dfq::SlashDates::DayFirst)->values[0].time == dfq::Time{2026, 4, 3, 3, 4, 5.0}));
+        QVERIFY((dfq::read(text, dfq::SlashDates::MonthFirst)->values[0].time == dfq::Time{2026, 3, 4, 3, 4, 5.0}));
+        // the same day either way; the format's own form; AM
+        for (const char* clear : {"04/04/2026 03:04:05", "03/04/2026/03:04:05", "3/4/2026 03:04:05 AM"}) {
+            QVERIFY2(dfq::read(kHead + line(clear, "27.11.2026/03:04:05")).has_value(), clear);
+        }
+    }
     void slightlyOddFilesSayWhatIsOdd() {
         const std::string values =
             "1\x14"

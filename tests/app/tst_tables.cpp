@@ -148,14 +148,14 @@ class TestTables : public QObject {
     void whatIsInDoubtIsRefusedAndCanBeSaid() {
         const QString comma = refusal("part\td\n1\t49,951\n2\t50,004\n", "d");
         QVERIFY2(comma.contains("line 2") && comma.contains("--decimal"), qPrintable(comma));
-        QCOMPARE(table("part\td\n1\t49,951\n", {0, ',', {}, {}, 0.0}).column("d")[0], 49.951);
-        QCOMPARE(table("part\td\n1\t49,951\n", {0, '.', {}, {}, 0.0}).column("d")[0], 49951.0);
+        QCOMPARE(table("part\td\n1\t49,951\n", {0, ',', {}, {}, {}, 0.0}).column("d")[0], 49.951);
+        QCOMPARE(table("part\td\n1\t49,951\n", {0, '.', {}, {}, {}, 0.0}).column("d")[0], 49951.0);
         QVERIFY(refusal("part;d\n1;0,5\n2;1.5\n", "d").contains("--decimal"));
         QVERIFY(refusal("part;d\n1;0,5\n2;49.951\n", "d").contains("--decimal"));
         QVERIFY(refusal("part,f,d\n1,0,5,49,951\n", "d").contains("comma"));
         const QString none = refusal("1.5 2 3\n2.5 3 4\n", "d");
         QVERIFY2(none.contains("--columns"), qPrintable(none));
-        const ReadOptions named{0, 0, {}, {"d", "-", "z"}, 0.001};
+        const ReadOptions named{0, 0, {}, {"d", "-", "z"}, {}, 0.001};
         const Table sampler = table("1.5 2 3 \n2.5 3 4 \n", named);
         QCOMPARE(sampler.column("d"), (std::vector<double>{1.5, 2.5}));
         QCOMPARE(sampler.column("t_s"), (std::vector<double>{0.0, 0.001}));
@@ -243,7 +243,54 @@ class TestTables : public QObject {
         QCOMPARE(read.column("t_s"), (std::vector<double>{0.0, 90.0}));
         QCOMPARE(read.column("t_min")[1], 1.5);
     }
+    void datesAreCountedByTheCalendar_data() {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<double>("days");
+        QTest::newRow("a weekend between points") << "27.11.2026"
+                                                  << "30.11.2026" << 3.0;
+        QTest::newRow("year first") << "2026-02-28"
+                                    << "2026-03-01" << 1.0;
+        QTest::newRow("no day has 13 months, month first") << "11/12/2026"
+                                                           << "11/13/2026" << 1.0;
+        QTest::newRow("no day has 30 months, day first") << "29/11/2026"
+                                                         << "30/11/2026" << 1.0;
+        QTest::newRow("compact") << "20261231"
+                                 << "20270102" << 2.0;
+        QTest::newRow("dashes, day first") << "27-11-2026"
+                                           << "01-12-2026" << 4.0;
+        QTest::newRow("one order alone goes forward") << "05/12/2026"
+                                                      << "06/11/2026" << 30.0;
+        QTest::newRow("the same day") << "03/04/2026"
+                                      << "03/04/2026" << 0.0;
+    }
+    void datesAreCountedByTheCalendar() {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(double, days);
+        const Table read =
+            table((QStringLiteral("time,v\n%1 08:00:00,1\n%2 09:00:00,2\n").arg(first, second)).toStdString());
+        QCOMPARE(read.column("t_s")[1], days * 86400.0 + 3600.0);
+    }
+    void aDateThatMayBeTwoDaysIsRefusedAndCanBeSaid() {
+        const char* text = "time,v\n03/04/2026 08:00:00,1\n04/04/2026 08:00:00,2\n";
+        const QString why = refusal(text, "t_s");
+        QVERIFY2(why.contains("line 3") && why.contains("04/04/2026") && why.contains("--dates"), qPrintable(why));
+        QVERIFY(refusal(text, "v").isEmpty());  // nobody asks for the dates
+        ReadOptions options;
+        options.dates = DateOrder::DayFirst;
+        QCOMPARE(table(text, options).column("t_s")[1], 86400.0);
+        options.dates = DateOrder::MonthFirst;
+        QCOMPARE(table(text, options).column("t_s")[1], 32.0 * 86400.0 - 86400.0);
+        QVERIFY(!refusal("time,v\n26/11/27 08:00,1\n26/11/28 08:00,2\n", "t_s").isEmpty());
+        options.dates = DateOrder::YearFirst;
+        QCOMPARE(table("time,v\n26/11/27 08:00,1\n26/11/28 08:00,2\n", options).column("t_s")[1], 86400.0);
+        QCOMPARE(table("time,v\n12/11/2026 08:00,1\n13/11/2026 08:00,2\n").column("t_s")[1], 86400.0);
+    }
     void severalTablesInOneFile() {
+        const Table behind = table("a,b,c\n1,2,3\n4,5,6\n7,8,9\n\nsummary,n\nmean,50\nspread,2\n");
+        QCOMPARE(behind.rows(), std::size_t{3});
+        QVERIFY(noted(behind, "line 6") && noted(behind, "another table"));
         const Table read = table("x,y\n1,2\n\na,b\n1,2\n3,4\n5,6\n");
         QCOMPARE(read.column("b"), (std::vector<double>{2, 4, 6}));
         QVERIFY(noted(read, "line 1"));
@@ -258,7 +305,7 @@ class TestTables : public QObject {
         QCOMPARE(read.column("t_s"), (std::vector<double>{0, 1}));
     }
     void halSamplerSaysWhatItLost() {
-        const ReadOptions named{0, 0, {}, {"a", "b"}, 0.001};
+        const ReadOptions named{0, 0, {}, {"a", "b"}, {}, 0.001};
         QVERIFY(refusal("1.5 2 \noverrun\n2.5 3 \n", "a", named).contains("line 2"));
         QVERIFY(refusal("1.5 2 \noverrun\n2.5 3 \n", "a", named).contains("overrun"));
         QVERIFY(refusal("a,b\n1,2\n", "t_s").contains("--period-s"));

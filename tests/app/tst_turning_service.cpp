@@ -8,6 +8,7 @@
 #include "db/writer_thread.h"
 #include "engine/core/random.h"
 #include "engine/process/turning/spectrum.h"
+#include "engine/process/turning/turning_setup.h"
 #include "tests/db/db_test_support.h"
 #include "tests/support/fake_engine.h"
 #include "tests/support/fake_turning_service.h"
@@ -219,7 +220,12 @@ class TestTurningService : public QObject {
     }
     void recordsOfAnotherVersionDoNotExist() {
         QVERIFY(!turningSetupFrom("{").has_value());
-        QVERIFY(!turningSetupFrom("{\"revision\": 3}").has_value());
+        QVERIFY(!turningSetupFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": \"fast\"}").has_value());
+        QVERIFY(!turningSetupFrom("[3]").has_value());
+        // A key that was not there yet has its default; the others stay.
+        const auto older = turningSetupFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": 4.5}");
+        QVERIFY(older && older->revision == 3 && older->feed_umPerRev == 4.5);
+        QCOMPARE(older->trimAuthority_um, turning::setupSpecs().back().fallback);
         QVERIFY(!turningPartFrom("{\"part\": \"x\"}").has_value());
         QVERIFY(!turningControllerFrom("{\"controller\": \"magic\"}").has_value());
         TurningSetup bad;

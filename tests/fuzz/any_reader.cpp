@@ -113,11 +113,11 @@ void readBy(std::uint8_t reader, std::uint8_t option, std::string_view bytes) {
         case 1:
             return everyColumn(Table::parse(bytes, "f", optionsOf(option)));
         case 2:
-            (void)headless::historyOf(Table::parse(bytes, "f"), "f", {HistoryUse::Training, {}, false, {}});
+            (void)headless::historyOf(Table::parse(bytes, "f"), "f", {HistoryUse::Training, {}, false, {}, 0.0});
             return;
         case 3:
             (void)headless::historyOf(Table::parse(bytes, "f"), "f",
-                                      {HistoryUse::Prediction, {"T00"}, (option & 1U) != 0, {}});
+                                      {HistoryUse::Prediction, {"T00"}, (option & 1U) != 0, {}, 0.0});
             return;
         case 4:
             (void)formats::thermalModelFromJson(bytes);

@@ -189,7 +189,9 @@ class TestDataCommands : public QObject {
         const KerfRun again = data.run({"backup", copy});
         QCOMPARE(again.exitCode, 3);
         QVERIFY(again.err.contains(QStringLiteral("never overwrites")));
-        QCOMPARE(data.run({"backup", QStringLiteral("/no/such/folder/x.db")}).exitCode, 3);
+        const KerfRun nowhere = data.run({"backup", QStringLiteral("/no/such/folder/x.db")});
+        QCOMPARE(nowhere.exitCode, 3);
+        QVERIFY2(nowhere.err.trimmed().count(u'\n') == 0 && nowhere.err.contains("folder"), qPrintable(nowhere.err));
     }
     void aBackupTakesThePlaceOfTheData() {
         const DataFolder data;

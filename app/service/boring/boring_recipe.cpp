@@ -5,6 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/service/setup_keys.h"
+
 namespace kerf {
 namespace {
 
@@ -206,7 +208,7 @@ Result<BoringRecipe> recipeFromJson(const std::string& text) {
     try {
         const auto json = nlohmann::json::parse(text);
         for (const Field& field : fields()) {
-            recipe.*field.value = json.value(field.spec.key, field.spec.fallback);
+            recipe.*field.value = numberOr(json, field.spec.key, field.spec.fallback, "boring recipe");
         }
         if (!json.contains(kMemory)) {
             recipe.memory = 0.0;  // written before there was one: its lots go on as they began

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/files/table.h"
+#include "app/service/setup_keys.h"
 #include "engine/process/milling/milling_setup.h"
 
 namespace kerf {
@@ -99,7 +100,7 @@ Result<MillingSetup> millingSetupFromJson(const std::string& text) {
     try {
         const auto json = nlohmann::json::parse(text);
         for (const MillingField& field : milling::setupFields()) {
-            field.set(setup, json.value(field.spec.key, field.spec.fallback));
+            field.set(setup, numberOr(json, field.spec.key, field.spec.fallback, "milling setup"));
         }
         setup.law = lawOf(json.value("milling.law", std::string(keyOf(MillingLaw::Model))));
     } catch (const nlohmann::json::exception&) {

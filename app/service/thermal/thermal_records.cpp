@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/service/setup_keys.h"
+
 namespace kerf::thermal_records {
 namespace {
 
@@ -86,14 +88,17 @@ std::string setupToJson(const ThermalSetup& setup) {
 
 std::optional<ThermalSetup> setupFromJson(const std::string& text) {
     return reading(text, [](const json& body) {
+        const auto number = [&](const char* key, double fallback) {
+            return numberOr(body, key, fallback, "thermal setup");
+        };
         ThermalSetup setup;
-        setup.revision = body.at("revision").get<std::uint32_t>();
-        setup.period_min = body.at("period_min").get<double>();
-        setup.allowed_um = body.at("allowed_um").get<double>();
-        setup.maxShift_um = body.at("max_shift_um").get<double>();
-        setup.maxStep_umPerMin = body.at("max_step_um_per_min").get<double>();
-        setup.warmUpSpeed_rpm = body.at("warm_up_speed_rpm").get<double>();
-        setup.warmUp_min = body.at("warm_up_min").get<double>();
+        setup.revision = body.value("revision", std::uint32_t{1});
+        setup.period_min = number("period_min", setup.period_min);
+        setup.allowed_um = number("allowed_um", setup.allowed_um);
+        setup.maxShift_um = number("max_shift_um", setup.maxShift_um);
+        setup.maxStep_umPerMin = number("max_step_um_per_min", setup.maxStep_umPerMin);
+        setup.warmUpSpeed_rpm = number("warm_up_speed_rpm", setup.warmUpSpeed_rpm);
+        setup.warmUp_min = number("warm_up_min", setup.warmUp_min);
         setup.betweenParts = body.value("between_parts", false);
         return std::optional(setup);
     });

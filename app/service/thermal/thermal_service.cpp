@@ -128,7 +128,11 @@ void StoredThermalService::loadSetup() {
     if (!recipes) {
         m_view.storeProblem = recipes.error();
     } else if (!recipes->empty()) {
-        if (const auto setup = records::setupFromJson(recipes->back().revision.parametersJson)) m_view.setup = *setup;
+        if (const auto setup = records::setupFromJson(recipes->back().revision.parametersJson)) {
+            m_view.setup = *setup;
+        } else {
+            m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
+        }
     }
     m_setupOwed = m_view.setup.revision > 0;
     sendSetup();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/service/setup_keys.h"
 #include "engine/process/turning/turning_setup.h"
 
 namespace kerf {
@@ -49,14 +50,15 @@ json setupDocument(const TurningSetup& setup) {
 
 TurningSetup setupOf(const json& in) {
     TurningSetup setup;
-    setup.revision = in.at("revision").get<std::uint32_t>();
+    setup.revision = in.value("revision", std::uint32_t{1});
     for (std::size_t i = 0; i < turning::kSetupFields; ++i) {
+        const ParamSpec& spec = turning::setupSpecs()[i];
         turning::setValue(setup, static_cast<turning::SetupField>(i),
-                          in.at(turning::setupSpecs()[i].key).get<double>());
+                          numberOr(in, spec.key, spec.fallback, "turning setup"));
     }
     setup.knownToneCount = 0;
     setup.knownTones_Hz = {};
-    for (const json& tone : in.at("turning.tones_hz")) {
+    for (const json& tone : in.value("turning.tones_hz", json::array())) {
         if (setup.knownToneCount < kTurningTones) {
             setup.knownTones_Hz[setup.knownToneCount++] = tone.get<double>();
         }

@@ -74,7 +74,7 @@ StoredTurningService::StoredTurningService(const Links& links)
         m_view.storeProblem = m_links.writer.problem();
         changed();
     });
-    m_view.storeProblem = m_links.writer.problem();
+    if (m_view.storeProblem.empty()) m_view.storeProblem = m_links.writer.problem();
     (void)followBlindTones(m_links.engine.status());
     changed();
 }
@@ -85,6 +85,8 @@ void StoredTurningService::restore() {
     if (const auto recipes = m_recipes.newest(); recipes && !recipes->empty()) {
         if (const auto setup = turningSetupFrom(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
+        } else {
+            m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
         }
     }
     if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kController, {}, 1); rows && !rows->empty()) {
