@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "app/files/table.h"
 
@@ -48,7 +50,49 @@ double tooLarge(const json& value) {
     return std::nan("");
 }
 
+/// The keys of each object that is open.
+class KeyWatch final : public json::json_sax_t {
+ public:
+    std::optional<std::string> twice{};
+
+    bool null() override { return true; }
+    bool boolean(bool /*value*/) override { return true; }
+    bool number_integer(number_integer_t /*value*/) override { return true; }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+    bool string(string_t& /*value*/) override { return true; }
+    bool binary(binary_t& /*value*/) override { return true; }
+    bool start_object(std::size_t /*count*/) override {
+        m_open.emplace_back();
+        return true;
+    }
+    bool key(string_t& key) override {
+        if (!m_open.back().insert(key).second) {
+            twice = key;
+        }
+        return !twice;
+    }
+    bool end_object() override {
+        m_open.pop_back();
+        return true;
+    }
+    bool start_array(std::size_t /*count*/) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t /*at*/, const std::string& /*token*/, const json::exception& /*error*/) override {
+        return false;
+    }
+
+ private:
+    std::vector<std::set<std::string>> m_open{};
+};
+
 }  // namespace
+
+std::optional<std::string> doubledKey(const std::string& text) {
+    KeyWatch watch;
+    (void)json::sax_parse(text, &watch);
+    return watch.twice;
+}
 
 Result<json> parseJson(const std::string& text) {
     if (depthOf(text) > kDeepestJson) {
@@ -59,6 +103,9 @@ Result<json> parseJson(const std::string& text) {
         if (const double number = tooLarge(document); !std::isnan(number)) {
             return fail(KERF_TEXT("The JSON holds %1; numbers are expected within ±1e60."),
                         SentenceArg(fmt::format("{:g}", number)));
+        }
+        if (const auto twice = doubledKey(text)) {
+            return fail(KERF_TEXT("The key %1 stands twice in one object; it is expected once."), SentenceArg(*twice));
         }
         return document;
     } catch (const json::parse_error& error) {

@@ -219,7 +219,9 @@ class Run {
         m_parts = m_row.machine.partSequence;
         m_unknown_s = unknown && sameProgram ? m_unknown_s + m_period_s : 0.0;
         if (unknown) {
-            const double over_mmPerS = feed_mmPerS - m_row.plannedFeed_mmPerS;
+            // The operator's knob is a person's: what it adds is no feed of Kerf's.
+            const double knob = std::max(m_row.machine.operatorOverride, 1.0);
+            const double over_mmPerS = feed_mmPerS - m_row.plannedFeed_mmPerS * knob;
             m_summary.overPlannedAtOnce_mmPerS = std::max(m_summary.overPlannedAtOnce_mmPerS, over_mmPerS);
             if (m_unknown_s > Summary::kSettle_s) {
                 m_summary.overPlannedWhileUnknown_mmPerS =

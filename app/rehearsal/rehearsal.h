@@ -62,7 +62,8 @@ struct Summary {
     bool programRuns{false};              ///< at the end
     double feedWhileStopped_mmPerS{0.0};  ///< largest feed while a stop holds the feed
     double wayWhileStopped_mm{0.0};
-    double overPlannedWhileUnknown_mmPerS{0.0};  ///< largest feed above the planned one while anything is unknown
+    double overPlannedWhileUnknown_mmPerS{0.0};  ///< largest feed above the planned one (times an override above 1)
+                                                 ///< while anything is unknown
     double overPlannedAtOnce_mmPerS{0.0};
     double stepFeedScale{0.0};  ///< largest step of each output from one cycle of the engine to the next
     std::array<double, kAxisCount> stepOffset_um{};

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "app/files/json_document.h"
 #include "app/files/table.h"
 #include "app/rehearsal/faults.h"
 #include "engine/port/machine_port.h"
@@ -386,6 +387,10 @@ Scenario readScenario(const std::string& text, const std::string& where, const s
         throw BadInput(fmt::format("{}: no JSON from byte {} on; expected a scenario.", where, error.byte));
     } catch (const Json::exception&) {
         throw BadInput(fmt::format("{}: a number is too large to be stored; expected a scenario.", where));
+    }
+    if (const auto twice = files::doubledKey(text)) {
+        throw BadInput(
+            fmt::format("{}: {}: the key stands twice in one object; expected it once.", where, shown(Json(*twice))));
     }
     Keys keys(document, where, "");
     Scenario scenario;

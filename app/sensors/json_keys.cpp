@@ -15,6 +15,7 @@ namespace kerf::sensors {
 namespace {
 
 constexpr int kDeepest = 16;
+constexpr std::size_t kMostKeys = 1000;   // of one object: each new one is compared with all before it
 constexpr std::size_t kLongestName = 22;  // of a sentence's argument
 
 std::string shown(const Json& value) {
@@ -28,6 +29,7 @@ Json parseStrictly(const std::string& text) {
     std::vector<std::set<std::string>> open;
     std::string twice;
     bool deep = false;
+    bool many = false;
     const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
         deep = deep || depth > kDeepest;
         if (event == Json::parse_event_t::object_start) {
@@ -38,8 +40,9 @@ Json parseStrictly(const std::string& text) {
             if (auto key = parsed.get<std::string>(); !open.back().insert(key).second) {
                 twice = std::move(key);
             }
+            many = many || open.back().size() > kMostKeys;
         }
-        return !deep;
+        return !deep && !many;
     };
     Json json;
     try {
@@ -57,6 +60,10 @@ Json parseStrictly(const std::string& text) {
     if (deep) {
         throw SensorFileFault(
             fmt::format("the file: more than {} brackets inside each other; expected a sensor file.", kDeepest));
+    }
+    if (many) {
+        throw SensorFileFault(
+            fmt::format("the file: more than {} keys in one object; expected a sensor file.", kMostKeys));
     }
     if (!twice.empty()) {
         throw SensorFileFault(fmt::format("{}: the key stands twice in one object; expected it once.", twice));

@@ -106,6 +106,7 @@ class TestRehearsals : public QObject {
         row("{\"process\": \"milling\", \"duration_s\": 1, \"events\": [{\"at_s\": 0, \"fault\": \"cycle_stall\"}]}",
             "events[0].seconds");
         row("{\"process\": \"milling\", \"duration_s\": 1", "no JSON");
+        row(R"({"process": "milling", "duration_s": 1, "duration_s": 2})", "\"duration_s\": the key stands twice");
         row("[[[[[[[[[[[[[[[[[[[[", "nested");
         row("{\"process\": \"milling\", \"duration_s\": 1e999}", ": a number is too large to be stored");
     }
