@@ -7254,6 +7254,14 @@
             <source>The backup %1 cannot be written: its folder is missing or read-only.</source>
             <translation>The backup %1 cannot be written: its folder is missing or read-only.</translation>
         </message>
+        <message>
+            <source>Samples of the force are missing: no trim in the rest of this part.</source>
+            <translation>Samples of the force are missing: no trim in the rest of this part.</translation>
+        </message>
+        <message>
+            <source>The key %1 stands twice in one object; it is expected once.</source>
+            <translation>The key %1 stands twice in one object; it is expected once.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

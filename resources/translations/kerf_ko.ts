@@ -7249,6 +7249,14 @@
             <source>The backup %1 cannot be written: its folder is missing or read-only.</source>
             <translation>백업 %1을(를) 쓸 수 없습니다: 폴더가 없거나 쓰기 금지입니다.</translation>
         </message>
+        <message>
+            <source>Samples of the force are missing: no trim in the rest of this part.</source>
+            <translation>힘의 표본이 빠져 이 공작물의 나머지는 보정하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>The key %1 stands twice in one object; it is expected once.</source>
+            <translation>키 %1이(가) 한 객체에 두 번 있습니다. 한 번만 있어야 합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

@@ -152,7 +152,13 @@ class TestMillingService : public QObject {
         QVERIFY(bench.choose("Like soft", "Park"));  // takes the setup it finds, and is never saved itself
         setup.overload_N = 1500.0;
         QVERIFY(bench.choose("Hard", "Park") && bench.save(setup, "Park"));
-        for (int i = 0; i < 520; ++i) {  // more setups than were read once
+        for (int i = 0; i < 600; ++i) {  // more setups than were read once
+            if (i == 300) {              // another one in between
+                QVERIFY(bench.choose("Like soft", "Park"));
+                QCOMPARE(bench.service->view().setup.overload_N, 400.0);
+                QVERIFY(bench.choose("Hard", "Park"));
+                QCOMPARE(bench.service->view().setup.overload_N, 1500.0);
+            }
             setup.wearWarning = 0.3 + 0.001 * (i % 7);
             QVERIFY(bench.save(setup, "Park"));
         }

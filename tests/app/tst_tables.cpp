@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/files/json_document.h"
 #include "app/files/table.h"
 #include "app/files/text_encoding.h"
 
@@ -375,6 +377,24 @@ class TestTables : public QObject {
         QVERIFY(refusal("a,a\n1,2\n", "a").contains("twice"));
         const QString lines = refusal("a,\"two\nlines\"\n1,\"x\ny\"\n", "two lines");  // one sentence, one line
         QVERIFY2(lines.contains("'x y'") && !lines.contains(u'\n'), qPrintable(lines));
+    }
+    void aKeyThatStandsTwiceIsNoJsonOfOurs_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("key");
+        QTest::newRow("once") << R"({"a": {"b": 1}, "b": {"a": [{"b": 2}, {"b": 3}]}})" << QString();
+        QTest::newRow("twice") << R"({"k_x": 1, "c": 2, "k_x": 3})" << QStringLiteral("k_x");
+        QTest::newRow("within") << R"([{"a": 1}, {"b": {"a": 1, "a": 1}}])" << QStringLiteral("a");
+        QTest::newRow("written otherwise") << R"({"a": 1, "\u0061": 2})" << QStringLiteral("a");
+    }
+    void aKeyThatStandsTwiceIsNoJsonOfOurs() {
+        QFETCH(QString, text);
+        QFETCH(QString, key);
+        const auto document = kerf::files::parseJson(text.toStdString());
+        QCOMPARE(document.has_value(), key.isEmpty());
+        if (!document) {
+            QCOMPARE(QString::fromStdString(document.error().english()),
+                     QStringLiteral("The key %1 stands twice in one object; it is expected once.").arg(key));
+        }
     }
 };
 

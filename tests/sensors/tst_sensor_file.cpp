@@ -154,6 +154,19 @@ class TestSensorFile : public QObject {
                      fault.what());
         }
     }
+    void endlessKeysCostNoTime() {
+        std::string text = "{";
+        for (int i = 0; i < 200'000; ++i) {
+            text += "\"k" + std::to_string(i) + "\":1,";
+        }
+        try {
+            (void)parseSensorFile(text + "\"end\":1}");
+            QFAIL("taken");
+        } catch (const SensorFileFault& fault) {
+            QVERIFY2(QString::fromLatin1(fault.what()).startsWith(QStringLiteral("the file: more than 1000 keys")),
+                     fault.what());
+        }
+    }
     void aLineHasOneSettingAndDifferentUnits() {
         Json json = contract();
         json["modules"].push_back({{"name", "C"}, {"transport", "rtu"}, {"device", "/dev/ttyUSB0"}, {"unit", 2}});

@@ -115,8 +115,10 @@ bool SimulatedTurning::advance(const SimulationStep& step, MachineInputs& inputs
         const Reading reading = simulatedReading(std::clamp(force_N, -m_params.forceRange_N, m_params.forceRange_N),
                                                  step.now_ns, faults.force, m_lastForce_N);
         m_lastForce_N = reading;
+        const auto ago_ns = static_cast<std::int64_t>(std::llround(std::max(m_owed_s - kSample_s, 0.0) * 1e9));
         FastSample& fast = inputs.fast[inputs.fastCount++];
-        fast = {step.now_ns, 0.0, reading.value, outOfRange && reading.good() ? Quality::Saturated : reading.quality};
+        fast = {step.now_ns - ago_ns, 0.0, reading.value,
+                outOfRange && reading.good() ? Quality::Saturated : reading.quality};
     }
     if (m_params.motionSensorNoise_um > 0.0) {
         inputs.toolMotion_um = {m_inner_um + m_params.motionSensorNoise_um * m_random.gauss(), step.now_ns,

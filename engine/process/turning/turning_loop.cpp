@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/cycle/event_sink.h"
 #include "engine/process/turning/overlap.h"
@@ -28,6 +29,7 @@ constexpr std::uint32_t kReferenceAfter = 2000;  // .4 s after the touch the for
 constexpr double kChipRatio = 1.25;              // slower than the watch sees
 constexpr double kGoneRatio = 0.75;              // below, the cut is being taken away
 constexpr int kChipSamples = 50;
+constexpr std::int64_t kGap_ns = 300'000;  // a sample and a half
 constexpr double kTrimMeanShare = 1.0 / 5000.0;
 constexpr double kTrimMeanMost_um = 0.1;
 constexpr double kLimitAlarm = 0.2;  // share of the samples at the limit
@@ -191,50 +193,13 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
                          {kLeastBandwidth_Hz, 0}, {capabilities.force.bandwidth_Hz, 0})};
     }
 
-    const FastSample none{};
-    const FastSample& fast = inputs.fastCount > 0 ? inputs.fast[inputs.fastCount - 1U] : none;
-    // While its amplifier is reset the signal stands still, and that is no fault.
-    const turning::ForceState force = m_zero.resetting() ? turning::ForceState::Good : m_health.judge(fast);
-    if (inputs.fastCount > 0) {
-        (void)m_zero.take(fast);
-    }
-    noteZero(events);
-    outputs.forceReset = m_zero.wantsReset();
-    const bool zeroKnown = m_zero.state() == ForceZeroState::Known || m_zero.state() == ForceZeroState::Own;
-    events.set(turning_alarm::kForceLost, force == turning::ForceState::Lost);
-    events.set(turning_alarm::kForceSaturated, force == turning::ForceState::Saturated);
-    m_status.force_N = {fast.force_N - m_zero.zero_N(), fast.stamp_ns,
-                        m_status.zero == ForceZeroState::Doubtful ? Quality::Bad : fast.quality};
     const double span_mm = m_setup.faceTo_mm - m_setup.faceFrom_mm;
     m_status.progress = std::clamp((inputs.position_mm[0].value - m_setup.faceFrom_mm) / span_mm, 0.0, 1.0);
-    if (inputs.toolTrim_um.good()) {
-        m_status.appliedTrim_um = inputs.toolTrim_um.value;
-        m_control.setApplied(inputs.toolTrim_um.value);
-    } else {
-        m_control.setApplied(m_trim_um);
+    const FastSample none{};
+    for (std::size_t i = 0; i < std::max<std::size_t>(inputs.fastCount, 1); ++i) {  // a late cycle brings several
+        takeSample(inputs.fastCount > 0 ? inputs.fast[i] : none, inputs, events);
     }
-
-    const bool inLoop = m_status.stage != TurningStage::Out;
-    if (force == turning::ForceState::Lost && inLoop) {
-        leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), turning_alarm::kForceLost);
-    } else if (force == turning::ForceState::Saturated && inLoop) {
-        leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), 0);
-    } else if (inLoop && m_status.stage != TurningStage::Air && m_zero.state() == ForceZeroState::Doubtful) {
-        leave(Sentence(KERF_TEXT("The zero of the force may have drifted: no trim in the rest of this part.")), 0);
-    } else if (inLoop && force == turning::ForceState::Good) {
-        const double zeroed_N = fast.force_N - m_zero.zero_N();
-        if (m_status.stage == TurningStage::Air) {
-            m_control.idle(zeroed_N);
-            m_above = zeroKnown && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
-            if (m_above >= kTouchSamples) {
-                touch(inputs);
-            }
-        }
-        noteForce(zeroed_N);
-        if (m_status.stage == TurningStage::Entry || m_status.stage == TurningStage::Cutting) {
-            cut(zeroed_N, inputs, events);
-        }
-    }
+    outputs.forceReset = m_zero.wantsReset();
     if (m_status.stage != TurningStage::Cutting) {
         m_wanted_um = 0.0;
     }
@@ -271,6 +236,51 @@ LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& c
             break;
     }
     return {LoopState::Controlling, Sentence(KERF_TEXT("Out of the cut: the sensor's zero is taken."))};
+}
+
+void TurningLoop::takeSample(const FastSample& fast, const MachineInputs& inputs, EventSink& events) noexcept {
+    // While its amplifier is reset the signal stands still, and that is no fault.
+    const turning::ForceState force = m_zero.resetting() ? turning::ForceState::Good : m_health.judge(fast);
+    const bool gap = inputs.fastCount > 0 && fast.stamp_ns - std::exchange(m_lastSample_ns, fast.stamp_ns) > kGap_ns;
+    if (inputs.fastCount > 0) {
+        (void)m_zero.take(fast);
+    }
+    noteZero(events);
+    const bool zeroKnown = m_zero.state() == ForceZeroState::Known || m_zero.state() == ForceZeroState::Own;
+    events.set(turning_alarm::kForceLost, force == turning::ForceState::Lost);
+    events.set(turning_alarm::kForceSaturated, force == turning::ForceState::Saturated);
+    m_status.force_N = {fast.force_N - m_zero.zero_N(), fast.stamp_ns,
+                        m_status.zero == ForceZeroState::Doubtful ? Quality::Bad : fast.quality};
+    if (inputs.toolTrim_um.good()) {
+        m_status.appliedTrim_um = inputs.toolTrim_um.value;
+        m_control.setApplied(inputs.toolTrim_um.value);
+    } else {
+        m_control.setApplied(m_trim_um);
+    }
+    const bool cuts = m_status.stage == TurningStage::Entry || m_status.stage == TurningStage::Cutting;
+    const bool inLoop = m_status.stage != TurningStage::Out;
+    if (force == turning::ForceState::Lost && inLoop) {
+        leave(Sentence(KERF_TEXT("Force signal lost: the trim is zero.")), turning_alarm::kForceLost);
+    } else if (force == turning::ForceState::Saturated && inLoop) {
+        leave(Sentence(KERF_TEXT("Force sensor at the end of its range: no trim in this part.")), 0);
+    } else if (cuts && gap) {  // revolutions and tones have gone on unseen: what comes next would look like a chip
+        leave(Sentence(KERF_TEXT("Samples of the force are missing: no trim in the rest of this part.")), 0);
+    } else if (inLoop && m_status.stage != TurningStage::Air && m_zero.state() == ForceZeroState::Doubtful) {
+        leave(Sentence(KERF_TEXT("The zero of the force may have drifted: no trim in the rest of this part.")), 0);
+    } else if (inLoop && force == turning::ForceState::Good) {
+        const double zeroed_N = fast.force_N - m_zero.zero_N();
+        if (m_status.stage == TurningStage::Air) {
+            m_control.idle(zeroed_N);
+            m_above = zeroKnown && zeroed_N > kTouchShare * m_status.forceTarget_N ? m_above + 1 : 0;
+            if (m_above >= kTouchSamples) {
+                touch(inputs);
+            }
+        }
+        noteForce(zeroed_N);
+        if (m_status.stage == TurningStage::Entry || m_status.stage == TurningStage::Cutting) {
+            cut(zeroed_N, inputs, events);
+        }
+    }
 }
 
 /// The touch is told from a tenth of the target; the laws leave the mean of the force alone, so its zero may be 5 %

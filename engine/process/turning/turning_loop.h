@@ -53,6 +53,7 @@ class TurningLoop final : public ProcessLoop {
     void touch(const MachineInputs& inputs) noexcept;
     [[nodiscard]] ForceZeroParams zeroParams(const Capabilities& capabilities) const noexcept;
     void noteZero(EventSink& events) noexcept;
+    void takeSample(const FastSample& fast, const MachineInputs& inputs, EventSink& events) noexcept;
     void cut(double force_N, const MachineInputs& inputs, EventSink& events) noexcept;
     void startCount() noexcept;
     [[nodiscard]] bool chipped(double force_N, EventSink& events) noexcept;
@@ -93,6 +94,7 @@ class TurningLoop final : public ProcessLoop {
     ForceZero m_zero{};
     turning::SurfaceRecord m_surface{};
     int m_above{0};
+    std::int64_t m_lastSample_ns{0};
     int m_below{0};
     std::uint32_t m_cutSamples{0};
     double m_mean_N{0.0};

@@ -203,6 +203,42 @@ class TestTurningLoop : public QObject {
             QCOMPARE(bench.loop().state, LoopState::Faulted);
         }
     }
+    void aLateCycleTakesEverySampleThatHasComeMeanwhile() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(1.5);
+        QCOMPARE(bench.loop().state, LoopState::Controlling);
+        std::int64_t now_ns = bench.engine->cycle().inputs().time_ns;
+        double largest_um = 0.0;
+        for (int i = 0; i < 7000; ++i) {  // every fiftieth comes a millisecond late
+            now_ns += i % 50 == 0 ? 1'200'000 : 200'000;
+            bench.engine->cycle().step(now_ns);
+            QCOMPARE(bench.engine->cycle().inputs().fastCount, i % 50 == 0 ? std::size_t{6} : std::size_t{1});
+            largest_um = std::max(largest_um, std::abs(bench.engine->cycle().outputs().toolTrim_um));
+        }
+        QVERIFY(!bench.raised(turning_alarm::kToolChipped));
+        QCOMPARE(bench.engine->cycle().describe(ProcessId::Turning).state, LoopState::Controlling);
+        QVERIFY2(largest_um > 0.5, qPrintable(QString::number(largest_um)));  // and goes on
+    }
+    void missingSamplesAreNoChip() {
+        test::TurningBench bench;
+        QVERIFY(bench.start());
+        bench.run(1.5);
+        std::int64_t now_ns = bench.engine->cycle().inputs().time_ns;
+        MachineInputs unheard;
+        for (int i = 0; i < 3; ++i) {  // the machine goes on, the console does not
+            bench.machine->read(now_ns += 200'000, unheard);
+        }
+        bench.engine->cycle().step(now_ns += 200'000);
+        for (int i = 0; i < 2000; ++i) {
+            bench.engine->cycle().step(now_ns += 200'000);
+        }
+        const LoopStatus loop = bench.engine->cycle().describe(ProcessId::Turning);
+        QCOMPARE(loop.state, LoopState::Limited);
+        QVERIFY(loop.reason.english().starts_with("Samples of the force are missing"));
+        QCOMPARE(bench.engine->cycle().outputs().toolTrim_um, 0.0);
+        QVERIFY(!bench.raised(turning_alarm::kToolChipped));
+    }
     void slowWearIsNoChip() {
         test::TurningBench bench;
         QVERIFY(bench.start());
