@@ -207,6 +207,9 @@ class Run {
             m_summary.titles.try_emplace(code, m_titles[code]);
         }
         const double feed_mmPerS = std::abs(m_row.machine.actualFeed_mmPerS.value);
+        const double knob = std::max(m_row.machine.operatorOverride, 1.0);
+        m_lower_s = knob < m_knob ? m_lower_s + m_period_s : 0.0;
+        m_knob = m_lower_s > 0.0 && m_lower_s <= Summary::kSettle_s ? m_knob : knob;  // a drive needs time to fall
         m_stopped_s = m_feedHeld ? m_stopped_s + m_period_s : 0.0;
         if (m_stopped_s > Summary::kSettle_s) {
             m_summary.feedWhileStopped_mmPerS = std::max(m_summary.feedWhileStopped_mmPerS, feed_mmPerS);
@@ -220,8 +223,7 @@ class Run {
         m_unknown_s = unknown && sameProgram ? m_unknown_s + m_period_s : 0.0;
         if (unknown) {
             // The operator's knob is a person's: what it adds is no feed of Kerf's.
-            const double knob = std::max(m_row.machine.operatorOverride, 1.0);
-            const double over_mmPerS = feed_mmPerS - m_row.plannedFeed_mmPerS * knob;
+            const double over_mmPerS = feed_mmPerS - m_row.plannedFeed_mmPerS * m_knob;
             m_summary.overPlannedAtOnce_mmPerS = std::max(m_summary.overPlannedAtOnce_mmPerS, over_mmPerS);
             if (m_unknown_s > Summary::kSettle_s) {
                 m_summary.overPlannedWhileUnknown_mmPerS =
@@ -279,6 +281,8 @@ class Run {
     double m_period_s{0.001};
     double m_stopped_s{0.0};
     double m_unknown_s{0.0};
+    double m_knob{1.0};
+    double m_lower_s{0.0};
     std::uint32_t m_parts{0};
     bool m_silent{false};
     bool m_feedHeld{false};

@@ -3915,10 +3915,6 @@
             <translation>The part of this measurement is not stored.</translation>
         </message>
         <message>
-            <source>The position of the boring spindle is missing, old or not a number.</source>
-            <translation>The position of the boring spindle is missing, old or not a number.</translation>
-        </message>
-        <message>
             <source>The recipe has no revision %1.</source>
             <translation>The recipe has no revision %1.</translation>
         </message>
@@ -7261,6 +7257,10 @@
         <message>
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>The key %1 stands twice in one object; it is expected once.</translation>
+        </message>
+        <message>
+            <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
+            <translation>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</translation>
         </message>
     </context>
     <context>

@@ -3910,10 +3910,6 @@
             <translation>이 측정값의 공작물이 저장되어 있지 않습니다.</translation>
         </message>
         <message>
-            <source>The position of the boring spindle is missing, old or not a number.</source>
-            <translation>보링 주축의 위치가 없거나 오래되었거나 숫자가 아닙니다.</translation>
-        </message>
-        <message>
             <source>The recipe has no revision %1.</source>
             <translation>레시피에 개정 %1번이 없습니다.</translation>
         </message>
@@ -7256,6 +7252,10 @@
         <message>
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>키 %1이(가) 한 객체에 두 번 있습니다. 한 번만 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
+            <translation>보링 스핀들의 위치가 없거나 오래되었거나 숫자가 아니거나, 이송 중인데도 멈춰 있습니다.</translation>
         </message>
     </context>
     <context>

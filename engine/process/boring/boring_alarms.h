@@ -14,10 +14,11 @@ inline constexpr AlarmCode kFeedNotFollowing = 102;
 inline constexpr AlarmCode kEstimateDiffers = 110;  ///< raised by the service, not by the loop
 
 inline constexpr std::array kSpecs{
-    AlarmSpec{kOverhangLost, 2, KERF_TEXT("Spindle overhang unknown"),
-              KERF_TEXT("The position of the boring spindle is missing, old or not a number."),
-              KERF_TEXT("The feed falls to the lowest of the schedule and does not follow it, so the bore may taper."),
-              KERF_TEXT("Check the spindle's position signal. Measure this part at both depths.")},
+    AlarmSpec{
+        kOverhangLost, 2, KERF_TEXT("Spindle overhang unknown"),
+        KERF_TEXT("The position of the boring spindle is missing, old, not a number, or stands still while it feeds."),
+        KERF_TEXT("The feed falls to the lowest of the schedule and does not follow it, so the bore may taper."),
+        KERF_TEXT("Check the spindle's position signal. Measure this part at both depths.")},
     AlarmSpec{kSpindleSpeedLost, 2, KERF_TEXT("Spindle speed unknown"),
               KERF_TEXT("The spindle's speed signal is missing, old or not a number."),
               KERF_TEXT("The feed falls to the lowest of the schedule and does not follow it, so the bore may taper."),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/cycle/event_sink.h"
 #include "engine/process/boring/boring_alarms.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kFollowTolerance = 0.05;                   // share of the wanted feed
 constexpr std::int64_t kFollowPatience_ns = 2'000'000'000;  // machine time
+constexpr double kUnseen_mm = 0.1;                          // way without a move of the position: ten steps of .01 mm
+constexpr double kLongestLook_s = 0.05;                     // that one late cycle counts for
 
 bool usable(const BoringSchedule& s) {
     const bool numbers = std::isfinite(s.lnC) && std::isfinite(s.beta) && s.alpha > 0.0 && std::isfinite(s.alpha);
@@ -98,7 +101,8 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                                EventSink& events) noexcept {
     const BoringSchedule& schedule = m_part.schedule;
     const bool advises = m_mode == LoopMode::Advise;
-    const bool overhangKnown = inputs.overhang_mm.good() && inputs.overhang_mm.value > 0.0;
+    const bool stuck = standsStill(inputs);
+    const bool overhangKnown = inputs.overhang_mm.good() && inputs.overhang_mm.value > 0.0 && !stuck;
     const bool speedKnown = inputs.spindleSpeed_rpm.good() && inputs.spindleSpeed_rpm.value > 0.0;
     events.set(boring_alarm::kOverhangLost, !overhangKnown);
     events.set(boring_alarm::kSpindleSpeedLost, !inputs.spindleSpeed_rpm.good());
@@ -172,6 +176,24 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                                                      : KERF_TEXT("The feed follows the schedule along the bore."))};
 }
 
+/// A position that does not move while the spindle feeds is none: the schedule would stay where it was.
+bool BoringLoop::standsStill(const MachineInputs& inputs) noexcept {
+    const double dt_s = static_cast<double>(inputs.time_ns - m_lookedAt_ns) / kNanosecondPerSecond;
+    m_lookedAt_ns = inputs.time_ns;
+    if (!inputs.overhang_mm.good() || inputs.overhang_mm.value != m_stands_mm) {
+        m_stands_mm = inputs.overhang_mm.value;
+        m_unseen_mm = 0.0;
+        return false;
+    }
+    double feed_mmPerS = inputs.actualFeed_mmPerS.value;
+    if (!inputs.actualFeed_mmPerS.good()) {
+        const bool asked = inputs.programmedFeed_mmPerS.good() && inputs.appliedFeedScale.good() && !inputs.feedHold;
+        feed_mmPerS = asked ? inputs.programmedFeed_mmPerS.value * inputs.appliedFeedScale.value : 0.0;
+    }
+    m_unseen_mm += std::abs(feed_mmPerS) * std::clamp(dt_s, 0.0, kLongestLook_s);
+    return m_unseen_mm > kUnseen_mm;
+}
+
 void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part = PartRecord{};
     m_part.process = ProcessId::Boring;
@@ -180,6 +202,8 @@ void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part.schedule = m_next;
     m_part.lot = m_next.lot;
     m_offScheduleSince_ns = -1;
+    m_lookedAt_ns = inputs.time_ns;
+    m_unseen_mm = 0.0;
     m_status.activeSchedule = m_next.revision;
     m_status.progress = 0.0;
 }

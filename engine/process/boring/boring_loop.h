@@ -28,6 +28,7 @@ class BoringLoop final : public ProcessLoop {
     void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     [[nodiscard]] LoopVerdict follow(const MachineInputs& inputs, const Capabilities& capabilities,
                                      LoopOutputs& outputs, EventSink& events) noexcept;
+    [[nodiscard]] bool standsStill(const MachineInputs& inputs) noexcept;
     void trace(double overhang_mm, double feed_mmPerRev) noexcept;
 
     ProgramFollower m_program{ProcessId::Boring};
@@ -36,6 +37,9 @@ class BoringLoop final : public ProcessLoop {
     PartRecord m_part{};
     bool m_startWanted{false};
     std::int64_t m_offScheduleSince_ns{-1};
+    std::int64_t m_lookedAt_ns{0};
+    double m_stands_mm{0.0};  ///< the overhang as it was seen last
+    double m_unseen_mm{0.0};  ///< what has been fed since it changed
     BoringStatus m_status{};
 };
 
