@@ -7255,7 +7255,7 @@
         </message>
         <message>
             <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
-            <translation>보링 스핀들의 위치가 없거나 오래되었거나 숫자가 아니거나, 이송 중인데도 멈춰 있습니다.</translation>
+            <translation>보링 주축의 위치가 없거나 오래되었거나 숫자가 아니거나, 이송 중인데도 멈춰 있습니다.</translation>
         </message>
     </context>
     <context>

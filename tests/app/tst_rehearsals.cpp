@@ -73,6 +73,32 @@ class TestRehearsals : public QObject {
         const json once = rehearsal::summaryJson(scenario, rehearsal::rehearse(scenario, nullptr, 0.0, {}));
         QVERIFY(once == json(rehearsal::summaryJson(scenario, rehearsal::rehearse(scenario, nullptr, 0.0, {}))));
     }
+    void rowsShowTheFeedAsItIsWhateverItsSignalSays_data() {
+        QTest::addColumn<QString>("process");
+        QTest::addColumn<QString>("fault");
+        for (const char* process : {"boring", "milling", "turning"}) {
+            for (const char* fault : {"feed_missing", "feed_stale", "feed_stuck"}) {
+                QTest::addRow("%s %s", process, fault) << process << fault;
+            }
+        }
+    }
+    void rowsShowTheFeedAsItIsWhateverItsSignalSays() {
+        QFETCH(QString, process);
+        QFETCH(QString, fault);
+        const QString text =
+            QStringLiteral(R"({"process": "%1", "duration_s": 4.5, "events": [{"at_s": 0, "do": "start"},
+            {"at_s": 2, "fault": "%2"}, {"at_s": 4, "fault": "operator_hold"}]})")
+                .arg(process, fault);
+        const auto scenario = rehearsal::readScenario(text.toStdString(), "feed", "");
+        double before_mmPerS = 0.0;
+        double after_mmPerS = 1.0;
+        (void)rehearsal::rehearse(scenario, nullptr, 0.0, [&](const rehearsal::Row& row) {
+            before_mmPerS = row.t_s < 4.0 ? row.machine.actualFeed_mmPerS.value : before_mmPerS;
+            after_mmPerS = row.machine.actualFeed_mmPerS.value;
+        });
+        QVERIFY2(before_mmPerS > 0.05, qPrintable(QString::number(before_mmPerS)));
+        QVERIFY2(after_mmPerS < 0.01, qPrintable(QString::number(after_mmPerS)));
+    }
     void wrongScenariosNameTheKey_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("key");

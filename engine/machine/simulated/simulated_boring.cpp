@@ -102,12 +102,11 @@ bool SimulatedBoring::advance(const SimulationStep& step, MachineInputs& inputs)
     const double feed_mmPerS = m_running ? m_feed_mmPerS : 0.0;
     inputs.overhang_mm = simulatedReading(m_overhang_mm, step.now_ns, faults.overhang, m_lastOverhang_mm);
     inputs.spindleSpeed_rpm = simulatedReading(speed_rpm, step.now_ns, faults.spindleSpeed, m_lastSpeed_rpm);
-    inputs.actualFeed_mmPerS = simulatedReading(feed_mmPerS, step.now_ns, faults.actualFeed, m_lastFeed_mmPerS);
+    inputs.actualFeed_mmPerS = {feed_mmPerS, step.now_ns, Quality::Good};
     inputs.programmedFeed_mmPerS = {m_running ? programmed_mmPerS : 0.0, step.now_ns, Quality::Good};
     inputs.position_mm[2] = {-(m_overhang_mm - m_program.from_mm), step.now_ns, Quality::Good};
     m_lastOverhang_mm = inputs.overhang_mm;
     m_lastSpeed_rpm = inputs.spindleSpeed_rpm;
-    m_lastFeed_mmPerS = inputs.actualFeed_mmPerS;
     return m_running;
 }
 

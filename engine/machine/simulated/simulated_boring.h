@@ -68,7 +68,6 @@ class SimulatedBoring final : public SimulatedProcess {
     bool m_running{false};
     Reading m_lastOverhang_mm{};
     Reading m_lastSpeed_rpm{};
-    Reading m_lastFeed_mmPerS{};
 };
 
 }  // namespace kerf

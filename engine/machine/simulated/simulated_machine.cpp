@@ -109,8 +109,13 @@ void SimulatedMachine::disconnect() noexcept {
 
 void SimulatedMachine::read(std::int64_t now_ns, MachineInputs& inputs) noexcept {
     advance(now_ns, m_truth);
+    const SignalFault fault = m_injected.value().actualFeed;
+    m_toldFeed_mmPerS = fault == SignalFault::None
+                            ? m_truth.actualFeed_mmPerS
+                            : simulatedReading(m_truth.actualFeed_mmPerS.value, now_ns, fault, m_toldFeed_mmPerS);
     if (m_truth.link == LinkState::Up) {
         inputs = m_truth;
+        inputs.actualFeed_mmPerS = m_toldFeed_mmPerS;
     } else {
         markUnheard(now_ns, inputs);
     }

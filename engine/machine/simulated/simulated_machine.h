@@ -37,7 +37,7 @@ class SimulatedMachine final : public MachinePort {
     void read(std::int64_t now_ns, MachineInputs& inputs) noexcept override;
     void write(const MachineOutputs& outputs) noexcept override;
 
-    /// The machine as it is, also while the link shows nothing. Same thread as read().
+    /// The machine as it is, also while the link shows nothing or the feed's signal fails. Same thread as read().
     [[nodiscard]] const MachineInputs& truth() const noexcept { return m_truth; }
     /// Any one thread: faults in force from the next cycle on.
     void inject(const InjectedFaults& faults) noexcept { m_injected.publish(faults); }
@@ -53,6 +53,7 @@ class SimulatedMachine final : public MachinePort {
     Capabilities m_capabilities{};
     LatestValue<InjectedFaults> m_injected{};
     MachineInputs m_truth{};
+    Reading m_toldFeed_mmPerS{};  ///< as the feed's signal says it, whatever its fault
     MachineOutputs m_outputs{};
     StopSlots m_stops{};
     double m_plannedScale{1.0};  ///< declared with the program

@@ -154,11 +154,10 @@ bool SimulatedMilling::advance(const SimulationStep& step, MachineInputs& inputs
     const InjectedFaults& faults = *step.faults;
     const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
     inputs.spindleSpeed_rpm = simulatedReading(speed_rpm, step.now_ns, faults.spindleSpeed, m_lastSpeed_rpm);
-    inputs.actualFeed_mmPerS = simulatedReading(told.feed_mmPerS, step.now_ns, faults.actualFeed, m_lastFeed_mmPerS);
+    inputs.actualFeed_mmPerS = {told.feed_mmPerS, step.now_ns, Quality::Good};
     inputs.programmedFeed_mmPerS = {m_running ? programmed_mmPerS : 0.0, step.now_ns, Quality::Good};
     inputs.position_mm[0] = {m_cut.axis_mm(), step.now_ns, Quality::Good};
     m_lastSpeed_rpm = inputs.spindleSpeed_rpm;
-    m_lastFeed_mmPerS = inputs.actualFeed_mmPerS;
     return m_running;
 }
 

@@ -88,7 +88,6 @@ class SimulatedMilling final : public SimulatedProcess {
     bool m_running{false};
     Reading m_lastSample_N{};
     Reading m_lastSpeed_rpm{};
-    Reading m_lastFeed_mmPerS{};
 };
 
 }  // namespace kerf
