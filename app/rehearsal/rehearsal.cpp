@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -33,6 +34,9 @@ class Run {
         if (real == nullptr) {
             m_simulated = simulatedMachine(scenario);
             (void)m_simulated->connect();
+            if (scenario.process == ProcessId::Thermal) {
+                m_thermal = trainedModel(scenario);
+            }
         }
         m_port = real != nullptr ? &real->commanded : m_simulated.get();
         m_modes.fill(LoopMode::Off);
@@ -71,7 +75,8 @@ class Run {
 
  private:
     void openConsole() {
-        m_console = std::make_unique<Console>(*m_port, m_scenario.setups, m_modes, m_keptStops);
+        m_console = std::make_unique<Console>(*m_port, m_scenario.setups, m_modes, m_keptStops,
+                                              m_thermal ? &*m_thermal : nullptr);
         m_titles = m_console->alarmTitles();
     }
 
@@ -264,6 +269,7 @@ class Run {
     CycleWatch* m_watch;
     const RealMachine* m_real;
     std::unique_ptr<SimulatedMachine> m_simulated;
+    std::optional<thermal::ThermalModel> m_thermal{};
     MachinePort* m_port{nullptr};
     std::unique_ptr<Console> m_console;
     InjectedFaults m_faults{};

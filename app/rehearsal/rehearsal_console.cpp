@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/rehearsal/rehearsal_console.h"
 
+#include <fmt/format.h>
+
 #include "engine/cycle/machine_alarms.h"
 #include "engine/process/boring/boring_loop.h"
 #include "engine/process/milling/milling_loop.h"
@@ -11,7 +13,7 @@
 namespace kerf::rehearsal {
 
 Console::Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessPlaces>& modes,
-                 const StopSlots& keptStops)
+                 const StopSlots& keptStops, const thermal::ThermalModel* thermal)
     : m_taps(std::make_unique<TapExchange>()), m_thermal(std::make_unique<ThermalExchange>()) {
     const Capabilities& capabilities = machine.capabilities();
     const auto has = [&](ProcessId id) { return capabilities.process[static_cast<std::size_t>(id)].fitted; };
@@ -25,6 +27,15 @@ Console::Console(MachinePort& machine, const Setups& setups, const std::array<Lo
         std::erase_if(loops, [&](const auto& loop) { return !has(loop->id()); });
     }
     m_engine = std::make_unique<Engine>(machine, std::move(loops));
+    if (thermal != nullptr) {
+        std::vector<std::string> channels;
+        for (int i = 0; i < capabilities.temperatureCount; ++i) {
+            channels.push_back(fmt::format("T{:02}", i));
+        }
+        if (auto live = LiveModel::make(*thermal, channels, 1)) {
+            m_thermal->offer(std::move(*live));
+        }
+    }
     (void)send(RestoreStops{keptStops});
     (void)send(LoadBoringSchedule{setups.boring});
     (void)send(LoadMillingSetup{setups.milling});

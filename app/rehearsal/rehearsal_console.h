@@ -20,8 +20,9 @@ namespace kerf::rehearsal {
 /// does: stops as the data file keeps them first, then setups and modes.
 class Console {
  public:
+    /// `thermal`: the model that is live, null: none has been trained.
     Console(MachinePort& machine, const Setups& setups, const std::array<LoopMode, kProcessPlaces>& modes,
-            const StopSlots& keptStops);
+            const StopSlots& keptStops, const thermal::ThermalModel* thermal = nullptr);
 
     void step(std::int64_t now_ns);
     /// A deed of a person; its answer comes with takeAnswers(), for the command of that index.

@@ -8,6 +8,8 @@
 #include "engine/machine/simulated/simulated_tapping.h"
 #include "engine/machine/simulated/simulated_thermal.h"
 #include "engine/machine/simulated/simulated_turning.h"
+#include "engine/process/thermal/plant/simulated_day.h"
+#include "engine/process/thermal/training.h"
 
 namespace kerf::rehearsal {
 namespace {
@@ -46,6 +48,13 @@ std::unique_ptr<SimulatedMachine> simulatedMachine(const Scenario& scenario) {
             SimulatedThermal::Params{SimulatedThermal::kMachiningCentre, scenario.seed}));
     }
     return std::make_unique<SimulatedMachine>(machine, std::move(plants));
+}
+
+std::optional<thermal::ThermalModel> trainedModel(const Scenario& scenario) {
+    const std::uint64_t machine = scenario.machine == MachineKind::DiamondLathe ? SimulatedThermal::kDiamondLathe
+                                                                                : SimulatedThermal::kMachiningCentre;
+    auto trained = thermal::trainRegression(thermal::trainingDays(machine), {});
+    return trained ? std::optional(std::move(*trained)) : std::nullopt;
 }
 
 }  // namespace kerf::rehearsal
