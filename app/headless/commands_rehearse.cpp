@@ -115,6 +115,9 @@ void rehearse(const RehearseOptions& options) {
                        ", the scenario's process.");
     }
     scenario.limits = described.limits;
+    for (const std::string& remark : scenario.remarks) {
+        std::fprintf(stderr, "kerf: %s\n", remark.c_str());
+    }
     std::unique_ptr<MachinePort> commanded;
     std::unique_ptr<MachinePort> seen;
     std::optional<rehearsal::RealMachine> real;

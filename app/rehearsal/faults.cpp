@@ -113,6 +113,32 @@ bool failsFor(ProcessId process, const InjectedFaults& faults) noexcept {
     return false;
 }
 
+bool concerns(std::string_view fault, ProcessId process) noexcept {
+    const auto oneOf = [&](std::initializer_list<const char*> begins) {
+        return std::ranges::any_of(begins, [&](const char* begin) { return fault.starts_with(begin); });
+    };
+    const bool mills = process == ProcessId::Milling;
+    if (oneOf({"force_", "tool_"})) {
+        return mills || process == ProcessId::Turning;
+    }
+    if (oneOf({"flute_"})) {
+        return mills;
+    }
+    if (oneOf({"servo_signal_"})) {
+        return mills || process == ProcessId::Tapping;
+    }
+    if (oneOf({"overhang_"})) {
+        return process == ProcessId::Boring;
+    }
+    if (oneOf({"spindle_speed_", "feed_"})) {
+        return mills || process == ProcessId::Boring || process == ProcessId::Thermal;
+    }
+    if (oneOf({"thermocouple_", "temperatures_", "gaps_", "work_offset_"})) {
+        return process == ProcessId::Thermal;
+    }
+    return true;
+}
+
 const FaultSpec* findFault(std::string_view name) noexcept {
     const auto* const found = std::ranges::find_if(kSpecs, [name](const FaultSpec& spec) { return name == spec.name; });
     return found == std::end(kSpecs) ? nullptr : found;

@@ -25,6 +25,8 @@ inline constexpr const char* kConsoleRestart = "console_restart";
 [[nodiscard]] std::span<const FaultSpec> faultSpecs() noexcept;
 /// A signal that this process needs fails.
 [[nodiscard]] bool failsFor(ProcessId process, const InjectedFaults& faults) noexcept;
+/// Whether a loop of this process, or its program, notices this fault at all.
+[[nodiscard]] bool concerns(std::string_view fault, ProcessId process) noexcept;
 /// Null: there is none of that name.
 [[nodiscard]] const FaultSpec* findFault(std::string_view name) noexcept;
 

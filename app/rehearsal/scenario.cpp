@@ -358,6 +358,22 @@ void checkCouples(const std::vector<Event>& events, const std::string& where) {
     }
 }
 
+/// A signal that nothing in this scenario looks at: the run can be made, but says nothing about it.
+void remarkIdle(const std::string& where, Scenario& scenario) {
+    const auto used = [&](const Event& fault) {
+        return concerns(fault.fault, scenario.process) || std::ranges::any_of(scenario.events, [&](const Event& event) {
+                   return event.deed == Deed::Start && concerns(fault.fault, event.process);
+               });
+    };
+    for (const Event& event : scenario.events) {
+        if (!event.deed && !used(event)) {
+            scenario.remarks.push_back(
+                fmt::format("{}: events[{}].fault: {} changes nothing: {} does not use that signal.", where,
+                            event.index, event.fault, processKey(scenario.process)));
+        }
+    }
+}
+
 }  // namespace
 
 const char* machineKey(MachineKind kind) noexcept {
@@ -439,6 +455,7 @@ Scenario readScenario(const std::string& text, const std::string& where, const s
     keys.end();
     std::ranges::stable_sort(scenario.events, {}, &Event::at_s);
     checkCouples(scenario.events, where);
+    remarkIdle(where, scenario);
     return scenario;
 }
 

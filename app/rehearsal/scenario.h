@@ -56,8 +56,10 @@ struct Scenario {
     LoopMode mode{LoopMode::Control};
     std::uint64_t seed{1};
     Setups setups{};
-    OutputLimits limits{};        ///< of the machine; the built-in ones unless a machine file says others
-    std::vector<Event> events{};  ///< by time, those of one time in the file's order
+    OutputLimits limits{};  ///< of the machine; the built-in ones unless a machine file says others
+    std::vector<Event> events{};
+    std::vector<std::string> remarks{};  ///< events that can change nothing, in sentences  ///< by time, those of one
+                                         ///< time in the file's order
 };
 
 /// Reads a scenario. `machine` empty: the one that has the process. `where` heads complaints (the file's name).

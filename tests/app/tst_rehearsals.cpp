@@ -99,6 +99,22 @@ class TestRehearsals : public QObject {
         QVERIFY2(before_mmPerS > 0.05, qPrintable(QString::number(before_mmPerS)));
         QVERIFY2(after_mmPerS < 0.01, qPrintable(QString::number(after_mmPerS)));
     }
+    void aFaultThatChangesNothingIsSaid() {
+        const auto remarks = [](const QString& process, const QString& more) {
+            const QString text = QStringLiteral(
+                                     "{\"process\": \"%1\", \"duration_s\": 9, \"events\": [{\"at_s\": 1, "
+                                     "\"fault\": \"servo_signal_lost\"}, {\"at_s\": 2, \"fault\": "
+                                     "\"link_down\"}%2]}")
+                                     .arg(process, more);
+            return rehearsal::readScenario(text.toStdString(), "idle.json", "").remarks;
+        };
+        QCOMPARE(remarks("turning", "").size(), std::size_t{1});
+        QCOMPARE(remarks("turning", "").front(),
+                 std::string("idle.json: events[0].fault: servo_signal_lost changes nothing: turning does not use that "
+                             "signal."));
+        QVERIFY(remarks("tapping", "").empty());
+        QVERIFY(remarks("boring", ", {\"at_s\": 0, \"do\": \"start\", \"process\": \"tapping\"}").empty());
+    }
     void wrongScenariosNameTheKey_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("key");
