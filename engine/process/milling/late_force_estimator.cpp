@@ -11,40 +11,57 @@ constexpr double kMostSaid = 3.0;              // log-likelihood by which one fo
 constexpr double kEvidence = 20.0;             // from which a force is taken for late: a comb in step with it says less
 constexpr double kEvidenceBack = 4.0;          // from which it is taken for less late again
 constexpr double kMostAirShare = 3.0;          // of the air force: noisier air than this does not raise it further
+constexpr int kYoung = 200;                    // revolutions in which each lateness has a noise meter of its own
 }  // namespace
 
 LateForceEstimator::LateForceEstimator(const StiffnessEstimator::Params& params) noexcept
     : m_leastAirForce_N(params.airForce_N),
-      m_meter(params.assume),
-      m_noise{params.assume.forceNoise_N, m_meter.noise()},
-      m_estimators{StiffnessEstimator(params), StiffnessEstimator(params), StiffnessEstimator(params)} {}
+      m_meters{NoiseMeter(params.assume), NoiseMeter(params.assume), NoiseMeter(params.assume)},
+      m_estimators{StiffnessEstimator(params), StiffnessEstimator(params), StiffnessEstimator(params)} {
+    m_noise.fill({params.assume.forceNoise_N, m_meters[0].noise()});
+}
 
 void LateForceEstimator::take(const Period& period) noexcept {
     std::shift_right(m_periods.begin(), m_periods.end(), 1);
     m_periods[0] = period;
 }
 
-void LateForceEstimator::hear(double force_N, const Period& period) noexcept {
-    const StiffnessEstimator& estimator = m_estimators[m_late];
+bool LateForceEstimator::young() const noexcept {
+    return m_revolutions < kYoung;
+}
+
+void LateForceEstimator::hear(std::size_t late, double force_N) noexcept {
+    const StiffnessEstimator& estimator = m_estimators[late];
+    const Period& period = m_periods[late];
+    NoiseMeter& meter = m_meters[late];
+    const double before_N = std::sqrt(meter.noise().variance_N2);
     const double kx_NPerMm = estimator.estimate().kx_NPerMm;
-    m_noise.before_N = std::sqrt(m_meter.noise().variance_N2);
     if (estimator.estimate().valid) {
-        m_meter.update(force_N, period.feed_mm, period.knownChange, kx_NPerMm, estimator.filterQuiet(m_noise.before_N));
+        meter.update(force_N, period.feed_mm, period.knownChange, kx_NPerMm, estimator.filterQuiet(before_N));
     } else if (period.feed_mm > 0.0) {
-        m_meter.begin(force_N, period.feed_mm, kx_NPerMm);
+        meter.begin(force_N, period.feed_mm, kx_NPerMm);
     }
-    m_noise.now = m_meter.noise();
+    m_noise[late] = {before_N, meter.noise()};
 }
 
 void LateForceEstimator::update(double force_N, double feed_mm, double knownChange, bool learnLate) noexcept {
     take({feed_mm, knownChange});
-    hear(force_N, m_periods[m_late]);
+    m_revolutions = std::min(m_revolutions + 1, kYoung);
     const bool judged =
         learnLate && std::ranges::all_of(m_estimators, [](const auto& one) { return one.estimate().valid; });
+    for (std::size_t late = 0; late < kLates; ++late) {
+        if (late == m_late || (learnLate && young())) {
+            hear(late, force_N);
+        }
+    }
     std::array<double, kLates> logLikelihood{};
     for (std::size_t late = 0; late < kLates; ++late) {
+        if (late != m_late && !young()) {
+            m_meters[late] = m_meters[m_late];
+            m_noise[late] = m_noise[m_late];
+        }
         if (learnLate || late == m_late) {
-            m_estimators[late].update(force_N, m_periods[late].feed_mm, m_periods[late].knownChange, m_noise);
+            m_estimators[late].update(force_N, m_periods[late].feed_mm, m_periods[late].knownChange, m_noise[late]);
             logLikelihood[late] = m_estimators[late].logLikelihood();
         } else {
             m_estimators[late].leaveWork();
@@ -56,7 +73,7 @@ void LateForceEstimator::update(double force_N, double feed_mm, double knownChan
 }
 
 double LateForceEstimator::airForce_N() const noexcept {
-    return std::clamp(m_meter.airReach_N(), m_leastAirForce_N, kMostAirShare * m_leastAirForce_N);
+    return std::clamp(m_meters[m_late].airReach_N(), m_leastAirForce_N, kMostAirShare * m_leastAirForce_N);
 }
 
 void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) noexcept {
@@ -77,13 +94,15 @@ void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) 
 void LateForceEstimator::coast(double feed_mm) noexcept {
     take({feed_mm, 0.0});
     for (std::size_t late = 0; late < kLates; ++late) {
-        m_estimators[late].coast(m_periods[late].feed_mm, m_noise);
+        m_estimators[late].coast(m_periods[late].feed_mm, m_noise[late]);
     }
 }
 
 void LateForceEstimator::air(double force_N, double feed_mm) noexcept {
     take({feed_mm, 0.0});
-    m_meter.air(force_N);
+    for (NoiseMeter& meter : m_meters) {
+        meter.air(force_N);
+    }
     leaveWork();
 }
 
@@ -97,23 +116,26 @@ void LateForceEstimator::setPeriod(double shift) noexcept {
     for (StiffnessEstimator& estimator : m_estimators) {
         estimator.shift(shift);
     }
-    m_meter.shift(shift);
+    for (NoiseMeter& meter : m_meters) {
+        meter.shift(shift);
+    }
+    m_revolutions = 0;
     m_logEvidence.fill(0.0);
     m_late = 0;
 }
 
 void LateForceEstimator::setReference(double reference_N, double unknownNoise_N) noexcept {
-    m_meter.expect(unknownNoise_N);
-    m_noise.now = m_meter.noise();
-    for (StiffnessEstimator& estimator : m_estimators) {
-        estimator.setReference(reference_N, m_noise);
+    for (std::size_t late = 0; late < kLates; ++late) {
+        m_meters[late].expect(unknownNoise_N);
+        m_noise[late].now = m_meters[late].noise();
+        m_estimators[late].setReference(reference_N, m_noise[late]);
     }
 }
 
 void LateForceEstimator::newTool(const StiffnessEstimator::Params& params) noexcept {
     m_estimators.fill(StiffnessEstimator(params));
-    m_meter = NoiseMeter(params.assume);
-    m_noise = {params.assume.forceNoise_N, m_meter.noise()};
+    m_meters.fill(NoiseMeter(params.assume));
+    m_noise.fill({params.assume.forceNoise_N, m_meters[0].noise()});
 }
 
 const std::array<double, LateForceEstimator::kFilters>& LateForceEstimator::kxLogWeights() const noexcept {

@@ -17,7 +17,8 @@ namespace kerf::milling {
 /// One StiffnessEstimator for each lateness pairs the force with the feed of so many periods before. Each is weighed by
 /// the likelihood of the forces it was surprised by, slowly forgotten; the law gets the estimate of the likeliest. A
 /// force counts as prompt until the evidence is clear, and who has the floor keeps it until it is clearly beaten. How
-/// noisy the force is, they are all told by one NoiseMeter, which goes with the likeliest.
+/// noisy the force is, each learns by a NoiseMeter of its own in the first revolutions in the work (a force paired with
+/// the wrong feed seems noisy, and then tells the latenesses apart badly); later all are told by the likeliest's.
 /// What force and feed are late by together does not show here (AxisFollow learns that).
 ///
 /// Forces ≥ 0 in N, feeds ≥ 0 in mm per period. All functions run in the cycle: no allocation, lock, throw or I/O.
@@ -58,12 +59,14 @@ class LateForceEstimator {
         double knownChange{0.0};
     };
     void take(const Period& period) noexcept;
-    void hear(double force_N, const Period& period) noexcept;
+    [[nodiscard]] bool young() const noexcept;
+    void hear(std::size_t late, double force_N) noexcept;
     void judge(const std::array<double, kLates>& logLikelihood) noexcept;
 
     double m_leastAirForce_N;
-    NoiseMeter m_meter;
-    StiffnessEstimator::Noise m_noise{};
+    std::array<NoiseMeter, kLates> m_meters;
+    std::array<StiffnessEstimator::Noise, kLates> m_noise{};
+    int m_revolutions{0};  ///< in the work since nothing was known of the lateness
     std::array<StiffnessEstimator, kLates> m_estimators;
     std::array<Period, kLates> m_periods{};      ///< newest first
     std::array<double, kLates> m_logEvidence{};  ///< highest is 0

@@ -13,7 +13,6 @@ constexpr double kLeastLogWeight = -12.0;       // no filter is ever ruled out f
 constexpr double kLeastBefore = -6.0;           // … and one surprise may find the least likely
 constexpr double kLeastLogLikelihood = -500.0;  // keeps its exponential above 0
 constexpr double k95 = 1.96;
-constexpr std::size_t kTurns = 4;  // revolutions in which the filters that hardly count are asked once
 
 constexpr double kAheadMemory = 0.8, kAheadMemoryNoisy = 0.95;  // of the slope in a revolution not yet measured
 constexpr double kSolved = 1e-6;                                // relative, of l
@@ -80,17 +79,10 @@ void StiffnessEstimator::update(double force_N, double feed_mmPerRev, double kno
 void StiffnessEstimator::weigh(double force_N, double feed_mmPerRev, double knownChange, const Noise& noise) noexcept {
     const double quietness = filterQuiet(noise.before_N);
     std::array<StiffnessFilter::Fit, kFilters> fit{};
-    std::array<bool, kFilters> asked{};
     bool surprised = false;
     double total = 0.0;
     double likelihood = 0.0;
-    m_turn = (m_turn + 1) % kTurns;
     for (std::size_t i = 0; i < kFilters; ++i) {
-        // What the stiff ones pay by is always asked.
-        asked[i] = m_logWeight[i] > kLeastLogWeight || i % kTurns == m_turn || i == kFilters - kStiff - 1;
-        if (!asked[i]) {
-            continue;
-        }
         const double weight = std::exp(m_logWeight[i]);
         m_filters[i].predict(feed_mmPerRev, knownChange, quietness);
         fit[i] = m_filters[i].correct(force_N, noise.now);
@@ -102,17 +94,15 @@ void StiffnessEstimator::weigh(double force_N, double feed_mmPerRev, double know
     // pays for that when others, surer ones, are surprised.
     const double sure_N2 = fit[kFilters - kStiff - 1].spread_N2;
     for (std::size_t i = 0; i < kFilters; ++i) {
-        if (asked[i]) {
-            const bool pays = surprised && i >= kFilters - kStiff;
-            m_logWeight[i] += fit[i].surprise - (pays ? std::log(fit[i].spread_N2 / sure_N2) : 0.0);
-        }
+        const bool pays = surprised && i >= kFilters - kStiff;
+        m_logWeight[i] += fit[i].surprise - (pays ? std::log(fit[i].spread_N2 / sure_N2) : 0.0);
     }
     m_logLikelihood = std::log(likelihood / total);
     const auto best = static_cast<std::size_t>(std::ranges::max_element(m_logWeight) - m_logWeight.begin());
     const double highest = m_logWeight[best];
     for (std::size_t i = 0; i < kFilters; ++i) {
         m_logWeight[i] -= highest;
-        if (!asked[i] || !(m_logWeight[i] > kLeastLogWeight)) {  // so, a weight that is no number counts as least
+        if (!(m_logWeight[i] > kLeastLogWeight)) {  // so written, a weight that is no number counts as least
             m_logWeight[i] = kLeastLogWeight;
             m_filters[i].adopt(m_filters[best]);
         }

@@ -29,7 +29,7 @@ struct StiffnessEstimate {
 /// Cutting stiffness when k_x is not known: filters at several k_x side by side, weighed by how well each explains the
 /// measured force (Magill 1965). A wrong k_x shows in every transient, so the weights settle within the first entry. A
 /// filter that no longer explains the force is set back onto the best one's estimate, so it can come into its own
-/// again; it is asked in every fourth revolution only.
+/// again.
 ///
 /// Without the bank a law must assume a stiff tool to stay stable on every machine (docs/milling.md has the
 /// comparison).
@@ -94,7 +94,6 @@ class StiffnessEstimator {
     std::array<double, kFilters> m_logWeight{};  ///< highest is 0
     StiffnessEstimate m_estimate{};
     double m_logLikelihood{0.0};
-    std::size_t m_turn{0};  ///< whose turn it is of the filters that hardly count
 };
 
 }  // namespace kerf::milling
