@@ -10810,6 +10810,13 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::Sheet</name>
+        <message>
+            <source>That is stored. What was typed since then is not yet.</source>
+            <translation>That is stored. What was typed since then is not yet.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>

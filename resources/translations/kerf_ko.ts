@@ -10799,6 +10799,13 @@
         </message>
     </context>
     <context>
+        <name>kerf::ui::Sheet</name>
+        <message>
+            <source>That is stored. What was typed since then is not yet.</source>
+            <translation>저장되었습니다. 그 뒤에 입력한 것은 아직 저장되지 않았습니다.</translation>
+        </message>
+    </context>
+    <context>
         <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>

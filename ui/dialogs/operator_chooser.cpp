@@ -42,7 +42,8 @@ void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
         auto* button = new QPushButton(others[i], sheet);
         button->setObjectName(QStringLiteral("second%1").arg(i));
         sheet->body()->addWidget(button);
-        QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, name = others[i]] {
+        QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, sheet, name = others[i]] {
+            sheet->close();
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
                 [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); }, {},
@@ -55,9 +56,10 @@ void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
 }  // namespace
 
 void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::function<void()> then) {
-    Sheet* sheet =
-        host.open(OperatorChooser::tr("Who is at the machine?"),
-                  OperatorChooser::tr("The name goes with every entry and correction.") + demonstrationNote(session));
+    // Over the form that asked: it comes back as it was.
+    Sheet* sheet = host.openOver(
+        OperatorChooser::tr("Who is at the machine?"),
+        OperatorChooser::tr("The name goes with every entry and correction.") + demonstrationNote(session));
     auto* grid = new QGridLayout;
     grid->setSpacing(look.metrics().touchGap());
     const QStringList all = session.known();
@@ -71,6 +73,7 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
         }
         const OperatorAccount* account = session.account(name);
         if (account != nullptr && !account->pin.isEmpty() && name != session.name()) {
+            sheet->close();
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
                 [&session, name](const QString& pin) { return session.signOn(name, Role::Operator, pin); }, then,

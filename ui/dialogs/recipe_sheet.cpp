@@ -155,7 +155,7 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             message->setText(words);
         } else {
             context.notify(words);
-            openRecipeSheet(context, history, deed, specOf);
+            if (open->taken()) openRecipeSheet(context, history, deed, specOf);
         }
     };
     sheet->addButton(
@@ -167,7 +167,10 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             }
             context.withPermission(
                 deed, [context, &history, revision = one->revision, why = reason->text().trimmed().toStdString(),
-                       answered] { history.restore(revision, context.session.author(), why, answered); });
+                       answered, open = QPointer<Sheet>(context.sheets.current())] {
+                    if (open) open->sent();
+                    history.restore(revision, context.session.author(), why, answered);
+                });
         },
         false);
 }

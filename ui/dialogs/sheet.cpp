@@ -6,9 +6,11 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QResizeEvent>
+#include <algorithm>
 #include <utility>
 
 #include "ui/dialogs/sheet_buttons.h"
+#include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_box.h"
 
@@ -128,6 +130,47 @@ void Sheet::close() {
     hide();
     emit closed();
     deleteLater();
+}
+
+void Sheet::sent() {
+    m_sent.clear();
+    for (const QLineEdit* field : findChildren<QLineEdit*>()) {
+        m_sent.insert(field, field->text());
+    }
+}
+
+bool Sheet::taken() {
+    const auto fields = findChildren<QLineEdit*>();
+    const bool typed = std::any_of(fields.begin(), fields.end(), [this](const QLineEdit* field) {
+        const auto sent = m_sent.constFind(field);
+        return sent != m_sent.constEnd() && *sent != field->text();
+    });
+    m_sent.clear();
+    if (typed) {
+        setText(tr("That is stored. What was typed since then is not yet."));
+        return false;
+    }
+    close();
+    return true;
+}
+
+Sheet::Answer Sheet::whenStored(QPushButton* button, Answer then) {
+    sent();
+    button->setEnabled(false);
+    return [here = QPointer<Sheet>(this), save = QPointer<QPushButton>(button),
+            then = std::move(then)](const Result<void>& result) {
+        if (QPushButton* again = save.data(); again != nullptr) {
+            again->setEnabled(true);
+        }
+        if (Sheet* sheet = here.data(); sheet != nullptr) {
+            if (result) {
+                sheet->taken();
+            } else {
+                sheet->setText(sentenceText(result.error(), sheet->look().units()));
+            }
+        }
+        then(result);
+    };
 }
 
 void Sheet::paintEvent(QPaintEvent*) {

@@ -3,13 +3,16 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <functional>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {
@@ -38,6 +41,16 @@ class Sheet : public FaceWidget {
     QPushButton* addButton(const QString& text, std::function<void()> onClicked, bool closes = true);
     void close();
 
+    /// What stands in the fields now is on its way into the store …
+    void sent();
+    /// … and has been taken: the sheet closes, unless something else was typed meanwhile. Then it stays, and says that
+    /// this is not stored yet. True: it closed.
+    bool taken();
+    /// The same for one button: sent() now and the button at rest; with the answer taken(), or a refusal above the
+    /// fields, in which everything stays. The sheet may have gone. `then` has every answer.
+    using Answer = std::function<void(const Result<void>&)>;
+    [[nodiscard]] Answer whenStored(QPushButton* button, Answer then);
+
  signals:
     void closed();
 
@@ -63,6 +76,7 @@ class Sheet : public FaceWidget {
     QLabel* m_title;
     QLabel* m_text;
     QVBoxLayout* m_body;
+    QHash<const QLineEdit*, QString> m_sent;
     std::vector<QPushButton*> m_list;
 };
 

@@ -131,12 +131,13 @@ void QualitySheets::openAutomaticFiles() {
     const auto save = [this, folder, pattern, why, open = QPointer<Sheet>(sheet)] {
         const DfqFiles files{folder->text().trimmed().toStdString(), pattern->text().trimmed().toStdString()};
         m_context.withPermission(Deed::QualityFiles, [this, files, why = QPointer<QLabel>(why), open] {
+            if (open) open->sent();
             m_service.setDfqFiles(files, m_context.session.name().toStdString(),
                                   [this, why, open](const Result<void>& stored) {
                                       if (!stored && why) {
                                           why->setText(sentenceText(stored.error(), m_context.look.units()));
                                       } else if (stored && open) {
-                                          open->close();
+                                          open->taken();
                                       }
                                   });
         });
