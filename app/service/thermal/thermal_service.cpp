@@ -393,6 +393,7 @@ Result<void> StoredThermalService::measureByPart(const std::array<std::optional<
     }
     if (const auto sent = send(part); !sent) return sent;
     m_partAuthor = author;
+    m_partDeviation_um = part.deviation_um;
     return {};
 }
 
@@ -536,9 +537,16 @@ void StoredThermalService::takeMinute(const ThermalMinute& minute) {
 void StoredThermalService::takeGap(const ThermalStatus& status) {
     if (status.gap.phase == GapPhase::Done && status.gap.number != m_gapSeen) {
         m_gapSeen = status.gap.number;
-        const ThermalGapRow row{utcNow_ms(),        status.gap.measured_um,     status.gap.predicted_um,
-                                status.gap.half_um, status.gap.predictionKnown, status.gap.byPart,
-                                status.gap.known};
+        ThermalGapRow row{utcNow_ms(),        status.gap.measured_um,     status.gap.predicted_um,
+                          status.gap.half_um, status.gap.predictionKnown, status.gap.byPart,
+                          status.gap.known};
+        row.allowed_um = m_view.setup.allowed_um;
+        row.leftKnown = row.byPart || std::ranges::all_of(status.shifted_um, &Reading::good);
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            row.left_um[axis] = row.byPart      ? m_partDeviation_um[axis]
+                                : row.leftKnown ? row.measured_um[axis] + status.shifted_um[axis].value
+                                                : 0.0;
+        }
         m_view.gaps.insert(m_view.gaps.begin(), row);
         m_view.gaps.resize(std::min(m_view.gaps.size(), kRowsShown));
         keep(records::kGap, records::gapToJson(row), row.byPart ? m_partAuthor : std::string(),

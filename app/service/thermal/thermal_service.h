@@ -108,7 +108,8 @@ class StoredThermalService final : public ThermalService {
     std::vector<ThermalShiftRow> m_unwritten{};
     std::int64_t m_lastWrite_ms{0};
     std::uint32_t m_gapSeen{0};
-    std::string m_partAuthor{};  ///< who measured the part the loop is being told of
+    std::string m_partAuthor{};                           ///< who measured the part the loop is being told of
+    std::array<double, kAxisCount> m_partDeviation_um{};  ///< and what he found
     std::uint32_t m_modelNumber{0};
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};
