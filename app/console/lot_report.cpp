@@ -163,8 +163,8 @@ void drawFirstArticle(ReportSheet& sheet, const QualityLot& lot, const ui::UnitS
         const JudgedValue& found = lot.quality.parts.front().judgement.values[i];
         sheet.row({ui::characteristicName(what), characteristicValue(what, found.value, units),
                    LotReport::tr("%1 to %2")
-                       .arg(characteristicValue(what, what.tolerance.lower, units),
-                            characteristicValue(what, what.tolerance.upper, units)),
+                       .arg(characteristicValue(what, found.tolerance.lower, units),
+                            characteristicValue(what, found.tolerance.upper, units)),
                    ui::verdictText(found.verdict)},
                   shares);
     }
@@ -413,9 +413,10 @@ std::string lotCsv(const QualityLot& lot) {
     for (const LotPart& part : lot.quality.parts) {
         for (std::size_t i = 0; i < part.judgement.values.size(); ++i) {
             const Characteristic& what = lot.quality.characteristics[i];
+            const JudgedValue& found = part.judgement.values[i];
             fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{}\n", part.number, quoted(part.serial),
-                           what.key, number(part.judgement.values[i].value), what.unit, number(what.tolerance.lower),
-                           number(what.tolerance.upper), quality::verdictKey(part.judgement.values[i].verdict),
+                           what.key, number(found.value), what.unit, number(found.tolerance.lower),
+                           number(found.tolerance.upper), quality::verdictKey(found.verdict),
                            quality::verdictKey(part.judgement.verdict));
         }
     }

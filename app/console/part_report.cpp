@@ -143,10 +143,19 @@ void drawMeasurements(Sheet& sheet, const PartRow& part, const ui::UnitSystem& u
 }
 
 void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Characteristic>& characteristics,
-                  const ui::UnitSystem& units) {
+                  const std::optional<Disposition>& decided, const ui::UnitSystem& units) {
     const PartJudgement judged = judgePart(part, characteristics);
     sheet.font(11.0, true);
     sheet.line(PartReport::tr("Verdict: %1").arg(ui::verdictText(judged.verdict)));
+    if (judged.verdict == quality::Verdict::Rework || judged.verdict == quality::Verdict::Scrap) {
+        sheet.font(10.0);
+        sheet.line(
+            decided
+                ? PartReport::tr("Decided: %1, by %2, %3")
+                      .arg(ui::engineText(decided->what.c_str()), QString::fromStdString(decided->author),
+                           QDateTime::fromMSecsSinceEpoch(decided->utc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")))
+                : PartReport::tr("Nobody has decided yet what is done with it."));
+    }
     sheet.font(10.0);
     const std::vector<double> shares{0.34, 0.14, 0.32, 0.2};
     for (std::size_t i = 0; i < characteristics.size(); ++i) {
@@ -159,12 +168,18 @@ void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Character
     }
 }
 
+QString titleOf(const PartRow& part) {
+    return part.lotName.empty()
+               ? PartReport::tr("Part %1").arg(part.number)
+               : PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName));
+}
+
 void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
-          const ui::UnitSystem& units) {
+          const std::optional<Disposition>& decided, const ui::UnitSystem& units) {
     Sheet sheet(pdf);
     const PartRow& part = detail.part;
     sheet.font(18.0, true);
-    sheet.line(PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName)), 10.0);
+    sheet.line(titleOf(part), 10.0);
     sheet.font(11.0);
     sheet.line(part.serial.empty() ? PartReport::tr("No serial number")
                                    : PartReport::tr("Serial number %1").arg(QString::fromStdString(part.serial)));
@@ -182,7 +197,7 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Character
         sheet.line(PartReport::tr("The estimator noticed a process change with this part."));
     }
     sheet.skip(2.0);
-    drawVerdicts(sheet, part, characteristics, units);
+    drawVerdicts(sheet, part, characteristics, decided, units);
     sheet.skip(4.0);
     if (detail.schedule && part.process == ProcessId::Boring) {
         drawFeed(sheet, detail, units);
@@ -199,7 +214,8 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Character
 }  // namespace
 
 Result<void> writePartReport(const PartDetail& part, const std::vector<Characteristic>& characteristics,
-                             const ui::UnitSystem& units, const QString& file) {
+                             const std::optional<Disposition>& decided, const ui::UnitSystem& units,
+                             const QString& file) {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     {
@@ -208,10 +224,9 @@ Result<void> writePartReport(const PartDetail& part, const std::vector<Character
         pdf.setPageSize(QPageSize(QPageSize::A4));
         pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
                            QPageLayout::Millimeter);
-        pdf.setTitle(
-            PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)));
+        pdf.setTitle(titleOf(part.part));
         pdf.setCreator(QStringLiteral("Kerf"));
-        draw(pdf, part, characteristics, units);
+        draw(pdf, part, characteristics, decided, units);
     }
     QDir().mkpath(QFileInfo(file).absolutePath());
     QSaveFile target(file);

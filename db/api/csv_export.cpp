@@ -177,7 +177,7 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
                                   const CsvFormat& format, const VerdictOf& verdictOf) {
     Lines lines(
         "part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,position_mm,diameter_mm,"
-        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict,source_name",
+        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict,source_name,decision,decision_by",
         ",ended_local,accepted_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const double cutting_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerSecond;
@@ -190,11 +190,12 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
             const ExportedVerdict verdict = judged(verdictOf, part, "bore_" + std::to_string(row.station));
             add(row.station, row.position_mm, row.diameter_mm, sourceKey(row.source), row.author,
                 isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction, verdict.lower, verdict.upper,
-                verdict.value, verdict.part, row.sourceName);
+                verdict.value, verdict.part, row.sourceName, verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms, row.acceptedUtc_ms});
         }
         if (effective.empty()) {
-            add("", "", "", "", "", "", "", "", "", "", judged(verdictOf, part, {}).part, "");
+            const ExportedVerdict verdict = judged(verdictOf, part, {});
+            add("", "", "", "", "", "", "", "", "", "", verdict.part, "", verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms, std::nullopt});
         }
         return {};
@@ -245,14 +246,16 @@ Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& qu
 
 Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                     const CsvFormat& format, const VerdictOf& verdictOf) {
-    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value,lower,upper,verdict,part_verdict",
-                ",ended_local", sink, format);
+    Lines lines(
+        "part_id,process,part_type,lot,number,serial,ended_utc,figure,value,lower,upper,verdict,part_verdict,"
+        "decision,decision_by",
+        ",ended_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         for (const PartFigure& figure : part.figures) {
             const ExportedVerdict verdict = judged(verdictOf, part, figure.key);
             lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
                       isoTime(part.endedUtc_ms), figure.key, figure.value, verdict.lower, verdict.upper, verdict.value,
-                      verdict.part);
+                      verdict.part, verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms});
         }
         return {};

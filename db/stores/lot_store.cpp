@@ -14,8 +14,36 @@ struct SavedRecipe {
     std::uint32_t revision;
 };
 
-/// `hashed`: the log notes this in the place of the parameters, which may be long (a tuning with its curves).
-SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, const std::string& hashed = {}) {
+/// Where the limits of figures stand in the parameters of a recipe, whatever else these are.
+constexpr const char* kLimitsPath = "$.figure_limits";
+
+/// Limits of figures stay with the part type when something else of its recipe changes: those of the revision that
+/// comes back, else of the newest one. What says its own keeps them; what says nothing else leaves the rest as it is.
+std::string withLimits(const QSqlDatabase& database, const SaveRecipe& recipe) {
+    Statement carry(database,
+                    "SELECT json_set(g.given, g.path, json(json_extract(r.parameters, g.path))) FROM (SELECT ? AS "
+                    "given, ? AS path, ? AS type, ? AS back) g JOIN recipe_revisions r ON r.part_type_id = g.type AND "
+                    "r.revision = coalesce(g.back, (SELECT max(n.revision) FROM recipe_revisions n WHERE "
+                    "n.part_type_id = g.type)) WHERE json_type(r.parameters, g.path) = 'object' AND "
+                    "json_type(g.given) = 'object' AND json_type(g.given, g.path) IS NULL");
+    carry.bind(recipe.parametersJson).bind(kLimitsPath).bind(recipe.partType).bind(recipe.restoredFrom);
+    if (carry.run().next()) {
+        return carry.text(0);
+    }
+    Statement alone(database,
+                    "SELECT json_set(r.parameters, g.path, json(json_extract(g.given, g.path))) FROM (SELECT ? AS "
+                    "given, ? AS path, ? AS type) g JOIN recipe_revisions r ON r.part_type_id = g.type AND r.revision "
+                    "= (SELECT max(n.revision) FROM recipe_revisions n WHERE n.part_type_id = g.type) WHERE "
+                    "json_type(g.given, g.path) = 'object' AND (SELECT count(*) FROM json_each(g.given)) = 1");
+    alone.bind(recipe.parametersJson).bind(kLimitsPath).bind(recipe.partType);
+    return alone.run().next() ? alone.text(0) : recipe.parametersJson;
+}
+
+/// `hashedAs`: of this part type the log notes a hash in the place of the parameters, which may be long (a tuning with
+/// its curves).
+SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, const std::string& hashedAs = {}) {
+    const std::string parameters = withLimits(database, recipe);
+    const std::string hashed = hashedAs.empty() ? std::string() : roomRecordText(hashedAs, parameters);
     Statement newest(
         database,
         "SELECT revision, parameters FROM recipe_revisions WHERE part_type_id = ? ORDER BY revision DESC LIMIT 1");
@@ -27,7 +55,7 @@ SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, 
                      "created_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
     insert.bind(recipe.partType)
         .bind(revision)
-        .bind(recipe.parametersJson)
+        .bind(parameters)
         .bind(recipe.restoredFrom)
         .bind(recipe.author)
         .bind(recipe.reason)
@@ -38,7 +66,7 @@ SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, 
                            .object = "part_type",
                            .objectId = recipe.partType,
                            .oldValue = hashed.empty() ? before : std::string(),
-                           .newValue = hashed.empty() ? recipe.parametersJson : hashed,
+                           .newValue = hashed.empty() ? parameters : hashed,
                            .reason = recipe.reason});
     return {insert.lastId(), revision};
 }
@@ -92,7 +120,7 @@ Receipt Store::run(const KeepRecipe& command) {
     }
     const SavedRecipe saved =
         addRevision(m_database, {id, command.parametersJson, command.author, command.reason, command.restoredFrom},
-                    roomRecordText(command.partType, command.parametersJson));
+                    command.partType);
     return {saved.id, saved.revision};
 }
 

@@ -45,6 +45,57 @@
         </message>
     </context>
     <context>
+        <name>FigureLimits</name>
+        <message>
+            <source>Limits: %1</source>
+            <translation>Limits: %1</translation>
+        </message>
+        <message>
+            <source>Limits in the recipe of %1 (%2)</source>
+            <translation>Limits in the recipe of %1 (%2)</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</source>
+            <translation>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Figure</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>Lower limit</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>Upper limit</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>Reason for the change</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>A limit is a number, or empty.</translation>
+        </message>
+        <message>
+            <source>The limits stand in the recipe and hold for the parts to come.</source>
+            <translation>The limits stand in the recipe and hold for the parts to come.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Save</translation>
+        </message>
+        <message>
+            <source>Limits of the parts</source>
+            <translation>Limits of the parts</translation>
+        </message>
+    </context>
+    <context>
         <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
@@ -1647,6 +1698,18 @@
             <comment>limits</comment>
             <translation>%1 to %2</translation>
         </message>
+        <message>
+            <source>Decided: %1, by %2, %3</source>
+            <translation>Decided: %1, by %2, %3</translation>
+        </message>
+        <message>
+            <source>Nobody has decided yet what is done with it.</source>
+            <translation>Nobody has decided yet what is done with it.</translation>
+        </message>
+        <message>
+            <source>Part %1</source>
+            <translation>Part %1</translation>
+        </message>
     </context>
     <context>
         <name>People</name>
@@ -1923,6 +1986,19 @@
         <message>
             <source>Earlier revisions</source>
             <translation>Earlier revisions</translation>
+        </message>
+        <message>
+            <source>%1, lower limit</source>
+            <translation>%1, lower limit</translation>
+        </message>
+        <message>
+            <source>%1, upper limit</source>
+            <translation>%1, upper limit</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>limit</comment>
+            <translation>none</translation>
         </message>
     </context>
     <context>
@@ -2894,6 +2970,10 @@
             <source>The shift follows while a part is cut</source>
             <translation>The shift follows while a part is cut</translation>
         </message>
+        <message>
+            <source>left in a part</source>
+            <translation>left in a part</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -2960,6 +3040,18 @@
         <message>
             <source>Drift, %1</source>
             <translation>Drift, %1</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>not judged</translation>
+        </message>
+        <message>
+            <source>good, within %1</source>
+            <translation>good, within %1</translation>
+        </message>
+        <message>
+            <source>out of %1</source>
+            <translation>out of %1</translation>
         </message>
     </context>
     <context>
@@ -7262,6 +7354,10 @@
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>The key %1 stands twice in one object; it is expected once.</translation>
         </message>
+        <message>
+            <source>There is no part type yet whose recipe could hold limits.</source>
+            <translation>There is no part type yet whose recipe could hold limits.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -10397,34 +10493,6 @@
         <message>
             <source>Save</source>
             <translation>Save</translation>
-        </message>
-        <message>
-            <source>Limits: %1</source>
-            <translation>Limits: %1</translation>
-        </message>
-        <message>
-            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
-            <translation>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</translation>
-        </message>
-        <message>
-            <source>Figure</source>
-            <translation>Figure</translation>
-        </message>
-        <message>
-            <source>Lower limit</source>
-            <translation>Lower limit</translation>
-        </message>
-        <message>
-            <source>Upper limit</source>
-            <translation>Upper limit</translation>
-        </message>
-        <message>
-            <source>A limit is a number, or empty.</source>
-            <translation>A limit is a number, or empty.</translation>
-        </message>
-        <message>
-            <source>The limits are stored and hold from now on.</source>
-            <translation>The limits are stored and hold from now on.</translation>
         </message>
         <message>
             <source>Rules of the charts</source>

@@ -45,6 +45,57 @@
         </message>
     </context>
     <context>
+        <name>FigureLimits</name>
+        <message>
+            <source>Limits: %1</source>
+            <translation>한계: %1</translation>
+        </message>
+        <message>
+            <source>Limits in the recipe of %1 (%2)</source>
+            <translation>%1 레시피의 한계 (%2)</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</source>
+            <translation>한계를 벗어난 값이 있으면 공작물은 불량입니다. 저장 단위로 입력하며 빈 칸은 한계 없음입니다. 앞으로 만들 공작물에 적용되며, 이미 만든 공작물은 만들 때의 한계를 유지합니다.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>수치</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>하한</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>상한</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 사유</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>한계는 숫자이거나 비워 둡니다.</translation>
+        </message>
+        <message>
+            <source>The limits stand in the recipe and hold for the parts to come.</source>
+            <translation>한계를 레시피에 저장했으며 앞으로 만들 공작물에 적용됩니다.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Limits of the parts</source>
+            <translation>공작물 한계</translation>
+        </message>
+    </context>
+    <context>
         <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
@@ -1647,6 +1698,18 @@
             <comment>limits</comment>
             <translation>%1~%2</translation>
         </message>
+        <message>
+            <source>Decided: %1, by %2, %3</source>
+            <translation>조치: %1, %2, %3</translation>
+        </message>
+        <message>
+            <source>Nobody has decided yet what is done with it.</source>
+            <translation>아직 아무도 조치를 결정하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1</source>
+            <translation>공작물 %1</translation>
+        </message>
     </context>
     <context>
         <name>People</name>
@@ -1923,6 +1986,19 @@
         <message>
             <source>Earlier revisions</source>
             <translation>이전 개정</translation>
+        </message>
+        <message>
+            <source>%1, lower limit</source>
+            <translation>%1, 하한</translation>
+        </message>
+        <message>
+            <source>%1, upper limit</source>
+            <translation>%1, 상한</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>limit</comment>
+            <translation>없음</translation>
         </message>
     </context>
     <context>
@@ -2889,6 +2965,10 @@
             <source>The shift follows while a part is cut</source>
             <translation>가공 중에도 원점 보정</translation>
         </message>
+        <message>
+            <source>left in a part</source>
+            <translation>공작물에 남는 오차</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -2955,6 +3035,18 @@
         <message>
             <source>Drift, %1</source>
             <translation>열변위, %1</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>미판정</translation>
+        </message>
+        <message>
+            <source>good, within %1</source>
+            <translation>양호, %1 이내</translation>
+        </message>
+        <message>
+            <source>out of %1</source>
+            <translation>%1 벗어남</translation>
         </message>
     </context>
     <context>
@@ -7257,6 +7349,10 @@
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>키 %1이(가) 한 객체에 두 번 있습니다. 한 번만 있어야 합니다.</translation>
         </message>
+        <message>
+            <source>There is no part type yet whose recipe could hold limits.</source>
+            <translation>한계를 저장할 레시피가 있는 품종이 아직 없습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -10386,34 +10482,6 @@
         <message>
             <source>Save</source>
             <translation>저장</translation>
-        </message>
-        <message>
-            <source>Limits: %1</source>
-            <translation>한계: %1</translation>
-        </message>
-        <message>
-            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
-            <translation>한계를 벗어난 값이 있으면 공작물은 불량입니다. 저장 단위로 입력하며 빈 칸은 한계 없음입니다.</translation>
-        </message>
-        <message>
-            <source>Figure</source>
-            <translation>값</translation>
-        </message>
-        <message>
-            <source>Lower limit</source>
-            <translation>하한</translation>
-        </message>
-        <message>
-            <source>Upper limit</source>
-            <translation>상한</translation>
-        </message>
-        <message>
-            <source>A limit is a number, or empty.</source>
-            <translation>한계는 숫자이거나 비워 둡니다.</translation>
-        </message>
-        <message>
-            <source>The limits are stored and hold from now on.</source>
-            <translation>한계를 저장했으며 지금부터 적용됩니다.</translation>
         </message>
         <message>
             <source>Rules of the charts</source>

@@ -51,7 +51,7 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows[0].join(u','),
                  QStringLiteral("part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,"
                                 "position_mm,diameter_mm,source,author,accepted_utc,corrected,lower_mm,upper_mm,"
-                                "verdict,part_verdict,source_name"));
+                                "verdict,part_verdict,source_name,decision,decision_by"));
         QCOMPARE(rows[1][8].toDouble(), 41.0);
         QCOMPARE(rows[2][9], QStringLiteral("1"));
         QCOMPARE(rows[2][11].toDouble(), 50.0125);
@@ -59,7 +59,7 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows[5][4], QStringLiteral("3"));
         QCOMPARE(rows[5][11], QString());
         for (const auto& row : rows) {
-            QCOMPARE(row.size(), 21);
+            QCOMPARE(row.size(), 23);
         }
         // 50.0125 lies in 49.985 … 50.015, the recipe's limits
         QCOMPARE(rows[2][16].toDouble(), 49.985);

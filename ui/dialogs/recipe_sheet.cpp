@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "engine/api/part_results.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
@@ -37,6 +38,31 @@ bool inList(const RecipeChangeView& change) {
     });
 }
 
+/// What the limits of a figure are called in a recipe: "figure_limits.surface_rms_um.upper".
+struct LimitChange {
+    const PartResultSpec* figure{nullptr};  ///< null: no limit of a figure that this version knows
+    QString words{};
+};
+LimitChange limitChange(const std::string& key) {
+    const QStringList path = QString::fromStdString(key).split(u'.');
+    if (path.size() != 3 || path[0] != QLatin1String("figure_limits")) {
+        return {};
+    }
+    LimitChange change;
+    for (const ProcessId process : allProcesses()) {
+        if (change.figure == nullptr) {
+            change.figure = findPartResult(process, path[1].toStdString());
+        }
+    }
+    if (change.figure != nullptr) {
+        const QString name = engineText(change.figure->label);
+        change.words = path[2] == QLatin1String("lower")   ? Revisions::tr("%1, lower limit").arg(name)
+                       : path[2] == QLatin1String("upper") ? Revisions::tr("%1, upper limit").arg(name)
+                                                           : QString();
+    }
+    return change;
+}
+
 QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSystem& units) {
     if (stored.empty()) {
         return QStringLiteral("–");
@@ -48,10 +74,25 @@ QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSy
 }
 
 QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf& specOf, const UnitSystem& units) {
+    // Which side can be cut again goes with the limit.
+    std::erase_if(changes, [](const RecipeChangeView& change) {
+        const LimitChange limit = limitChange(change.key);
+        return limit.figure != nullptr && limit.words.isEmpty();
+    });
     std::ranges::stable_partition(changes, [](const RecipeChangeView& change) { return !inList(change); });
     QStringList lines;
     for (std::size_t i = 0; i < changes.size() && i < kChangesShown; ++i) {
         const RecipeChangeView& change = changes[i];
+        if (const LimitChange limit = limitChange(change.key); limit.figure != nullptr) {
+            const auto shown = [&](const std::string& stored) {
+                bool isNumber = false;
+                const double value = QString::fromStdString(stored).toDouble(&isNumber);
+                return isNumber ? units.withUnit(value, limit.figure->unit, limit.figure->decimals)
+                                : Revisions::tr("none", "limit");
+            };
+            lines << QStringLiteral("%1: %2 → %3").arg(limit.words, shown(change.before), shown(change.after));
+            continue;
+        }
         const ParamSpec* spec = specOf ? specOf(change.key) : nullptr;
         lines << QStringLiteral("%1: %2 → %3")
                      .arg(spec != nullptr ? engineText(spec->label) : QString::fromStdString(change.key),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/service/milling/milling_json.h"
 #include "engine/process/milling/hard_machine.h"
 #include "engine/process/milling/milling_loop.h"
 #include "ui/pages/milling/milling_page.h"
@@ -70,6 +71,11 @@ void MillingRoom::toolIsNew(const std::string& author) {
 
 void MillingRoom::poll() {
     m_service->poll();
+}
+
+RecipeHeld MillingRoom::recipe() {
+    const MillingServiceView& view = m_service->view();
+    return {view.partType, millingSetupJson(view.setup)};
 }
 
 }  // namespace kerf::console

@@ -18,6 +18,7 @@ class MillingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
     void toolIsNew(const std::string& author) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 

@@ -3,6 +3,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <string_view>
+
 #include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated/simulated_tapping.h"
@@ -15,6 +17,9 @@ namespace {
 
 constexpr const char* kBeforehand = "Kerf";
 constexpr std::uint32_t kPreparedTaps = 3;
+/// The recipe of a thread that nobody has tuned: limits of its figures, perhaps, and no more.
+constexpr std::string_view kNotTunedMark = R"({"not_tuned":true)";
+constexpr const char* kNotTuned = R"({"not_tuned":true})";
 constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
 
 /// Oldest first; one that cannot be read is left out and named in the log.
@@ -26,6 +31,9 @@ std::vector<tapping::StoredTuning> storedTunings(RecipeBook& book) {
         return tunings;
     }
     for (const RecipeBook::Recipe& recipe : *recipes) {
+        if (recipe.revision.parametersJson.starts_with(kNotTunedMark)) {
+            continue;
+        }
         if (auto tuning = formats::tuningFromJson(recipe.revision.parametersJson)) {
             tunings.push_back(std::move(*tuning));
         } else {
@@ -102,6 +110,10 @@ bool TappingRoom::prepared(EngineApi& engine) {
 
 void TappingRoom::poll() {
     if (m_service) m_service->poll();
+}
+
+RecipeHeld TappingRoom::recipe() {
+    return m_service ? RecipeHeld{m_service->view().choice.thread, kNotTuned, false} : RecipeHeld{};
 }
 
 void TappingRoom::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words,

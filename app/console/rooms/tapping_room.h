@@ -22,6 +22,7 @@ class TappingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override { services.tappingService = m_service.get(); }
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:

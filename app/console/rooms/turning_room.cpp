@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/rooms/turning_room.h"
 
+#include "app/service/turning/turning_records.h"
 #include "engine/machine/simulated/simulated_turning.h"
 #include "engine/process/turning/hard_lathe.h"
 #include "engine/process/turning/turning_loop.h"
@@ -51,6 +52,10 @@ bool TurningRoom::prepared(EngineApi& engine) {
 
 void TurningRoom::poll() {
     m_service->poll();
+}
+
+RecipeHeld TurningRoom::recipe() {
+    return {StoredTurningService::kPartType, turningSetupJson(m_service->view().setup)};
 }
 
 }  // namespace kerf::console

@@ -17,6 +17,7 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
     [[nodiscard]] const StoredTurningService& service() const { return *m_service; }
 

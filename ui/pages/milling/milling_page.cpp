@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <algorithm>
 
+#include "ui/dialogs/limits_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
@@ -64,6 +65,7 @@ void MillingPage::build() {
                                      fields, [&key](const MillingField& field) { return key == field.spec.key; });
                                  return found == fields.end() ? nullptr : &found->spec;
                              });
+            offerLimitsSheet(context(), ProcessId::Milling);
         });
     });
     m_blank = add("millingBlank", [this, author] {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/dialogs/limits_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
@@ -93,6 +94,7 @@ void TappingPage::connectActions() {
         context().withPermission(Deed::TappingJob, [this] {
             JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
             offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning);
+            offerLimitsSheet(context(), ProcessId::Tapping);
         });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/dialogs/limits_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/pages/turning/comparison_panel.h"
@@ -151,6 +152,7 @@ void TurningPage::openSetup(const TurningSetup& setup) {
             const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
             return found == specs.end() ? nullptr : &*found;
         });
+    offerLimitsSheet(context(), ProcessId::Turning);
 }
 
 void TurningPage::setController(TurningController controller) {
