@@ -103,35 +103,50 @@ Receipt Store::run(const EnsureLot& command) {
     }
     Statement insert(m_database,
                      "INSERT INTO lots (machine_id, part_type_id, recipe_revision_id, name, size, estimator, "
-                     "opened_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(command.machine)
-        .bind(command.partType)
-        .bind(command.recipe)
-        .bind(command.name)
-        .bind(command.size)
-        .bind(command.estimator)
-        .bind(utcNow_ms())
+                     "opened_utc_ms, tool, gauge, opened_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    LotRow lot;
+    lot.machine = command.machine;
+    lot.partType = command.partType;
+    lot.recipe = command.recipe;
+    lot.name = command.name;
+    lot.size = command.size;
+    lot.estimator = command.estimator;
+    lot.openedUtc_ms = utcNow_ms();
+    lot.tool = command.tool;
+    lot.gauge = command.gauge;
+    insert.bind(lot.machine)
+        .bind(lot.partType)
+        .bind(lot.recipe)
+        .bind(lot.name)
+        .bind(lot.size)
+        .bind(lot.estimator)
+        .bind(lot.openedUtc_ms)
+        .bind(lot.tool)
+        .bind(lot.gauge)
+        .bind(command.author)
         .run();
-    const LotId id = insert.lastId();
-    appendAudit(m_database,
-                {.author = command.author,
-                 .action = "lot opened",
-                 .object = "lot",
-                 .objectId = id,
-                 .newValue = fmt::format("{}, {} parts, {}", command.name, command.size, command.estimator)});
-    return {id};
+    lot.id = insert.lastId();
+    appendAudit(m_database, {.author = command.author,
+                             .action = kLotOpened,
+                             .object = "lot",
+                             .objectId = lot.id,
+                             .newValue = lotText(lot)});
+    return {lot.id};
 }
 
 Receipt Store::run(const CloseLot& command) {
-    Statement close(m_database, "UPDATE lots SET closed_utc_ms = ? WHERE id = ? AND closed_utc_ms IS NULL");
-    if (close.bind(utcNow_ms()).bind(command.lot).run().changed() == 0) {
+    const std::int64_t now_ms = utcNow_ms();
+    Statement close(m_database,
+                    "UPDATE lots SET closed_utc_ms = ?, closed_by = ? WHERE id = ? AND closed_utc_ms IS NULL");
+    if (close.bind(now_ms).bind(command.author).bind(command.lot).run().changed() == 0) {
         throw SqlFailure(Sentence(KERF_TEXT("This lot is closed already, or there is none of that number.")), 0,
                          "lot not open");
     }
     appendAudit(m_database, {.author = command.author,
-                             .action = "lot closed",
+                             .action = kLotClosed,
                              .object = "lot",
                              .objectId = command.lot,
+                             .newValue = lotEndText(now_ms),
                              .reason = command.reason});
     return {command.lot};
 }

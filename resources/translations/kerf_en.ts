@@ -1322,6 +1322,113 @@
         </message>
     </context>
     <context>
+        <name>Lots</name>
+        <message>
+            <source>The next parts are of lot %1 of %2.</source>
+            <translation>The next parts are of lot %1 of %2.</translation>
+        </message>
+        <message>
+            <source>The next parts of %1 are of no lot.</source>
+            <translation>The next parts of %1 are of no lot.</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>Lot</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>Rev.</translation>
+        </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>Tool, gauge</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>When, by</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>lot %1</translation>
+        </message>
+        <message>
+            <source>Lots of %1</source>
+            <translation>Lots of %1</translation>
+        </message>
+        <message>
+            <source>Name of a new lot</source>
+            <translation>Name of a new lot</translation>
+        </message>
+        <message>
+            <source>Parts, if known</source>
+            <translation>Parts, if known</translation>
+        </message>
+        <message>
+            <source>Tool or insert</source>
+            <translation>Tool or insert</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>Gauge</translation>
+        </message>
+        <message>
+            <source>Reason to close the lot</source>
+            <translation>Reason to close the lot</translation>
+        </message>
+        <message>
+            <source>Close the sheet</source>
+            <translation>Close the sheet</translation>
+        </message>
+        <message>
+            <source>no lot is open</source>
+            <translation>no lot is open</translation>
+        </message>
+        <message>
+            <source>Close the lot</source>
+            <translation>Close the lot</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>Parts of no lot</source>
+            <translation>Parts of no lot</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>Go on with it</translation>
+        </message>
+        <message>
+            <source>touch a lot</source>
+            <translation>touch a lot</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>it is closed</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>Open the lot</translation>
+        </message>
+        <message>
+            <source>type a name</source>
+            <translation>type a name</translation>
+        </message>
+        <message>
+            <source>0 to 100000 parts</source>
+            <translation>0 to 100000 parts</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>Lots</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -7261,6 +7368,42 @@
         <message>
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>The key %1 stands twice in one object; it is expected once.</translation>
+        </message>
+        <message>
+            <source>%1 lots were opened, %2 are stored.</source>
+            <translation>%1 lots were opened, %2 are stored.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name.</source>
+            <translation>A lot needs a name.</translation>
+        </message>
+        <message>
+            <source>Lot %1 (%2) differs from what was logged when it was opened or closed.</source>
+            <translation>Lot %1 (%2) differs from what was logged when it was opened or closed.</translation>
+        </message>
+        <message>
+            <source>Lot, recipe or schedule has changed since the start was asked: look, then start again.</source>
+            <translation>Lot, recipe or schedule has changed since the start was asked: look, then start again.</translation>
+        </message>
+        <message>
+            <source>No lot is open.</source>
+            <translation>No lot is open.</translation>
+        </message>
+        <message>
+            <source>Part %1 differs from what was kept of it when it was made, or one before it is missing.</source>
+            <translation>Part %1 differs from what was kept of it when it was made, or one before it is missing.</translation>
+        </message>
+        <message>
+            <source>The part type has changed: nothing was opened.</source>
+            <translation>The part type has changed: nothing was opened.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name already.</source>
+            <translation>There is a lot of this name already.</translation>
+        </message>
+        <message>
+            <source>This lot is of %1: choose that part type first.</source>
+            <translation>This lot is of %1: choose that part type first.</translation>
         </message>
     </context>
     <context>

@@ -1322,6 +1322,113 @@
         </message>
     </context>
     <context>
+        <name>Lots</name>
+        <message>
+            <source>The next parts are of lot %1 of %2.</source>
+            <translation>다음 공작물은 %2 품종의 로트 %1에 속합니다.</translation>
+        </message>
+        <message>
+            <source>The next parts of %1 are of no lot.</source>
+            <translation>%1 품종의 다음 공작물은 로트에 속하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>품종</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>개정</translation>
+        </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>공구, 게이지</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>언제, 누가</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>로트 %1</translation>
+        </message>
+        <message>
+            <source>Lots of %1</source>
+            <translation>%1의 로트</translation>
+        </message>
+        <message>
+            <source>Name of a new lot</source>
+            <translation>새 로트 이름</translation>
+        </message>
+        <message>
+            <source>Parts, if known</source>
+            <translation>공작물 수(알면)</translation>
+        </message>
+        <message>
+            <source>Tool or insert</source>
+            <translation>공구 또는 인서트</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Reason to close the lot</source>
+            <translation>로트를 닫는 이유</translation>
+        </message>
+        <message>
+            <source>Close the sheet</source>
+            <translation>시트 닫기</translation>
+        </message>
+        <message>
+            <source>no lot is open</source>
+            <translation>열린 로트가 없습니다</translation>
+        </message>
+        <message>
+            <source>Close the lot</source>
+            <translation>로트 닫기</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>이유를 적으십시오</translation>
+        </message>
+        <message>
+            <source>Parts of no lot</source>
+            <translation>로트 없이 가공</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>이 로트로 계속</translation>
+        </message>
+        <message>
+            <source>touch a lot</source>
+            <translation>로트를 누르십시오</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>닫힌 로트입니다</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>로트 열기</translation>
+        </message>
+        <message>
+            <source>type a name</source>
+            <translation>이름을 입력하십시오</translation>
+        </message>
+        <message>
+            <source>0 to 100000 parts</source>
+            <translation>공작물 0~100000개</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>로트</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -7256,6 +7363,42 @@
         <message>
             <source>The key %1 stands twice in one object; it is expected once.</source>
             <translation>키 %1이(가) 한 객체에 두 번 있습니다. 한 번만 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 lots were opened, %2 are stored.</source>
+            <translation>로트 %1개가 열렸고 %2개가 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name.</source>
+            <translation>로트에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 (%2) differs from what was logged when it was opened or closed.</source>
+            <translation>로트 %1(%2)이(가) 열거나 닫을 때 기록된 내용과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Lot, recipe or schedule has changed since the start was asked: look, then start again.</source>
+            <translation>시작을 요청한 뒤 로트, 레시피 또는 스케줄이 바뀌었습니다. 확인하고 다시 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>No lot is open.</source>
+            <translation>열린 로트가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 differs from what was kept of it when it was made, or one before it is missing.</source>
+            <translation>공작물 %1이(가) 가공할 때 저장된 내용과 다르거나 그 앞의 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The part type has changed: nothing was opened.</source>
+            <translation>품종이 바뀌었습니다. 로트를 열지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name already.</source>
+            <translation>같은 이름의 로트가 이미 있습니다.</translation>
+        </message>
+        <message>
+            <source>This lot is of %1: choose that part type first.</source>
+            <translation>이 로트는 %1 품종입니다. 먼저 그 품종을 선택하십시오.</translation>
         </message>
     </context>
     <context>

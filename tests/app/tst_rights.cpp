@@ -90,6 +90,7 @@ struct Shop {
         record.begin_ns = 60'000'000'000LL;
         record.end_ns = 100'000'000'000LL;
         record.schedule = lots->service().view().nextSchedule;
+        record.order.lot = reader->activeLot(ProcessId::Boring)->value();
         if (!ring.tryPush(record)) qFatal("ring");
         if (!QTest::qWaitFor([&] { return !lots->service().view().parts.empty(); })) qFatal("no part");
     }

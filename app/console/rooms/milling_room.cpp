@@ -48,7 +48,8 @@ std::unique_ptr<ProcessLoop> MillingRoom::makeLoop() {
 }
 
 void MillingRoom::open(const Context& context) {
-    StoredMillingService::Links links{context.writer, context.engine, context.author, {}, context.rights};
+    StoredMillingService::Links links{context.writer, context.engine,         context.author, {},
+                                      context.rights, context.options.machine};
     if (m_plant != nullptr) {
         links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
     }

@@ -25,7 +25,8 @@ class TappingRoom final : public Room {
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:
-    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, const RecipeHistory::Done& done);
+    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
+              const StoredTappingService::Params::Kept& done);
     void restore(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                  const RecipeHistory::Done& done);
 
@@ -33,6 +34,7 @@ class TappingRoom final : public Room {
     StoreWriter* m_writer{nullptr};
     std::optional<RecipeBook> m_recipes{};
     std::optional<StoredRecipeHistory> m_history{};
+    std::optional<LotBook> m_lots{};
     std::unique_ptr<StoredTappingService> m_service;
 };
 

@@ -37,8 +37,9 @@ std::unique_ptr<ProcessLoop> TurningRoom::makeLoop() {
 }
 
 void TurningRoom::open(const Context& context) {
-    m_service = std::make_unique<StoredTurningService>(StoredTurningService::Links{
-        context.writer, context.engine, *m_exchange, context.reader, context.reader, context.rights});
+    m_service = std::make_unique<StoredTurningService>(
+        StoredTurningService::Links{context.writer, context.engine, *m_exchange, context.reader, context.reader,
+                                    context.rights, context.options.machine});
 }
 
 void TurningRoom::serve(ui::Services& services) {

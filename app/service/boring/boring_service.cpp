@@ -367,14 +367,13 @@ void StoredBoringService::acceptSchedule(const std::string& author, Done done) {
 void StoredBoringService::send() {
     if (!m_retired && !m_lotNamed) {  // the next part is this lot's, also before a schedule of it is accepted
         Command command;
-        command.action = NameBoringLot{m_lot.id};
+        command.action = NameOrder{ProcessId::Boring, order(0)};
         m_lotNamed = m_links.engine.send(command).has_value();
     }
     if (!m_retired && m_accepted && m_accepted->revision != m_sentRevision) {
         Command command;
-        BoringSchedule schedule = *m_accepted;
-        schedule.lot = m_lot.id;  // a part begun with it belongs to this lot, whichever is active when it ends
-        command.action = LoadBoringSchedule{schedule};
+        // A part begun with it belongs to this lot, whichever is active when it ends.
+        command.action = LoadBoringSchedule{*m_accepted, order(m_accepted->revision)};
         if (m_links.engine.send(command)) {
             m_sentRevision = m_accepted->revision;  // else its ring is full: poll() tries again
         }

@@ -113,6 +113,7 @@ class StoredBoringService final : public BoringService {
     void tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done);
     void adopt(const BoringSchedule& schedule, const Predictions& predictions, bool accepted);
     void send();
+    [[nodiscard]] WorkOrder order(std::uint32_t schedule) const { return {m_lot.id, m_lot.recipe, schedule}; }
     void rebuild();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;

@@ -204,7 +204,9 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
         m_view.leftOut = out->leftOutAuthor + ": " + out->leftOutReason;
     }
     showStored();
-    send(LoadTappingJob{jobFor(choice)});
+    std::optional<WorkOrder> order;
+    if (m_params.order) order = m_params.order(stored != nullptr ? stored->recipe : 0);
+    send(LoadTappingJob{jobFor(choice), order});
     if (author != kItself) note(author, Deed::TappingJob, jobText(choice));
     if (m_engine.capabilities().servoGains.fitted) {
         LoadTapGains gains = gainsToLoad(m_exchange, m_inForce, m_engine.status().tapping.nextGains + 1);
@@ -231,8 +233,7 @@ Result<void> StoredTappingService::leaveOut(bool out, const std::string& author,
     word.leftOut = out;
     word.leftOutReason = reason;
     word.leftOutAuthor = author;
-    m_params.known.push_back(word);
-    keep(word, {author, reason, {}});
+    keep(word, {author, reason, {}}, true);
     return load(m_view.choice, author);
 }
 
@@ -249,20 +250,35 @@ void StoredTappingService::takeBack(const tapping::StoredTuning& tuning, std::ui
             fail(KERF_TEXT("This revision leaves a tuning out or takes it in; it has no settings of its own.")));
     }
     if (!m_params.store) return answer(fail(KERF_TEXT("Nothing is stored here.")));
-    m_params.store(tuning, {author, reason, revision},
-                   [this, tuning, author, done, alive = std::weak_ptr<bool>(m_alive)](const Result<void>& stored) {
-                       if (alive.expired()) return;
-                       Result<void> result = stored;
-                       if (stored) {
-                           m_params.known.push_back(tuning);
-                           if (m_view.revision > 0) result = load(m_view.choice, author);
-                       }
-                       if (done) done(result);
+    m_params.store(
+        tuning, {author, reason, revision},
+        [this, tuning, author, done, alive = std::weak_ptr<bool>(m_alive)](const Result<std::int64_t>& stored) {
+            if (alive.expired()) return;
+            Result<void> result = stored ? Result<void>() : tl::unexpected(stored.error());
+            if (stored) {
+                m_params.known.push_back(tuning);
+                m_params.known.back().recipe = *stored;
+                if (m_view.revision > 0) result = load(m_view.choice, author);
+            }
+            if (done) done(result);
+        });
+}
+
+void StoredTappingService::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, bool isWord) {
+    m_params.known.push_back(tuning);
+    m_params.known.back().recipe = isWord ? tuning.recipe : 0;
+    if (!m_params.store) return;
+    m_params.store(tuning, words,
+                   [this, isWord, place = m_params.known.size() - 1,
+                    alive = std::weak_ptr<bool>(m_alive)](const Result<std::int64_t>& stored) {
+                       if (alive.expired() || !stored || isWord) return;
+                       m_params.known[place].recipe = *stored;
+                       useRecipe(*stored);
                    });
 }
 
-void StoredTappingService::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words) {
-    if (m_params.store) m_params.store(tuning, words, {});
+void StoredTappingService::useRecipe(std::int64_t recipe) {
+    if (m_params.order) send(NameOrder{ProcessId::Tapping, m_params.order(recipe)});
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
@@ -437,9 +453,8 @@ void StoredTappingService::decided(const std::string& author, bool rolledBack) {
     tuning.first = tapping::thinned(m_view.first, kCurvePoints);
     tuning.last = tapping::thinned(curveOf(keptTrial(trials).spindle_rev, keptTrial(trials).error_um), kCurvePoints);
     m_view.proof = tuning.proof;
-    m_params.known.push_back(tuning);
+    keep(tuning, {author, rolledBack ? "rolled back" : "accepted", {}}, false);
     showStored();
-    keep(tuning, {author, rolledBack ? "rolled back" : "accepted", {}});
 }
 
 void StoredTappingService::rebuild() {

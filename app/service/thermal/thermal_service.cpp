@@ -130,6 +130,7 @@ void StoredThermalService::loadSetup() {
     } else if (!recipes->empty()) {
         if (const auto setup = records::setupFromJson(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
+            m_recipe = recipes->back().revision.id;
         } else {
             m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
         }
@@ -139,7 +140,7 @@ void StoredThermalService::loadSetup() {
 }
 
 void StoredThermalService::sendSetup() {
-    if (m_setupOwed) m_setupOwed = !send(LoadThermalSetup{m_view.setup}).has_value();
+    if (m_setupOwed) m_setupOwed = !send(LoadThermalSetup{m_view.setup, WorkOrder{0, m_recipe, 0}}).has_value();
 }
 
 std::string StoredThermalService::recipeName() const {
@@ -371,6 +372,7 @@ Result<void> StoredThermalService::accept(const ThermalSetup& setup, const std::
             m_view.storeProblem = receipt ? Sentence{} : receipt.error();
             if (receipt) {
                 m_view.setup = next;
+                m_recipe = receipt->id;
                 m_setupOwed = true;
                 sendSetup();
             }

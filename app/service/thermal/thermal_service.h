@@ -93,6 +93,7 @@ class StoredThermalService final : public ThermalService {
     Links m_links;
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
+    RecipeRevisionId m_recipe{0};  ///< of the setup; 0: none was kept
     ThermalServiceView m_view{};
     std::shared_ptr<std::vector<std::string>>
         m_trainingNotes{};  ///< what was left out of the days; written by the worker

@@ -65,7 +65,10 @@ StoredTurningService::StoredTurningService(const Links& links)
       m_recipes(m_links.writer, m_links.lots, ProcessId::Turning),
       m_history({m_recipes, [] { return std::string(kPartType); },
                  [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
-                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
+                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}),
+      m_lots({m_links.writer, m_links.engine, m_links.lots, ProcessId::Turning, m_links.rights,
+              [] { return std::string(kPartType); }, [this] { return turningSetupJson(m_view.setup); },
+              [this] { return m_sentSetup == m_view.setup.revision; }, m_links.machineKind}) {
     m_view.setup.revision = 1;
     restore();
     recall();
@@ -85,6 +88,7 @@ void StoredTurningService::restore() {
     if (const auto recipes = m_recipes.newest(); recipes && !recipes->empty()) {
         if (const auto setup = turningSetupFrom(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
+            m_lots.use(recipes->back().revision.id);
         } else {
             m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
         }
@@ -137,17 +141,21 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
     record.bodyJson = std::move(json);
     record.author = author;
     record.reason = reason;
-    m_links.writer.submit(record, answered(std::move(done), std::move(stored)));
+    m_links.writer.submit(record, answered(std::move(done), [stored = std::move(stored)](const Receipt&) {
+                              if (stored) {
+                                  stored();
+                              }
+                          }));
 }
 
-StoreWriter::Done StoredTurningService::answered(Done done, std::function<void()> stored) const {
+StoreWriter::Done StoredTurningService::answered(Done done, std::function<void(const Receipt&)> stored) const {
     return [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
             stored = std::move(stored)](const Result<Receipt>& receipt) {
         if (alive.expired()) {
             return;
         }
         if (receipt && stored) {
-            stored();
+            stored(*receipt);
         }
         if (done) {
             done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
@@ -191,8 +199,9 @@ void StoredTurningService::accept(const TurningSetup& setup, const std::string& 
     next.revision = m_view.setup.revision + 1;
     m_recipes.begin(kPartType, turningSetupJson(m_view.setup), kAuthor);
     m_recipes.keep(kPartType, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, restoredFrom,
-                   answered(std::move(done), [this, next] {
+                   answered(std::move(done), [this, next](const Receipt& revision) {
                        m_view.setup = next;
+                       m_lots.use(revision.id);
                        recall();
                        (void)followBlindTones(m_links.engine.status());
                        send();
@@ -216,7 +225,8 @@ void StoredTurningService::setController(TurningController controller, const std
 }
 
 void StoredTurningService::send() {
-    if (m_sentSetup != m_view.setup.revision && m_links.engine.send(commandOf(LoadTurningSetup{m_view.setup}))) {
+    if (m_sentSetup != m_view.setup.revision &&
+        m_links.engine.send(commandOf(LoadTurningSetup{m_view.setup, m_lots.withLoad()}))) {
         m_sentSetup = m_view.setup.revision;  // else its ring is full: poll() tries again
     }
     if (m_sentController != m_view.controller &&
@@ -227,6 +237,7 @@ void StoredTurningService::send() {
 
 void StoredTurningService::poll() {
     send();
+    m_lots.send();
     const Status& status = m_links.engine.status();
     const bool surface = takeSurface();
     const bool margins = followMargins(status);

@@ -187,7 +187,7 @@ void OverviewPage::buildMachine() {
     buttons->addWidget(m_start);
     buttons->addWidget(m_release);
     m_machine->body()->addLayout(buttons);
-    connect(m_start, &QPushButton::clicked, this, [this] { context().client.sendAction(StartPart{mainProcess()}); });
+    connect(m_start, &QPushButton::clicked, this, [this] { context().client.startPart(mainProcess()); });
     connect(m_release, &QPushButton::clicked, this, [this] { release(); });
 }
 

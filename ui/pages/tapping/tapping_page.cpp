@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
@@ -58,6 +59,7 @@ void TappingPage::build() {
         column->addWidget(bars, 1);
         m_bars->addLayout(column, 1);
     }
+    addLotLine(context(), m_service->lots(), m_barCard->header());
     m_barCard->header()->addWidget(new LastVerdict(context(), ProcessId::Tapping, m_barCard));
     m_barCard->body()->addLayout(m_bars, 1);
 
@@ -93,6 +95,7 @@ void TappingPage::connectActions() {
         context().withPermission(Deed::TappingJob, [this] {
             JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
             offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning);
+            offerLotSheet(context(), m_service->lots());
         });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
@@ -100,8 +103,7 @@ void TappingPage::connectActions() {
             tell(m_service->begin(context().session.author(), m_service->view().automatic));
         });
     });
-    connect(m_actions, &TapActions::tapRequested, this,
-            [this] { context().client.sendAction(StartPart{ProcessId::Tapping}); });
+    connect(m_actions, &TapActions::tapRequested, this, [this] { context().client.startPart(ProcessId::Tapping); });
     connect(m_actions, &TapActions::oneMoreRequested, this, [this] {
         context().withPermission(Deed::TappingTuning, [this] { m_service->oneMore(context().session.author()); });
     });

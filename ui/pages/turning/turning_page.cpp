@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/pages/turning/comparison_panel.h"
@@ -46,6 +47,7 @@ void TurningPage::build() {
     m_process = new ProcessPanel(look(), this);
     m_margins = new MarginPanel(look(), this);
     m_comparison = new ComparisonPanel(look(), this);
+    addLotLine(context(), m_service->lots(), m_surface->header());
     m_surface->header()->addWidget(new LastVerdict(context(), ProcessId::Turning, m_surface));
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -67,7 +69,7 @@ void TurningPage::build() {
         });
     });
     connect(m_control, &TurningControlPanel::startRequested, this,
-            [this] { context().client.sendAction(StartPart{ProcessId::Turning}); });
+            [this] { context().client.startPart(ProcessId::Turning); });
     connect(m_control, &TurningControlPanel::controllerRequested, this, [this](TurningController controller) {
         context().withPermission(Deed::TurningLaw, [this, controller] { setController(controller); });
     });
@@ -151,6 +153,7 @@ void TurningPage::openSetup(const TurningSetup& setup) {
             const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
             return found == specs.end() ? nullptr : &*found;
         });
+    offerLotSheet(context(), m_service->lots());
 }
 
 void TurningPage::setController(TurningController controller) {
