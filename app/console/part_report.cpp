@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/part_report.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
 #include <algorithm>
 
 #include "app/console/report_sheet.h"
@@ -159,9 +154,8 @@ void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Character
     }
 }
 
-void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
+void draw(ReportSheet& sheet, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
           const ui::UnitSystem& units) {
-    Sheet sheet(pdf);
     const PartRow& part = detail.part;
     sheet.font(18.0, true);
     sheet.line(PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName)), 10.0);
@@ -200,25 +194,9 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Character
 
 Result<void> writePartReport(const PartDetail& part, const std::vector<Characteristic>& characteristics,
                              const ui::UnitSystem& units, const QString& file) {
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter pdf(&bytes);
-        pdf.setResolution(kReportResolution_dpi);
-        pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
-                           QPageLayout::Millimeter);
-        pdf.setTitle(
-            PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)));
-        pdf.setCreator(QStringLiteral("Kerf"));
-        draw(pdf, part, characteristics, units);
-    }
-    QDir().mkpath(QFileInfo(file).absolutePath());
-    QSaveFile target(file);
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
-        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
-    }
-    return {};
+    return writeReport(
+        PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)), file,
+        [&](ReportSheet& sheet) { draw(sheet, part, characteristics, units); });
 }
 
 }  // namespace kerf::console
