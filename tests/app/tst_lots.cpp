@@ -181,7 +181,12 @@ class TestLots : public QObject {
         Bench bench;
         bench.settle();
         LotService& lots = *bench.milling->lots();
-        bench.writer.limitPages(1);
+        {
+            const db::Connection other(bench.scratch.path(), db::Access::Write);
+            QVERIFY(test::tryExecute(
+                other.database(),
+                "CREATE TRIGGER none_more BEFORE INSERT ON lots BEGIN SELECT RAISE(ABORT, 'no'); END"));
+        }
         QVERIFY(!bench.openLot(lots, "R7", "Lee"));
         QVERIFY(!lots.current());
         QCOMPARE(bench.told(ProcessId::Milling)->lot, std::int64_t{0});
