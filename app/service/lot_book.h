@@ -29,10 +29,10 @@ class LotBook final : public LotService {
         LotReader& reader;
         ProcessId process{ProcessId::Milling};
         Rights rights{};
-        std::function<std::string()> partType;        ///< in force
-        std::function<std::string()> parametersJson;  ///< its recipe, should no revision of it have been kept yet
-        std::function<bool()> settled;                ///< the engine has loaded what is in force: nothing is on its way
-        std::string machineKind{"simulator"};         ///< as --machine names it
+        std::function<std::string()> partType{};        ///< in force
+        std::function<std::string()> parametersJson{};  ///< its recipe, should no revision of it have been kept yet
+        std::function<bool()> settled{};       ///< the engine has loaded what is in force: nothing is on its way
+        std::string machineKind{"simulator"};  ///< as --machine names it
     };
     /// Goes on with the lot that was chosen when the console ended, unless it is closed. Links outlive the book.
     explicit LotBook(Links links);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/console/rooms/room.h"
+#include "app/service/lot_book.h"
 #include "app/service/stored_recipe_history.h"
 #include "app/service/tapping/tapping_service.h"
 #include "engine/process/tapping/tap_exchange.h"
