@@ -113,7 +113,7 @@ StoredMillingService::StoredMillingService(Links links, RoomRecordReader& record
 template <class Value>
 Value StoredMillingService::keep(const Result<Value>& value, const Value& fallback) {
     if (!value) {
-        m_problem = value.error();
+        m_way.setStoreProblem(value.error());
         return fallback;
     }
     return *value;
@@ -300,30 +300,18 @@ void StoredMillingService::store(const std::string& kind, const std::string& sub
     if (author.empty()) {
         return answer(done, tl::unexpected(signOnFirst()));
     }
-    m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
-                          answered(std::move(done), [then = std::move(then)](const Receipt&) {
-                              if (then) {
-                                  then();
-                              }
-                          }));
-}
-
-StoreWriter::Done StoredMillingService::answered(Done done, std::function<void(const Receipt&)> then) {
-    ++m_busy;
+    m_way.keep(
+        [&](StoreWriter::Done stored) {
+            m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
+                                  std::move(stored));
+        },
+        [then = std::move(then)](const Receipt&) {
+            if (then) {
+                then();
+            }
+        },
+        std::move(done));
     rebuild();
-    return [this, done = std::move(done), then = std::move(then),
-            alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-        if (!alive.lock()) {
-            return;
-        }
-        --m_busy;
-        m_problem = receipt ? Sentence() : receipt.error();
-        if (receipt && then) {
-            then(*receipt);
-        }
-        rebuild();
-        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-    };
 }
 
 std::optional<Sentence> StoredMillingService::whyBusy() const {
@@ -349,26 +337,33 @@ void StoredMillingService::restoreRevision(const RecipeRevision& revision, const
 
 void StoredMillingService::accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
                                   std::optional<std::uint32_t> restoredFrom, Done done) {
+    const auto store = [&](StoreWriter::Done stored) {
+        m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
+        m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom, std::move(stored));
+    };
+    m_way.change(
+        mayAccept(setup, author, reason), store,
+        [this, setup, type = m_type](const Receipt& revision) {
+            m_types[type].setup = setup;
+            m_types[type].recipe = revision.id;
+            use(m_type);
+        },
+        std::move(done));
+    rebuild();
+}
+
+Result<void> StoredMillingService::mayAccept(const MillingSetup& setup, const std::string& author,
+                                             const std::string& reason) const {
     if (const auto why = whyBusy()) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
     if (const auto why = whyUnusable(setup)) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
     const bool limits = setup.overload_N > m_setup.overload_N || setup.highestFeed_mmPerS > m_setup.highestFeed_mmPerS;
     const bool far = raisedFar(m_setup.overload_N, setup.overload_N) ||
                      raisedFar(m_setup.highestFeed_mmPerS, setup.highestFeed_mmPerS);
-    const Deed deed = limits ? Deed::MillingLimits : Deed::MillingSetup;
-    if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
-        return answer(done, may);
-    }
-    m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
-    m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom,
-                   answered(std::move(done), [this, setup, type = m_type](const Receipt& revision) {
-                       m_types[type].setup = setup;
-                       m_types[type].recipe = revision.id;
-                       use(m_type);
-                   }));
+    return permittedLimit(m_links.rights, author, limits ? Deed::MillingLimits : Deed::MillingSetup, reason, far);
 }
 
 void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
@@ -503,8 +498,8 @@ void StoredMillingService::use(const std::string& partType) {
         m_setup.law = MillingLaw::Model;
     }
     useRecipe();
-    (void)send(m_links.engine, LoadMillingBlank{m_blank});
-    (void)send(m_links.engine, LoadMillingSetup{m_setup, m_lots.withLoad()});
+    m_way.owe(LoadMillingBlank{m_blank});
+    m_way.owe(LoadMillingSetup{m_setup, m_lots.withLoad()});
     beginFromMemory();  // a tool of another kind may belong to this part type
     rebuild();
 }
@@ -520,6 +515,7 @@ bool StoredMillingService::settled() {
 }
 
 void StoredMillingService::poll() {
+    m_way.poll();
     m_lots.send();
     const Status& status = m_links.engine.status();
     const MillingStatus& now = status.milling;
@@ -527,18 +523,8 @@ void StoredMillingService::poll() {
         (void)send(m_links.engine, RestoreMillingTool{m_tool.tool});
         m_toolOwed = false;
     }
-    if (status.cycle == 0 || now.cutting) {
-        if (now.setup != m_setup.revision) {
-            return;
-        }
-    } else if (now.blank != m_blank.revision) {
-        (void)send(m_links.engine, LoadMillingBlank{m_blank});
-        return;
-    } else if (now.setup != m_setup.revision) {
-        (void)send(m_links.engine, LoadMillingSetup{m_setup, m_lots.withLoad()});
-        return;
-    }
-    if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
+    if (!m_way.settled() || now.setup != m_setup.revision ||
+        (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
     m_setup.law = now.law;
@@ -546,14 +532,20 @@ void StoredMillingService::poll() {
     m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
     m_types[m_type].setup = m_setup;
     const std::string author = m_links.author();
-    m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine, std::nullopt,
-                   answered({}, [this, type = m_type](const Receipt& revision) {
-                       m_types[type].recipe = revision.id;
-                       if (type == m_type) {
-                           useRecipe();
-                           m_lots.send();
-                       }
-                   }));
+    m_way.keep(
+        [&](StoreWriter::Done stored) {
+            m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine,
+                           std::nullopt, std::move(stored));
+        },
+        [this, type = m_type](const Receipt& revision) {
+            m_types[type].recipe = revision.id;
+            if (type == m_type) {
+                useRecipe();
+                m_lots.send();
+            }
+        },
+        {});
+    rebuild();
 }
 
 void StoredMillingService::rebuild() {
@@ -572,8 +564,8 @@ void StoredMillingService::rebuild() {
     const milling::ToolMemory found = memory();
     m_view.memory = {toolsLike(m_past, m_toldOfPast, m_tool, m_setup), viewed(found.lnKx), viewed(found.stiffness),
                      !m_tool.learnt && found.lnKx.has_value()};
-    m_view.busy = m_busy > 0;
-    m_view.problem = m_problem.empty() ? m_links.writer.problem() : m_problem;
+    m_view.busy = m_way.busy();
+    m_view.problem = m_way.problem().empty() ? m_links.writer.problem() : m_way.problem();
     ++m_view.revision;
     m_listeners.tell();
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "app/service/change_way.h"
 #include "app/service/lot_book.h"
 #include "app/service/milling/milling_json.h"
 #include "app/service/rights.h"
@@ -89,6 +90,8 @@ class StoredMillingService final : public MillingService {
     /// Checked, stored as a revision of the present part type's recipe, then used.
     void accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
                 std::optional<std::uint32_t> restoredFrom, Done done);
+    [[nodiscard]] Result<void> mayAccept(const MillingSetup& setup, const std::string& author,
+                                         const std::string& reason) const;
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
     template <class Value>
@@ -96,8 +99,6 @@ class StoredMillingService final : public MillingService {
     void partStored(const StoredPart& part);
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);
-    /// Waits for the writer's answer: then `then`, then `done`.
-    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void(const Receipt&)> then);
     void use(const std::string& partType);
     /// The recipe that is in force now, without anything to load.
     void useRecipe();
@@ -106,6 +107,7 @@ class StoredMillingService final : public MillingService {
     [[nodiscard]] std::optional<Sentence> whyBusy() const;
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { rebuild(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
     LotBook m_lots;
@@ -123,8 +125,6 @@ class StoredMillingService final : public MillingService {
     std::map<std::int64_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
     std::map<std::int64_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
     std::deque<MillingCutView> m_cuts;
-    Sentence m_problem{};
-    int m_busy{0};
     std::shared_ptr<int> m_alive{std::make_shared<int>(0)};
     std::unique_ptr<Subscription> m_partsSubscription;
 };

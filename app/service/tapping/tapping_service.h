@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/tapping/stored_tuning.h"
 #include "engine/api/engine_api.h"
@@ -79,11 +80,15 @@ class StoredTappingService final : public TappingService {
     void decided(const std::string& author, bool rolledBack);
     /// One more that is known; once it is stored, it is what parts are cut with (unless it `isWord` about another).
     void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, bool isWord);
+    [[nodiscard]] ChangeWay::Store storing(const tapping::StoredTuning& tuning,
+                                           const tapping::TuningWords& words) const;
+    void show();
     void useRecipe(std::int64_t recipe);
 
     EngineApi& m_engine;
     TapExchange& m_exchange;
     Params m_params;
+    ChangeWay m_way{m_engine, [this] { show(); }};
     std::vector<TapThreadView> m_threads{};
     std::unique_ptr<TuningSession> m_session{};
     std::optional<tapping::TapSettings> m_own{};  ///< the machine's, before anything was tuned
@@ -96,7 +101,6 @@ class StoredTappingService final : public TappingService {
     std::vector<std::uint32_t> m_sent{};
     std::string m_author{};
     TappingServiceView m_view{};
-    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };
 
 }  // namespace kerf

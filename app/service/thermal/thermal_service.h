@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
 #include "app/service/thermal/thermal_records.h"
@@ -74,7 +75,7 @@ class StoredThermalService final : public ThermalService {
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          RecipeHistory::Done done);
     [[nodiscard]] std::string recipeName() const;
-    void sendSetup();
+    void oweSetup();
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,
               std::function<void()> stored = {});
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
@@ -88,9 +89,13 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] thermal::ThermalHistory sessionDay() const;
     [[nodiscard]] Result<void> send(const decltype(Command::action)& action);
     [[nodiscard]] std::vector<std::string> channelNames() const;
-    void changed() { ++m_view.revision; }
+    void changed() {
+        m_view.storeProblem = m_way.problem();
+        ++m_view.revision;
+    }
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { changed(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
     RecipeRevisionId m_recipe{0};  ///< of the setup; 0: none was kept
@@ -113,7 +118,6 @@ class StoredThermalService final : public ThermalService {
     std::uint32_t m_modelNumber{0};
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};
-    bool m_setupOwed{false};  ///< the engine has yet to be told
     std::optional<std::array<double, kAxisCount>> m_keptZero{};
     std::vector<thermal_records::Learnt> m_recalled{};  ///< of this day, from before this start; oldest first
     bool m_firstModel{false};  ///< the training under way is that of the first start: goes live by itself

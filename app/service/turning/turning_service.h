@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/service/change_way.h"
 #include "app/service/lot_book.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
@@ -87,7 +88,8 @@ class StoredTurningService final : public TurningService {
                 std::optional<std::uint32_t> restoredFrom, Done done);
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
-    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void(const Receipt&)> stored) const;
+    [[nodiscard]] Result<void> mayAccept(const TurningSetup& setup, const std::string& author,
+                                         const std::string& reason) const;
     void store(const char* kind, std::string subject, std::string json, const std::string& author,
                const std::string& reason, Done done, std::function<void()> stored);
     void send();
@@ -102,6 +104,7 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] static TurningMargins computeMargins(const MarginBasis& basis);
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { changed(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
     LotBook m_lots;
@@ -115,7 +118,6 @@ class StoredTurningService final : public TurningService {
     std::vector<double> m_blindTones_Hz{};
     double m_blindSpeed_rpm{0.0};
     Listeners<> m_listeners{};
-    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
     std::unique_ptr<Subscription> m_parts{};
     std::unique_ptr<Subscription> m_problems{};
 };
