@@ -1507,6 +1507,10 @@
             <source>no other setter or engineer has a PIN</source>
             <translation>no other setter or engineer has a PIN</translation>
         </message>
+        <message>
+            <source>%1 has said yes</source>
+            <translation>%1 has said yes</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -1924,6 +1928,14 @@
             <source>Earlier revisions</source>
             <translation>Earlier revisions</translation>
         </message>
+        <message>
+            <source>yes</source>
+            <translation>yes</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>no</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -2235,6 +2247,14 @@
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no lot selected any more</source>
+            <translation>no lot selected any more</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>lot selected</translation>
         </message>
     </context>
     <context>
@@ -7262,6 +7282,38 @@
             <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
             <translation>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</translation>
         </message>
+        <message>
+            <source>lot selected</source>
+            <translation>lot selected</translation>
+        </message>
+        <message>
+            <source>The log file (kerf.log) cannot be written: check the data folder and its permissions.</source>
+            <translation>The log file (kerf.log) cannot be written: check the data folder and its permissions.</translation>
+        </message>
+        <message>
+            <source>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</source>
+            <translation>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</translation>
+        </message>
+        <message>
+            <source>Acceleration feed-forward of Z</source>
+            <translation>Acceleration feed-forward of Z</translation>
+        </message>
+        <message>
+            <source>Follow gain of Z</source>
+            <translation>Follow gain of Z</translation>
+        </message>
+        <message>
+            <source>Follow gain of the spindle</source>
+            <translation>Follow gain of the spindle</translation>
+        </message>
+        <message>
+            <source>Shift only between parts</source>
+            <translation>Shift only between parts</translation>
+        </message>
+        <message>
+            <source>Speed feed-forward of Z</source>
+            <translation>Speed feed-forward of Z</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -9014,6 +9066,10 @@
             <source>Touch what you want explained.</source>
             <translation>Touch what you want explained.</translation>
         </message>
+        <message>
+            <source>Close what is open first: it keeps the language it was opened in.</source>
+            <translation>Close what is open first: it keeps the language it was opened in.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -9949,6 +10005,10 @@
         <message>
             <source>%1, part %2</source>
             <translation>%1, part %2</translation>
+        </message>
+        <message>
+            <source>No course of the feed is kept for this part.</source>
+            <translation>No course of the feed is kept for this part.</translation>
         </message>
     </context>
     <context>

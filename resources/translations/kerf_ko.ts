@@ -1507,6 +1507,10 @@
             <source>no other setter or engineer has a PIN</source>
             <translation>PIN이 있는 다른 셋업 담당자나 공정 엔지니어가 없음</translation>
         </message>
+        <message>
+            <source>%1 has said yes</source>
+            <translation>%1 님이 확인했습니다</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -1924,6 +1928,14 @@
             <source>Earlier revisions</source>
             <translation>이전 개정</translation>
         </message>
+        <message>
+            <source>yes</source>
+            <translation>예</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>아니요</translation>
+        </message>
     </context>
     <context>
         <name>Settings</name>
@@ -2233,6 +2245,14 @@
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no lot selected any more</source>
+            <translation>선택된 로트 없음</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>로트 선택</translation>
         </message>
     </context>
     <context>
@@ -6399,7 +6419,7 @@
         </message>
         <message>
             <source>Have it checked, and enter the new date on the Quality page under Gauges.</source>
-            <translation>검교정을 받고 품질 화면의 게이지에 새 날짜를 입력하세요.</translation>
+            <translation>검교정을 받고 품질 화면의 게이지에 새 날짜를 입력하십시오.</translation>
         </message>
         <message>
             <source>In control: the figures of the parts spread by chance.</source>
@@ -6415,15 +6435,15 @@
         </message>
         <message>
             <source>Look at tool, blank and gauge of that part. Announce a change on the Boring page.</source>
-            <translation>그 공작물의 공구, 소재, 게이지를 확인하세요. 바뀐 것이 있으면 보링 화면에서 알리세요.</translation>
+            <translation>그 공작물의 공구, 소재, 게이지를 확인하십시오. 바뀐 것이 있으면 보링 화면에서 알리십시오.</translation>
         </message>
         <message>
             <source>Make the folder reachable. The file is tried again with the next part.</source>
-            <translation>폴더에 접근할 수 있게 하세요. 다음 공작물 때 다시 시도합니다.</translation>
+            <translation>폴더에 접근할 수 있게 하십시오. 다음 공작물 때 다시 시도합니다.</translation>
         </message>
         <message>
             <source>Measure it again. Set the part aside and say on the Quality page what was done with it.</source>
-            <translation>다시 측정하세요. 공작물을 따로 두고 어떻게 처리했는지 품질 화면에 기록하세요.</translation>
+            <translation>다시 측정하십시오. 공작물을 따로 두고 어떻게 처리했는지 품질 화면에 기록하십시오.</translation>
         </message>
         <message>
             <source>Part %1 can be cut again.</source>
@@ -6911,7 +6931,7 @@
         </message>
         <message>
             <source>Change the spindle speed by 5 to 15 %, take less depth, or clamp tool and work shorter.</source>
-            <translation>주축 회전수를 5~15 % 바꾸거나, 절입 깊이를 줄이거나, 공구와 공작물을 더 짧게 고정하세요.</translation>
+            <translation>주축 회전수를 5~15 % 바꾸거나, 절입 깊이를 줄이거나, 공구와 공작물을 더 짧게 고정하십시오.</translation>
         </message>
         <message>
             <source>Chatter</source>
@@ -7256,6 +7276,38 @@
         <message>
             <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
             <translation>보링 주축의 위치가 없거나 오래되었거나 숫자가 아니거나, 이송 중인데도 멈춰 있습니다.</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>로트 선택</translation>
+        </message>
+        <message>
+            <source>The log file (kerf.log) cannot be written: check the data folder and its permissions.</source>
+            <translation>로그 파일(kerf.log)을 쓸 수 없습니다. 데이터 폴더와 그 권한을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</source>
+            <translation>데이터 폴더 이름이 UTF-8이 아닙니다. 이름을 바꾸거나 --data로 다른 폴더를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>Acceleration feed-forward of Z</source>
+            <translation>Z축 가속 선행</translation>
+        </message>
+        <message>
+            <source>Follow gain of Z</source>
+            <translation>Z축 추종 게인</translation>
+        </message>
+        <message>
+            <source>Follow gain of the spindle</source>
+            <translation>주축 추종 게인</translation>
+        </message>
+        <message>
+            <source>Shift only between parts</source>
+            <translation>공작물 사이에서만 보정</translation>
+        </message>
+        <message>
+            <source>Speed feed-forward of Z</source>
+            <translation>Z축 속도 선행</translation>
         </message>
     </context>
     <context>
@@ -9005,6 +9057,10 @@
             <source>Touch what you want explained.</source>
             <translation>궁금한 것을 누르십시오.</translation>
         </message>
+        <message>
+            <source>Close what is open first: it keeps the language it was opened in.</source>
+            <translation>열린 창을 먼저 닫으십시오. 열린 창은 열 때의 언어로 남아 있습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -9939,6 +9995,10 @@
         <message>
             <source>%1, part %2</source>
             <translation>%1, 공작물 %2</translation>
+        </message>
+        <message>
+            <source>No course of the feed is kept for this part.</source>
+            <translation>이 공작물에는 저장된 이송 기록이 없습니다.</translation>
         </message>
     </context>
     <context>

@@ -45,7 +45,12 @@ void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
         QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, name = others[i]] {
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
-                [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); }, {},
+                [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); },
+                [&host, &session, name] {
+                    host.tell(OperatorChooser::tr("%1 has said yes").arg(name),
+                              OperatorChooser::tr("For two minutes %1 may raise a limit by more than half.")
+                                  .arg(session.name()));
+                },
                 [&session, name] { return session.whyNotYet(name); });
         });
     }
@@ -140,6 +145,12 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
     QObject::connect(edit, &QLineEdit::textChanged, accept,
                      [accept](const QString& text) { accept->setEnabled(!text.simplified().isEmpty()); });
     edit->setFocus();
+    // Whoever takes over may read the other language.
+    sheet->followLanguage([&look, &host, &session, then, edit] {
+        const QString typed = edit->text();
+        chooseOperator(look, host, session, then);
+        host.current()->findChild<QLineEdit*>(QStringLiteral("operatorName"))->setText(typed);
+    });
 }
 
 }  // namespace kerf::ui

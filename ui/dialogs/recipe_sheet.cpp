@@ -43,22 +43,30 @@ QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSy
     }
     bool isNumber = false;
     const double value = QString::fromStdString(stored).toDouble(&isNumber);
+    if (spec != nullptr && (stored == "true" || stored == "false")) {
+        return stored == "true" ? Revisions::tr("yes") : Revisions::tr("no");
+    }
     return spec != nullptr && isNumber ? units.withUnit(value, spec->unit, spec->decimals)
                                        : QString::fromStdString(stored);
 }
 
 QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf& specOf, const UnitSystem& units) {
     std::ranges::stable_partition(changes, [](const RecipeChangeView& change) { return !inList(change); });
+    // What has a name in the shop is named; the rest, where there is such, is only counted.
+    const auto unnamed = std::ranges::stable_partition(
+        changes, [&specOf](const RecipeChangeView& change) { return !specOf || specOf(change.key) != nullptr; });
+    const auto named = changes.size() - unnamed.size();
+    const std::size_t shown = std::min(named > 0 ? named : changes.size(), kChangesShown);
     QStringList lines;
-    for (std::size_t i = 0; i < changes.size() && i < kChangesShown; ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         const RecipeChangeView& change = changes[i];
         const ParamSpec* spec = specOf ? specOf(change.key) : nullptr;
         lines << QStringLiteral("%1: %2 → %3")
                      .arg(spec != nullptr ? engineText(spec->label) : QString::fromStdString(change.key),
                           valueText(change.before, spec, units), valueText(change.after, spec, units));
     }
-    if (changes.size() > kChangesShown) {
-        lines << Revisions::tr("and %1 more values").arg(changes.size() - kChangesShown);
+    if (changes.size() > shown) {
+        lines << Revisions::tr("and %1 more values").arg(changes.size() - shown);
     }
     return lines.isEmpty() ? Revisions::tr("The same values as now.") : lines.join(u'\n');
 }

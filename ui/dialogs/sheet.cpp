@@ -130,6 +130,11 @@ void Sheet::close() {
     deleteLater();
 }
 
+void Sheet::followLanguage(std::function<void()> remake) {
+    m_follows = true;
+    m_remake = std::move(remake);
+}
+
 void Sheet::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     QColor veil = look().color(Token::Ground);
@@ -152,7 +157,20 @@ void Sheet::refresh() {
     place();
 }
 
-SheetHost::SheetHost(Look& look, QWidget* parent) : QWidget(parent), m_look(look) {}
+SheetHost::SheetHost(Look& look, QWidget* parent)
+    : QWidget(parent), m_look(look), m_language(look.preferences().language) {
+    connect(&look, &Look::changed, this, [this] {
+        const Language language = m_look.preferences().language;
+        if (std::exchange(m_language, language) != language && m_current != nullptr && m_current->m_remake) {
+            const auto remake = m_current->m_remake;  // it closes the sheet that holds it
+            remake();
+        }
+    });
+}
+
+bool SheetHost::languageMayChange() const {
+    return m_current == nullptr || (m_current->m_follows && m_beneath == nullptr);
+}
 
 Sheet* SheetHost::open(const QString& title, const QString& text) {
     QPointer<QWidget> before = m_before;

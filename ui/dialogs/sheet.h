@@ -37,6 +37,9 @@ class Sheet : public FaceWidget {
     void addButton(QPushButton* button, std::function<void()> onClicked, bool closes = true);
     QPushButton* addButton(const QString& text, std::function<void()> onClicked, bool closes = true);
     void close();
+    /// The language may change while this sheet is open: it looks after its own words, or is made anew by `remake`.
+    /// Any other sheet keeps its words, so the language stays until it is closed (SheetHost::languageMayChange()).
+    void followLanguage(std::function<void()> remake = {});
 
  signals:
     void closed();
@@ -64,6 +67,8 @@ class Sheet : public FaceWidget {
     QLabel* m_text;
     QVBoxLayout* m_body;
     std::vector<QPushButton*> m_list;
+    bool m_follows{false};
+    std::function<void()> m_remake{};
 };
 
 /// The page area that sheets cover. One sheet at a time; opening another closes the first. When the last one has gone,
@@ -86,6 +91,8 @@ class SheetHost : public QWidget {
     /// A sentence with "Close".
     void tell(const QString& title, const QString& text);
     [[nodiscard]] Sheet* current() const { return m_current; }
+    /// No sheet is open that would keep the words it was opened with.
+    [[nodiscard]] bool languageMayChange() const;
     /// The sheet that waits for figures: the one beneath, when help lies over it.
     [[nodiscard]] Sheet* waiting() const { return m_beneath != nullptr ? m_beneath : m_current; }
 
@@ -99,6 +106,7 @@ class SheetHost : public QWidget {
     void giveBackFocus();
 
     Look& m_look;
+    Language m_language;
     Sheet* m_current{nullptr};
     Sheet* m_beneath{nullptr};    ///< hidden by openOver()
     QPointer<QWidget> m_formers;  ///< had the focus in m_beneath

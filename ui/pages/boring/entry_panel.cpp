@@ -127,8 +127,6 @@ void EntryPanel::retranslate() {
     setTitle(tr("Enter the bore"));
     m_gauge->setText(tr("Gauge"));
     m_undo->setText(tr("Undo last"));
-    // The style's least width hides that of the text from the layout.
-    m_undo->setMinimumWidth(qMax(m_look.metrics().touch(), m_undo->minimumSizeHint().width()));
     m_correct->setText(tr("Correct"));
     showChannels();
     m_again->setText(tr("Measure again"));

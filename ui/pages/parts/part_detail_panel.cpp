@@ -109,7 +109,6 @@ void PartDetailPanel::retranslate() {
     m_feedTitle->setText(tr("feed, %1", "unit").arg(m_look.units().of("mm/rev").symbol));
     m_chart->setCurveLabel(m_schedule, tr("schedule"));
     m_chart->setCurveLabel(m_cut, tr("cut"));
-    m_chart->setEmptyText(tr("The feed of the part appears here when one is chosen."));
     m_correct->setText(tr("Correct"));
     m_void->setText(tr("Take out"));
     m_serial->setText(tr("Serial"));
@@ -135,6 +134,8 @@ void PartDetailPanel::showProblem(const Sentence& problem) {
 void PartDetailPanel::showPart() {
     std::vector<QPointF> wanted;
     std::vector<QPointF> cut;
+    m_chart->setEmptyText(m_part ? tr("No course of the feed is kept for this part.")
+                                 : tr("The feed of the part appears here when one is chosen."));
     if (!m_part) {
         setTitle(tr("No part chosen"));
         m_facts->setText(m_problem.empty() ? tr("Touch a row of the table.") : sentenceText(m_problem, m_look.units()));

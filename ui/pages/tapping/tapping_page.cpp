@@ -4,6 +4,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
@@ -17,8 +19,21 @@
 
 namespace kerf::ui {
 namespace {
-constexpr int kTextPeriod_ms = 200;
+
+/// What a kept tuning's values are called where revisions are compared.
+const ParamSpec* tuningSpec(const std::string& key) {
+    static const std::array kSpecs{
+        ParamSpec{"settings.spindle_kp_perS", KERF_TEXT("Follow gain of the spindle"), "1/s", 0.0, 0.0, 0.0, 2, ""},
+        ParamSpec{"settings.z_kp_perS", KERF_TEXT("Follow gain of Z"), "1/s", 0.0, 0.0, 0.0, 2, ""},
+        ParamSpec{"settings.z_velocity_ff", KERF_TEXT("Speed feed-forward of Z"), "", 0.0, 0.0, 0.0, 4, ""},
+        ParamSpec{"settings.z_accel_ff", KERF_TEXT("Acceleration feed-forward of Z"), "", 0.0, 0.0, 0.0, 3, ""},
+        ParamSpec{"proof.last.engaged_pp_um", KERF_TEXT("Error p-p in the work"), "um", 0.0, 0.0, 0.0, 1, ""}};
+    const auto found = std::ranges::find_if(kSpecs, [&key](const ParamSpec& spec) { return key == spec.key; });
+    return found == kSpecs.end() ? nullptr : &*found;
 }
+
+constexpr int kTextPeriod_ms = 200;
+}  // namespace
 
 TappingPage::TappingPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.tappingService) {
@@ -92,7 +107,7 @@ void TappingPage::connectActions() {
     connect(m_actions, &TapActions::jobRequested, this, [this] {
         context().withPermission(Deed::TappingJob, [this] {
             JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
-            offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning);
+            offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning, tuningSpec);
         });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {

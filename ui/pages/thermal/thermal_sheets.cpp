@@ -460,9 +460,11 @@ void ThermalSheets::openLimits() {
         ParamSpec{"thermal.allowed_um", KERF_TEXT("Error the part allows"), "um", 0.1, 100.0, 4.0, 1, ""},
         ParamSpec{"thermal.period_min", KERF_TEXT("Time between two shifts"), "min", 0.1, 60.0, 1.0, 1, ""},
         ParamSpec{"thermal.max_shift_um", KERF_TEXT("Largest shift"), "um", 1.0, 200.0, 100.0, 0, ""},
-        ParamSpec{"thermal.max_step_um", KERF_TEXT("Largest shift in a minute"), "um", 1.0, 60.0, 15.0, 0, ""},
-        ParamSpec{"thermal.warm_up_rpm", KERF_TEXT("Warm-up speed"), "rpm", 100.0, 30'000.0, 3000.0, 0, ""},
+        ParamSpec{"thermal.max_step_um_per_min", KERF_TEXT("Largest shift in a minute"), "um", 1.0, 60.0, 15.0, 0, ""},
+        ParamSpec{"thermal.warm_up_speed_rpm", KERF_TEXT("Warm-up speed"), "rpm", 100.0, 30'000.0, 3000.0, 0, ""},
         ParamSpec{"thermal.warm_up_min", KERF_TEXT("Warm-up time"), "min", 1.0, 120.0, 20.0, 0, ""}};
+    static const ParamSpec kBetween{
+        "thermal.between_parts", KERF_TEXT("Shift only between parts"), "", 0.0, 1.0, 0.0, 0, ""};
     static constexpr std::array kNames{"thermalAllowed", "thermalPeriod",    "thermalMaxShift",
                                        "thermalMaxStep", "thermalWarmSpeed", "thermalWarmMinutes"};
     Sheet* sheet = open(tr("Limits and warm-up"), {});
@@ -519,7 +521,13 @@ void ThermalSheets::openLimits() {
                        return m_service.changeSetup(next, author, why);
                    });
     });
-    offerRecipeSheet(m_context, m_service.recipes(), Deed::ThermalLimits);
+    offerRecipeSheet(
+        m_context, m_service.recipes(), Deed::ThermalLimits, [](const std::string& key) -> const ParamSpec* {
+            const std::string whole = "thermal." + key;
+            const auto found =
+                std::ranges::find_if(kSpecs, [&whole](const ParamSpec& spec) { return whole == spec.key; });
+            return found != kSpecs.end() ? &*found : whole == kBetween.key ? &kBetween : nullptr;
+        });
 }
 
 }  // namespace kerf::ui

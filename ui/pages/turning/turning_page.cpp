@@ -168,10 +168,21 @@ void TurningPage::setController(TurningController controller) {
     });
 }
 
-KeyFigure turningFigure(const Services&, const Status& status) {
+/// Of the part under the tool or of the last one; its course is that of the last parts.
+KeyFigure turningFigure(const Services& services, const Status& status) {
     KeyFigure figure{TurningPage::tr("Predicted surface, RMS"), "um", kSurfaceDecimals, {}, {}, false, {}};
     if (status.turning.stage == TurningStage::Cutting) {
         figure.value = status.turning.surfaceRms_um;
+    }
+    if (services.turningService != nullptr) {
+        for (const TurningPartView& part : services.turningService->view().parts) {
+            if (part.complete) {
+                figure.course.push_back(part.record.surfaceRms_um);
+            }
+        }
+    }
+    if (!figure.value && !figure.course.empty()) {
+        figure.value = figure.course.back();
     }
     figure.limited = status.loops[static_cast<std::size_t>(ProcessId::Turning)].state == LoopState::Limited;
     return figure;
