@@ -167,7 +167,8 @@ class TestConsoleSheets : public QObject {
         window().showPage("alarms");
         look(QStringLiteral("alarms_now"));
         press("alarmsHistory");
-        QTRY_VERIFY(m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
+        QTRY_VERIFY(m_bench->find<QTableView>("alarmTable") != nullptr &&
+                    m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
         look(QStringLiteral("alarms_history"));
         press("alarmFilter");
         look(QStringLiteral("alarms_filtered"));
