@@ -75,7 +75,7 @@ Connection::Connection(const std::string& path, Access access)
             // INSERT OR REPLACE must not get past the delete triggers of the append-only tables.
             execute(m_database, QStringLiteral("PRAGMA recursive_triggers = ON"));
             execute(m_database, QStringLiteral("PRAGMA journal_size_limit = 67108864"));
-            keepPrepared(m_name);
+            keepPrepared(handleOf(m_database));
         } else {
             execute(m_database, QStringLiteral("PRAGMA query_only = ON"));
         }
@@ -86,7 +86,7 @@ Connection::Connection(const std::string& path, Access access)
 }
 
 Connection::~Connection() {
-    dropPrepared(m_name);
+    dropPrepared(handleOf(m_database));
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);

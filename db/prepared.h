@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSqlQuery>
-#include <QString>
-#include <optional>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
 
 /// Prepared statements of a writing connection, kept for their next use: where triggers hang on a table, preparing one
 /// takes several times as long as running it. SQLite prepares again by itself what a changed schema has made stale.
@@ -12,13 +13,13 @@
 namespace kerf::db {
 
 /// From now on the statements of this connection are kept.
-void keepPrepared(const QString& connection);
-/// Before the connection is closed.
-void dropPrepared(const QString& connection);
+void keepPrepared(sqlite3* connection);
+/// Before the connection is closed: what is kept is finalised.
+void dropPrepared(sqlite3* connection) noexcept;
 
-/// Empty: none is kept, or it is in use by another statement just now.
-[[nodiscard]] std::optional<QSqlQuery> takePrepared(const QString& connection, const QString& sql);
-/// A finished one, for the next taker. Without keepPrepared() it is given up.
-void giveBackPrepared(const QString& connection, const QString& sql, QSqlQuery query);
+/// None is kept, or it is in use by another statement just now: null.
+[[nodiscard]] sqlite3_stmt* takePrepared(sqlite3* connection, std::string_view sql);
+/// A finished one, for the next taker. Without keepPrepared() it is finalised.
+void giveBackPrepared(sqlite3* connection, std::string_view sql, sqlite3_stmt* statement) noexcept;
 
 }  // namespace kerf::db

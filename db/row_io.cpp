@@ -109,6 +109,8 @@ PartRow readPart(const Statement& row) {
     if (!row.isNull(11)) {
         p.figures = unpackFigures(p.process, row.text(11));
     }
+    p.recipe = row.maybeInteger(12);
+    p.recipeRevision = p.recipe ? row.count(13) : 0;
     return p;
 }
 
@@ -169,6 +171,11 @@ LotRow readLot(const Statement& row) {
     l.estimator = row.text(9);
     l.openedUtc_ms = row.integer(10);
     l.closedUtc_ms = row.maybeInteger(11);
+    l.tool = row.text(12);
+    l.gauge = row.text(13);
+    l.openedBy = row.text(14);
+    l.closedBy = row.text(15);
+    l.recipeRevision = row.count(16);
     return l;
 }
 

@@ -37,10 +37,12 @@ inline constexpr const char* kScheduleColumns =
 
 inline constexpr const char* kPartColumns =
     "p.id, p.process, p.lot_id, l.name, t.name, p.number, p.serial, p.complete, p.machine_begin_ns, p.machine_end_ns, "
-    "p.ended_utc_ms, x.results";
+    "p.ended_utc_ms, x.results, p.recipe_revision_id, v.revision";
+/// How many they are: what a query asks for behind them begins there.
+inline constexpr int kPartColumnCount = 14;
 inline constexpr const char* kPartJoins =
-    " LEFT JOIN lots l ON l.id = p.lot_id LEFT JOIN part_types t ON t.id = l.part_type_id LEFT JOIN part_results x ON "
-    "x.part_id = p.id ";
+    " LEFT JOIN lots l ON l.id = p.lot_id LEFT JOIN recipe_revisions v ON v.id = p.recipe_revision_id LEFT JOIN "
+    "part_types t ON t.id = coalesce(l.part_type_id, v.part_type_id) LEFT JOIN part_results x ON x.part_id = p.id ";
 [[nodiscard]] PartRow readPart(const Statement& row);
 
 inline constexpr const char* kRecipeColumns =
@@ -49,7 +51,10 @@ inline constexpr const char* kRecipeColumns =
 
 inline constexpr const char* kLotColumns =
     "l.id, l.machine_id, c.name, l.part_type_id, t.name, t.process, l.recipe_revision_id, l.name, l.size, l.estimator, "
-    "l.opened_utc_ms, l.closed_utc_ms";
+    "l.opened_utc_ms, l.closed_utc_ms, l.tool, l.gauge, l.opened_by, l.closed_by, "
+    "(SELECT v.revision FROM recipe_revisions v WHERE v.id = l.recipe_revision_id)";
+/// How many they are: what a query asks for behind them begins there.
+inline constexpr int kLotColumnCount = 17;
 inline constexpr const char* kLotJoins =
     " JOIN machines c ON c.id = l.machine_id JOIN part_types t ON t.id = l.part_type_id ";
 [[nodiscard]] LotRow readLot(const Statement& row);

@@ -4,15 +4,18 @@
 #include <QByteArray>
 #include <QLoggingCategory>
 #include <QSqlDatabase>
-#include <QSqlQuery>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "engine/core/result.h"
 
 Q_DECLARE_LOGGING_CATEGORY(kerfDb)
+
+struct sqlite3;
+struct sqlite3_stmt;
 
 namespace kerf::db {
 
@@ -32,7 +35,11 @@ class SqlFailure : public std::runtime_error {
 /// The operator's sentence for an SQLite result code (primary or extended).
 [[nodiscard]] Sentence sentenceForCode(int code);
 
-/// One prepared statement, bound by position. Throws SqlFailure.
+/// SQLite's own handle of an open connection; Qt made it and closes it. @throws SqlFailure when it is not open
+[[nodiscard]] sqlite3* handleOf(const QSqlDatabase& database);
+
+/// One prepared statement, bound by position. Throws SqlFailure. It speaks to SQLite itself, on Qt's connection: Qt's
+/// way there by UTF-16 and QVariant took longer than what SQLite did with it.
 class Statement {
  public:
     /// Words of the program itself: on a writing connection the prepared statement is kept for the next use.
@@ -43,31 +50,33 @@ class Statement {
     Statement& operator=(const Statement&) = delete;
     ~Statement();
 
-    Statement& bind(std::int64_t value) { return bindVariant(QVariant(static_cast<qlonglong>(value))); }
+    Statement& bind(std::int64_t value);
     Statement& bind(std::int32_t value) { return bind(static_cast<std::int64_t>(value)); }
     Statement& bind(std::uint32_t value) { return bind(static_cast<std::int64_t>(value)); }
     Statement& bind(bool value) { return bind(static_cast<std::int64_t>(value ? 1 : 0)); }
-    Statement& bind(double value) { return bindVariant(QVariant(value)); }
-    Statement& bind(const std::string& text) { return bindVariant(QVariant(QString::fromStdString(text))); }
-    Statement& bind(const char* text) { return bindVariant(QVariant(QString::fromUtf8(text))); }
-    Statement& bind(const QByteArray& blob) { return bindVariant(QVariant(blob)); }
+    Statement& bind(double value);
+    Statement& bind(std::string_view text);
+    Statement& bind(const std::string& text) { return bind(std::string_view(text)); }
+    Statement& bind(const char* text) { return bind(std::string_view(text)); }
+    Statement& bind(const QByteArray& blob);
     template <class T>
     Statement& bind(const std::optional<T>& value) {
-        return value ? bind(*value) : bindVariant(QVariant());
+        return value ? bind(*value) : bindNull();
     }
 
     Statement& run();
     [[nodiscard]] bool next();
     /// Row id this INSERT has made.
     [[nodiscard]] std::int64_t lastId() const noexcept { return m_lastId; }
-    [[nodiscard]] int changed() const { return m_query.numRowsAffected(); }
+    [[nodiscard]] int changed() const noexcept { return m_changed; }
 
-    [[nodiscard]] bool isNull(int column) const { return m_query.value(column).isNull(); }
-    [[nodiscard]] std::int64_t integer(int column) const { return m_query.value(column).toLongLong(); }
+    // Of the row that next() has come to; nothing where there is none.
+    [[nodiscard]] bool isNull(int column) const;
+    [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] std::uint32_t count(int column) const { return static_cast<std::uint32_t>(integer(column)); }
-    [[nodiscard]] double real(int column) const { return m_query.value(column).toDouble(); }
-    [[nodiscard]] std::string text(int column) const { return m_query.value(column).toString().toStdString(); }
-    [[nodiscard]] QByteArray blob(int column) const { return m_query.value(column).toByteArray(); }
+    [[nodiscard]] double real(int column) const;
+    [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] QByteArray blob(int column) const;
     [[nodiscard]] std::optional<std::int64_t> maybeInteger(int column) const {
         return isNull(column) ? std::nullopt : std::optional(integer(column));
     }
@@ -76,14 +85,22 @@ class Statement {
     }
 
  private:
-    Statement& bindVariant(const QVariant& value);
+    enum class At : std::uint8_t { Start, FirstRow, Row, End };
+    Statement& bindNull();
+    /// The place of the next value; a statement that has run is wound back.
+    int place();
+    void check(int code);
+    void step();
     [[noreturn]] void fail();
-    void prepare(const QString& sql);
-    QString m_connection{};  ///< empty: not kept
-    QString m_sql{};
-    QSqlQuery m_query;
+    void prepare(std::string_view sql, unsigned flags);
+
+    sqlite3* m_connection;
+    const char* m_words{nullptr};  ///< null: not kept
+    sqlite3_stmt* m_statement{nullptr};
     int m_next{0};
+    At m_at{At::Start};
     std::int64_t m_lastId{0};
+    int m_changed{0};
 };
 
 /// Runs one statement without results.

@@ -55,7 +55,8 @@ json textOf(const FinishedPart& part) {
             {"begin_ns", r.begin_ns},
             {"end_ns", r.end_ns},
             {"ended_utc_ms", part.endedUtc_ms},
-            {"lot", r.lot},
+            {"lot", r.order.lot},
+            {"recipe", r.order.recipe},
             {"schedule", scheduleJson(r.schedule)},
             {"feed", packTrace(r.feed).toHex().toStdString()},
             {"figures", part.figuresJson.empty() ? packFigures(partResults(r)) : part.figuresJson}};
@@ -88,8 +89,10 @@ FinishedPart partOf(const json& item) {
     r.complete = item.at("complete").get<bool>();
     r.begin_ns = item.at("begin_ns").get<std::int64_t>();
     r.end_ns = item.at("end_ns").get<std::int64_t>();
-    r.lot = item.at("lot").get<std::int64_t>();
+    r.order.lot = item.at("lot").get<std::int64_t>();
+    r.order.recipe = item.value("recipe", std::int64_t{0});
     r.schedule = scheduleOf(item.at("schedule"));
+    r.order.schedule = r.schedule.revision;
     r.feed = unpackTrace(QByteArray::fromHex(QByteArray::fromStdString(item.at("feed").get<std::string>())));
     part.endedUtc_ms = item.at("ended_utc_ms").get<std::int64_t>();
     part.figuresJson = item.at("figures").get<std::string>();

@@ -27,6 +27,8 @@ bool builtIn(const std::string& machine) {
 }
 
 constexpr int kPoll_ms = 200;
+constexpr int kFirstLook_ms = 2;
+constexpr int kFirstLooks = 150;
 constexpr int kPortLook_ms = 600'000;
 
 }  // namespace
@@ -172,13 +174,19 @@ void ConsoleApplication::openRooms() {
 
 Result<void> ConsoleApplication::openData() {
     QString folder = QString::fromStdString(m_options.dataDir);
+    if (folder.toStdString() != m_options.dataDir) {  // Qt would make a folder of another name
+        return fail(
+            KERF_TEXT("The name of the data folder is not UTF-8: rename it, or choose another one with --data."));
+    }
     if (folder.isEmpty()) {
         folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/kerf");
     }
     if (!QDir().mkpath(folder)) {
         return fail(KERF_TEXT("The data folder cannot be made; choose another one with --data."));
     }
-    startLogging(folder.toStdString());
+    if (auto logging = startLogging(folder.toStdString()); !logging) {
+        return logging;
+    }
     m_databasePath = (folder + QStringLiteral("/kerf.db")).toStdString();
     auto file = db::DataFile::open(m_databasePath);
     if (!file) {
@@ -287,7 +295,17 @@ void ConsoleApplication::openWindow() {
     connect(&m_poll, &QTimer::timeout, this, &ConsoleApplication::poll);
     m_poll.start(kPoll_ms);
     poll();
-    emit ready();
+    readyOnceKnown(m_options.ownThread ? kFirstLooks : 0);
+}
+
+/// Shown with its content: nobody is to read that no loop is fitted because the engine has not run yet.
+void ConsoleApplication::readyOnceKnown(int looks) {
+    m_window->client().tick();
+    if (looks == 0 || std::ranges::any_of(m_window->client().status().loops, &LoopStatus::fitted)) {
+        emit ready();
+        return;
+    }
+    QTimer::singleShot(kFirstLook_ms, this, [this, looks] { readyOnceKnown(looks - 1); });
 }
 
 void ConsoleApplication::poll() {

@@ -84,6 +84,7 @@ class ConsoleApplication : public QObject {
     /// Null where nothing is bored.
     [[nodiscard]] BoringRoom* boring() const noexcept;
     void openWindow();
+    void readyOnceKnown(int looks);
     void poll();
     void lookAtPort();
     [[nodiscard]] std::string author() const;

@@ -16,6 +16,7 @@
 #include "app/console/part_report.h"
 #include "app/console/preferences.h"
 #include "app/service/boring/bore_file.h"
+#include "app/service/quality/gauge_records.h"
 #include "app/service/quality/part_judge.h"
 
 namespace kerf::console {
@@ -108,10 +109,23 @@ ui::Services ConsoleApplication::services() {
     services.acknowledgeAlarm = [this](AlarmCode code, const QString& author) { acknowledgeAlarm(code, author); };
     serveFiles(services);
     if (!m_quality) {  // pages hold on to it
-        m_quality = std::make_unique<QualityDesk>(
-            QualityDesk::Links{*m_writer, *m_reader, m_databasePath, m_background, *m_look,
-                               [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); },
-                               [this](AlarmCode code) { return m_engine->alarmSpec(code); }, rights()});
+        QualityDesk::Links links{*m_writer, *m_reader, m_databasePath, m_background, *m_look};
+        links.raise = [this](const AlarmEvent& event) { emit m_window->client().alarmArrived(event); };
+        links.specOf = [this](AlarmCode code) { return m_engine->alarmSpec(code); };
+        links.rights = rights();
+        for (const auto& known : m_rooms) {
+            links.processes.push_back(known->process());
+        }
+        links.recipe = [this](ProcessId process) {
+            Room* const known = room(process);
+            return known != nullptr ? known->recipe() : RecipeHeld{};
+        };
+        links.revised = [this](ProcessId process, RecipeRevisionId revision) {
+            if (Room* const known = room(process); known != nullptr) {
+                known->recipeRevised(revision);
+            }
+        };
+        m_quality = std::make_unique<QualityDesk>(std::move(links));
     }
     services.qualityService = &m_quality->service();
     services.shop = [this]() -> std::optional<ui::ShopView> { return m_shop ? m_shop->view() : std::nullopt; };
@@ -193,7 +207,11 @@ void ConsoleApplication::serveFiles(ui::Services& services) {
                     return fail(KERF_TEXT("There is no such part."));
                 }
                 PartJudge judge(**reader, **reader);
-                return writePartReport(**detail, judge.characteristics((*detail)->part), units, file);
+                const auto decided = dispositionsIn(**reader);
+                const auto found = decided.find(part);
+                return writePartReport(**detail, judge.characteristics((*detail)->part),
+                                       found == decided.end() ? std::nullopt : std::optional(found->second), units,
+                                       file);
             },
             done);
     };

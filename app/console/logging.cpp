@@ -35,13 +35,19 @@ void qtMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QStr
 
 }  // namespace
 
-void startLogging(const std::string& dataDir) {
-    auto file = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(dataDir + "/kerf.log", kFileSize_bytes, kFiles);
+Result<void> startLogging(const std::string& dataDir) {
+    std::shared_ptr<spdlog::sinks::rotating_file_sink_mt> file;
+    try {
+        file = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(dataDir + "/kerf.log", kFileSize_bytes, kFiles);
+    } catch (const spdlog::spdlog_ex&) {
+        return fail(KERF_TEXT("The log file (kerf.log) cannot be written: check the data folder and its permissions."));
+    }
     auto console = std::make_shared<spdlog::sinks::stderr_sink_mt>();
     console->set_level(spdlog::level::warn);
     spdlog::set_default_logger(std::make_shared<spdlog::logger>("kerf", spdlog::sinks_init_list{file, console}));
     spdlog::flush_on(spdlog::level::info);
     qInstallMessageHandler(qtMessage);
+    return {};
 }
 
 }  // namespace kerf::console

@@ -3,14 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 #include <QPageLayout>
 #include <QPageSize>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -163,8 +159,8 @@ void drawFirstArticle(ReportSheet& sheet, const QualityLot& lot, const ui::UnitS
         const JudgedValue& found = lot.quality.parts.front().judgement.values[i];
         sheet.row({ui::characteristicName(what), characteristicValue(what, found.value, units),
                    LotReport::tr("%1 to %2")
-                       .arg(characteristicValue(what, what.tolerance.lower, units),
-                            characteristicValue(what, what.tolerance.upper, units)),
+                       .arg(characteristicValue(what, found.tolerance.lower, units),
+                            characteristicValue(what, found.tolerance.upper, units)),
                    ui::verdictText(found.verdict)},
                   shares);
     }
@@ -413,9 +409,10 @@ std::string lotCsv(const QualityLot& lot) {
     for (const LotPart& part : lot.quality.parts) {
         for (std::size_t i = 0; i < part.judgement.values.size(); ++i) {
             const Characteristic& what = lot.quality.characteristics[i];
+            const JudgedValue& found = part.judgement.values[i];
             fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{}\n", part.number, quoted(part.serial),
-                           what.key, number(part.judgement.values[i].value), what.unit, number(what.tolerance.lower),
-                           number(what.tolerance.upper), quality::verdictKey(part.judgement.values[i].verdict),
+                           what.key, number(found.value), what.unit, number(found.tolerance.lower),
+                           number(found.tolerance.upper), quality::verdictKey(found.verdict),
                            quality::verdictKey(part.judgement.verdict));
         }
     }
@@ -424,23 +421,15 @@ std::string lotCsv(const QualityLot& lot) {
 
 Result<void> writeLotReport(const QualityLot& lot, const LotPapers& papers, const ui::UnitSystem& units,
                             const AlarmSpecOf& specOf, const QString& file) {
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter pdf(&bytes);
+    const auto attach = [&lot](QPdfWriter& pdf) {
         pdf.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-        pdf.setResolution(kReportResolution_dpi);
-        pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
-                           QPageLayout::Millimeter);
-        pdf.setTitle(titleOf(lot, papers.firstArticle));
-        pdf.setCreator(QStringLiteral("Kerf"));
         pdf.addFileAttachment(QStringLiteral("lot.dfq"),
                               QByteArray::fromStdString(dfq::write(lotDfq(lot.history, lot.quality))),
                               QStringLiteral("application/octet-stream"));
         pdf.addFileAttachment(QStringLiteral("lot.csv"), QByteArray::fromStdString(lotCsv(lot)),
                               QStringLiteral("text/csv"));
-        ReportSheet sheet(pdf);
+    };
+    const auto draw = [&](ReportSheet& sheet) {
         drawHeader(sheet, lot, papers);
         papers.firstArticle ? drawFirstArticle(sheet, lot, units) : drawCharacteristics(sheet, lot, units);
         drawBadParts(sheet, lot, papers.dispositions, units);
@@ -451,13 +440,8 @@ Result<void> writeLotReport(const QualityLot& lot, const LotPapers& papers, cons
         }
         drawGauges(sheet, lot, papers, units);
         drawSignature(sheet, papers);
-    }
-    QDir().mkpath(QFileInfo(file).absolutePath());
-    QSaveFile target(file);
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
-        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
-    }
-    return {};
+    };
+    return writeReport(titleOf(lot, papers.firstArticle), file, draw, attach);
 }
 
 }  // namespace kerf::console

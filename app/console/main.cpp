@@ -3,13 +3,26 @@
 #include <QScreen>
 #include <QTimer>
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/console/console_application.h"
 #include "app/console/end_signals.h"
+#include "app/console/first_paint.h"
 
 namespace {
 
 constexpr int kCannotStart = 3;
+
+/// While QApplication is made, a platform that cannot be had is all that ends it: by abort(), after pages about
+/// plug-ins.
+void noDisplay(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*message*/) {
+    if (type == QtFatalMsg) {
+        std::fprintf(stderr,
+                     "kerf-console: No display can be reached: start it on a screen, or with QT_QPA_PLATFORM=offscreen "
+                     "without one.\n");
+        std::_Exit(kCannotStart);
+    }
+}
 constexpr int kLiveBeforeScreenshot_ms = 3000;  // so that the live charts have something to show
 
 void printLine(const QString& line) {
@@ -26,7 +39,9 @@ int main(int argc, char** argv) {
     if (!options) {
         return exitCode;
     }
+    qInstallMessageHandler(noDisplay);
     QApplication application(argc, argv);
+    qInstallMessageHandler(nullptr);
     QApplication::setApplicationName(QStringLiteral("kerf"));
     QApplication::setApplicationVersion(QStringLiteral(KERF_VERSION));
 
@@ -44,6 +59,12 @@ int main(int argc, char** argv) {
         ui::MainWindow& window = *console.window();
         if (options->size) {
             window.resize(*options->size);
+        }
+        if (options->timeStart) {
+            new console::FirstPaint(window, [](int without) {
+                printLine(QStringLiteral("painted, %1 times without content before").arg(without));
+                QCoreApplication::exit(0);
+            });
         }
         if (options->screenshotDir.empty()) {
             if (options->fullScreen) {

@@ -92,6 +92,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     });
     app.add_flag("--full-screen", options.fullScreen, "Take the whole screen");
     app.add_option("--screenshots", options.screenshotDir, "Render every page to PNG into this folder and end");
+    app.add_flag("--time-start", options.timeStart,
+                 "Print one line on stdout once the first page has been painted with its content, and end");
     app.add_flag("--print-acceptances", options.printAcceptances,
                  "Print one line on stdout for every accepted measurement, once it is safely on disk");
     try {

@@ -32,6 +32,7 @@ struct Options {
     std::optional<QSize> size{};
     bool fullScreen{false};
     std::string screenshotDir{};   ///< not empty: render every page to PNG there and end
+    bool timeStart{false};         ///< say when the first page has been painted with its content, and end
     bool ownThread{true};          ///< false: whoever made the console runs the engine's cycles itself (tests)
     bool printAcceptances{false};  ///< print one line per accepted measurement once it is on disk
 };

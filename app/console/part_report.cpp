@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/part_report.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
 #include <algorithm>
 
 #include "app/console/report_sheet.h"
@@ -143,10 +138,19 @@ void drawMeasurements(Sheet& sheet, const PartRow& part, const ui::UnitSystem& u
 }
 
 void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Characteristic>& characteristics,
-                  const ui::UnitSystem& units) {
+                  const std::optional<Disposition>& decided, const ui::UnitSystem& units) {
     const PartJudgement judged = judgePart(part, characteristics);
     sheet.font(11.0, true);
     sheet.line(PartReport::tr("Verdict: %1").arg(ui::verdictText(judged.verdict)));
+    if (judged.verdict == quality::Verdict::Rework || judged.verdict == quality::Verdict::Scrap) {
+        sheet.font(10.0);
+        sheet.line(
+            decided
+                ? PartReport::tr("Decided: %1, by %2, %3")
+                      .arg(ui::engineText(decided->what.c_str()), QString::fromStdString(decided->author),
+                           QDateTime::fromMSecsSinceEpoch(decided->utc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm")))
+                : PartReport::tr("Nobody has decided yet what is done with it."));
+    }
     sheet.font(10.0);
     const std::vector<double> shares{0.34, 0.14, 0.32, 0.2};
     for (std::size_t i = 0; i < characteristics.size(); ++i) {
@@ -159,12 +163,17 @@ void drawVerdicts(Sheet& sheet, const PartRow& part, const std::vector<Character
     }
 }
 
-void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
-          const ui::UnitSystem& units) {
-    Sheet sheet(pdf);
+QString titleOf(const PartRow& part) {
+    return part.lotName.empty()
+               ? PartReport::tr("Part %1").arg(part.number)
+               : PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName));
+}
+
+void draw(ReportSheet& sheet, const PartDetail& detail, const std::vector<Characteristic>& characteristics,
+          const std::optional<Disposition>& decided, const ui::UnitSystem& units) {
     const PartRow& part = detail.part;
     sheet.font(18.0, true);
-    sheet.line(PartReport::tr("Part %1, lot %2").arg(part.number).arg(QString::fromStdString(part.lotName)), 10.0);
+    sheet.line(titleOf(part), 10.0);
     sheet.font(11.0);
     sheet.line(part.serial.empty() ? PartReport::tr("No serial number")
                                    : PartReport::tr("Serial number %1").arg(QString::fromStdString(part.serial)));
@@ -182,7 +191,7 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Character
         sheet.line(PartReport::tr("The estimator noticed a process change with this part."));
     }
     sheet.skip(2.0);
-    drawVerdicts(sheet, part, characteristics, units);
+    drawVerdicts(sheet, part, characteristics, decided, units);
     sheet.skip(4.0);
     if (detail.schedule && part.process == ProcessId::Boring) {
         drawFeed(sheet, detail, units);
@@ -199,26 +208,10 @@ void draw(QPdfWriter& pdf, const PartDetail& detail, const std::vector<Character
 }  // namespace
 
 Result<void> writePartReport(const PartDetail& part, const std::vector<Characteristic>& characteristics,
-                             const ui::UnitSystem& units, const QString& file) {
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter pdf(&bytes);
-        pdf.setResolution(kReportResolution_dpi);
-        pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
-                           QPageLayout::Millimeter);
-        pdf.setTitle(
-            PartReport::tr("Part %1, lot %2").arg(part.part.number).arg(QString::fromStdString(part.part.lotName)));
-        pdf.setCreator(QStringLiteral("Kerf"));
-        draw(pdf, part, characteristics, units);
-    }
-    QDir().mkpath(QFileInfo(file).absolutePath());
-    QSaveFile target(file);
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
-        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
-    }
-    return {};
+                             const std::optional<Disposition>& decided, const ui::UnitSystem& units,
+                             const QString& file) {
+    return writeReport(titleOf(part.part), file,
+                       [&](ReportSheet& sheet) { draw(sheet, part, characteristics, decided, units); });
 }
 
 }  // namespace kerf::console

@@ -10,6 +10,7 @@
 namespace kerf::console {
 namespace {
 
+constexpr const char* kItself = "Kerf";
 constexpr int kPollsBetweenLooks = 5;  // of the console's 200 ms
 
 }  // namespace
@@ -26,6 +27,8 @@ QualityDesk::QualityDesk(Links links) : m_links(std::move(links)) {
             return writeLotReport(lot, papers, units, specOf, QString::fromStdString(file));
         };
     };
+    service.recipe = m_links.recipe;
+    service.revised = m_links.revised;
     m_service = std::make_unique<StoredQualityService>(std::move(service));
 }
 
@@ -46,7 +49,27 @@ void QualityDesk::start(BoringService* bores) {
     }
 }
 
+// A part that ends was made under what its process works by: stored when that changes, before the part can be.
+void QualityDesk::followRecipes() {
+    for (const ProcessId process : m_links.processes) {
+        const RecipeHeld held = m_links.recipe ? m_links.recipe(process) : RecipeHeld{};
+        if (held.kept || held.partType.empty()) {
+            continue;
+        }
+        const auto [told, fresh] = m_partTypes.try_emplace(process);
+        if (fresh) {
+            const auto rows = m_links.reader.roomRecords(process, kPartTypeRecord, {}, 1);
+            told->second = rows && !rows->empty() ? rows->front().subject : std::string();
+        }
+        if (told->second != held.partType) {
+            told->second = held.partType;
+            m_links.writer.submit(AddRoomRecord{process, kPartTypeRecord, held.partType, "{}", kItself, "chosen"}, {});
+        }
+    }
+}
+
 void QualityDesk::poll() {
+    followRecipes();
     if (m_watch == nullptr || ++m_polls % kPollsBetweenLooks != 0 || m_watch->busy()) {
         return;
     }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/console/background.h"
 #include "app/service/quality/quality_watch.h"
@@ -30,6 +33,9 @@ class QualityDesk {
         std::function<void(const AlarmEvent&)> raise{};       ///< called only after start()
         std::function<const AlarmSpec*(AlarmCode)> specOf{};  ///< texts of alarms, any thread
         Rights rights{};
+        std::vector<ProcessId> processes{};                          ///< of this console
+        std::function<RecipeHeld(ProcessId)> recipe{};               ///< what a process without lots works by now
+        std::function<void(ProcessId, RecipeRevisionId)> revised{};  ///< limits have made a revision of it
     };
     explicit QualityDesk(Links links);
 
@@ -40,12 +46,14 @@ class QualityDesk {
 
  private:
     void lookAtNewest();
+    void followRecipes();
 
     Links m_links;
     std::unique_ptr<StoredQualityService> m_service;
     std::unique_ptr<QualityWatch> m_watch{};
     std::unique_ptr<Subscription> m_bores{};
     std::optional<PartId> m_newest{};
+    std::map<ProcessId, std::string> m_partTypes{};  ///< as stored
     bool m_changed{true};
     int m_polls{0};
 };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/report_sheet.h"
 
+#include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
 #include <algorithm>
 
 namespace kerf::console {
@@ -62,6 +66,32 @@ void ReportSheet::reserve(double height_mm) {
         m_pdf.newPage();
         m_y = 0.0;
     }
+}
+
+Result<void> writeReport(const QString& title, const QString& file, const std::function<void(ReportSheet& sheet)>& draw,
+                         const std::function<void(QPdfWriter& pdf)>& prepare) {
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter pdf(&bytes);
+        if (prepare) {
+            prepare(pdf);
+        }
+        pdf.setResolution(kReportResolution_dpi);
+        pdf.setPageSize(QPageSize(QPageSize::A4));
+        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
+                           QPageLayout::Millimeter);
+        pdf.setTitle(title);
+        pdf.setCreator(QStringLiteral("Kerf"));
+        ReportSheet sheet(pdf);
+        draw(sheet);
+    }
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    QSaveFile target(file);
+    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
+        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
+    }
+    return {};
 }
 
 }  // namespace kerf::console

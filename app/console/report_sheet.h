@@ -4,9 +4,11 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "ui/services/quality_service.h"
 #include "ui/units/unit_system.h"
 
@@ -45,5 +47,11 @@ class ReportSheet {
 /// A value of a characteristic in the unit that is shown, without it; a dash where there is none.
 [[nodiscard]] QString characteristicValue(const Characteristic& characteristic, const std::optional<double>& value,
                                           const ui::UnitSystem& units);
+
+/// A report of one file: A4, title, Kerf's margins; `prepare` has the writer before the first stroke (attachments). It
+/// takes its name last; a folder that is not there is made.
+[[nodiscard]] Result<void> writeReport(const QString& title, const QString& file,
+                                       const std::function<void(ReportSheet& sheet)>& draw,
+                                       const std::function<void(QPdfWriter& pdf)>& prepare = {});
 
 }  // namespace kerf::console

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/shift_report.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
-#include <QSaveFile>
 
 #include "app/console/report_sheet.h"
 #include "ui/link/shift_texts.h"
@@ -41,8 +37,7 @@ void list(ReportSheet& sheet, const QString& title, const QList<QStringList>& ro
     }
 }
 
-void draw(QPdfWriter& pdf, const ShiftView& shift, const AlarmSpecOf& specOf) {
-    ReportSheet sheet(pdf);
+void draw(ReportSheet& sheet, const ShiftView& shift, const AlarmSpecOf& specOf) {
     sheet.font(18.0, true);
     sheet.line(ShiftReport::tr("Shift"), 10.0);
     sheet.font(11.0);
@@ -94,24 +89,7 @@ void draw(QPdfWriter& pdf, const ShiftView& shift, const AlarmSpecOf& specOf) {
 
 Result<void> writeShiftReport(const ShiftView& shift, const ui::UnitSystem&, const AlarmSpecOf& specOf,
                               const QString& file) {
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter pdf(&bytes);
-        pdf.setResolution(kReportResolution_dpi);
-        pdf.setPageSize(QPageSize(QPageSize::A4));
-        pdf.setPageMargins(QMarginsF(kReportMargin_mm, kReportMargin_mm, kReportMargin_mm, kReportMargin_mm),
-                           QPageLayout::Millimeter);
-        pdf.setTitle(ShiftReport::tr("Shift"));
-        pdf.setCreator(QStringLiteral("Kerf"));
-        draw(pdf, shift, specOf);
-    }
-    QDir().mkpath(QFileInfo(file).absolutePath());
-    QSaveFile target(file);
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.size() || !target.commit()) {
-        return fail(KERF_TEXT("The file cannot be written there. Choose another folder."));
-    }
-    return {};
+    return writeReport(ShiftReport::tr("Shift"), file, [&](ReportSheet& sheet) { draw(sheet, shift, specOf); });
 }
 
 }  // namespace kerf::console

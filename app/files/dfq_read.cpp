@@ -445,7 +445,15 @@ class Reader : public FieldFindings {
             characteristics = splitAtSeparators(line);
         }
         const bool begun = std::ranges::any_of(m_tracks, [&](const auto& track) { return isBegun(track.second); });
-        const std::uint32_t row = begun ? m_row : m_row + 1;
+        // What fields in front have begun may be of the characteristic that the line before left out: a second value of
+        // another one in the same part there is not.
+        bool again = false;
+        for (std::size_t i = 0; i < characteristics.size(); ++i) {
+            const auto track = m_tracks.find(m_offset + static_cast<std::uint32_t>(i + 1));
+            again = again || (!isEmpty(characteristics[i]) && track != m_tracks.end() && track->second.byLine &&
+                              m_file.values[track->second.values.back()].row == m_row);
+        }
+        const std::uint32_t row = begun && !again ? m_row : m_row + 1;
         bool any = false;
         for (std::size_t i = 0; i < characteristics.size() && !m_problem; ++i) {
             if (!isEmpty(characteristics[i])) {
@@ -476,6 +484,7 @@ class Reader : public FieldFindings {
         Track& track = m_tracks[characteristic];
         if (isBegun(track)) {
             track.byLine = true;
+            m_file.values[track.values.back()].row = row;
         } else {
             begin(characteristic, track, row, true);
         }

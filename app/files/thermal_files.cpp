@@ -259,7 +259,7 @@ void requireCelsius(const Table& table, const thermal::ThermalHistory& history, 
     }
 }
 
-/// One sensor that stands where the others would with a digit less, the machine at rest.
+/// One sensor that stands where the others would with a digit less, or in degrees Fahrenheit, the machine at rest.
 void requireSameDecade(const Table& table, const thermal::ThermalHistory& history, bool accepted) {
     std::vector<std::pair<Eigen::Index, double>> starts;
     std::vector<double> sorted;
@@ -279,6 +279,13 @@ void requireSameDecade(const Table& table, const thermal::ThermalHistory& histor
             files::refuseUnless(
                 accepted, table,
                 fmt::format("{}begins at {:.2f} where the others begin at {:.1f}; a digit too few?",
+                            table.where(0, history.sensors[static_cast<std::size_t>(sensor)]), start, middle));
+        }
+        if (start > kWarmestShop_degC && std::abs((start - 32.0) / 1.8 - middle) < kLikeStart * middle) {
+            files::refuseUnless(
+                accepted, table,
+                fmt::format("{}baseline of {:.1f} looks like degrees Fahrenheit where the others begin at {:.1f}; "
+                            "expected degC.",
                             table.where(0, history.sensors[static_cast<std::size_t>(sensor)]), start, middle));
         }
     }

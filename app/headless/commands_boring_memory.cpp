@@ -36,11 +36,11 @@ Value must(Result<Value> result) {
 
 /// The lot in question (the newest one of boring when none is named), for its machine and recipe.
 LotRow lotOf(db::DatabaseReader& reader, const MemoryOptions& options) {
-    const auto lots = must(reader.lots(std::nullopt, kMostLots));
+    const auto lots = must(reader.lots(std::nullopt, kMostLots, ProcessId::Boring));
     for (const LotRow& lot : lots) {
         const bool wanted =
             options.lot == 0 ? options.partType.empty() || lot.partTypeName == options.partType : lot.id == options.lot;
-        if (lot.process == ProcessId::Boring && wanted) {
+        if (wanted) {
             return lot;
         }
     }

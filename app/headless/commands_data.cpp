@@ -98,6 +98,7 @@ void exportTable(const DataOptions& options) {
         : options.table == "measurements" ? exportMeasurements(*reader, query, sink, format)
         : options.table == "figures"      ? exportFigures(*reader, query, sink, format, verdictOf)
         : options.table == "feed"         ? exportFeed(*reader, query, sink, format)
+        : options.table == "lots"         ? exportLots(*reader, query.process, sink, format)
         : options.table == "recipes"      ? exportRecipes(*reader, query.process, sink, format)
                                           : exportAudit(*reader, sink, format);
     if (!rows) {
@@ -202,11 +203,12 @@ void addDataCommands(CLI::App& kerf) {
     };
     CLI::App* exporting = add("export", "A table as CSV on stdout, oldest first", exportTable);
     exporting
-        ->add_option("table", options->table,
-                     "parts, bores, measurements, figures, feed, recipes or audit; kerf boring replay reads bores")
+        ->add_option(
+            "table", options->table,
+            "parts, bores, measurements, figures, feed, lots, recipes or audit; kerf boring replay reads bores")
         ->required()
-        ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "recipes", "audit"}));
-    exporting->add_option("--process", options->process, "Only parts, or recipes, of this process")
+        ->check(CLI::IsMember({"parts", "bores", "measurements", "figures", "feed", "lots", "recipes", "audit"}));
+    exporting->add_option("--process", options->process, "Only parts, lots or recipes of this process")
         ->check(CLI::IsMember(processKeys()));
     exporting->add_option("--search", options->text,
                           "Only parts whose serial number begins with, or whose lot or part type contains this text");
@@ -219,9 +221,9 @@ void addDataCommands(CLI::App& kerf) {
     exporting->add_flag("--local-time", options->localTime, "Local time of each row behind its UTC");
     exporting->add_flag("--excel", options->excel, "Local time, and a byte order mark where names need it");
     add("verify",
-        "Recomputes the audit chain, compares measurements, kept records, recipes and settings with it, and the file "
-        "with "
-        "the head noted at its last commit; exit 3 when something is broken or missing",
+        "Recomputes the audit chain and that of the parts, compares measurements, kept records, recipes, lots and "
+        "settings "
+        "with it, and the file with the head noted at its last commit; exit 3 when something is broken or missing",
         verify);
     add("check", "SQLite's integrity check, references, version, and all that verify looks at; exit 3 when damaged",
         check);

@@ -75,7 +75,7 @@ StoredLot storedLot(const std::string& folder, const std::string& lot) {
         }
         stored.history = std::move(*history);
     }
-    stored.limits = figureLimits(*reader, stored.history.lot.process);
+    stored.limits = recipeLimits(*reader, *reader, stored.history.lot.process);
     if (id > 0) {
         stored.announced = valueOf(announcedIn(*reader, id), path);
     }

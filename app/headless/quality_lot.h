@@ -10,7 +10,7 @@ namespace kerf::headless {
 /// A lot of a data file, with the limits that hold for its figures.
 struct StoredLot {
     LotHistory history{};
-    std::vector<FigureLimit> limits{};
+    RecipeLimits limits{};
     std::vector<boring::AnnouncedChange> announced{};
 };
 

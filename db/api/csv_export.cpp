@@ -8,6 +8,7 @@
 #include <ctime>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 
 namespace kerf {
@@ -146,6 +147,10 @@ Result<std::uint64_t> eachPart(PartReader& reader, PartQuery query, Lines& lines
     }
 }
 
+std::string numberOrNone(const std::optional<std::int64_t>& number) {
+    return number ? std::to_string(*number) : std::string();
+}
+
 ExportedVerdict judged(const VerdictOf& verdictOf, const PartRow& part, std::string_view key) {
     return verdictOf ? verdictOf(part, key) : ExportedVerdict{};
 }
@@ -177,24 +182,27 @@ Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, co
                                   const CsvFormat& format, const VerdictOf& verdictOf) {
     Lines lines(
         "part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,position_mm,diameter_mm,"
-        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict,source_name",
+        "source,author,accepted_utc,corrected,lower_mm,upper_mm,verdict,part_verdict,source_name,decision,decision_by,"
+        "lot_id,recipe_revision",
         ",ended_local,accepted_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         const double cutting_s = static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerSecond;
         const auto add = [&](const auto&... rest) {
             lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
-                      part.complete, isoTime(part.endedUtc_ms), cutting_s, rest...);
+                      part.complete, isoTime(part.endedUtc_ms), cutting_s, rest..., numberOrNone(part.lot),
+                      part.recipeRevision > 0 ? std::to_string(part.recipeRevision) : std::string());
         };
         const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
         for (const MeasurementRow& row : effective) {
             const ExportedVerdict verdict = judged(verdictOf, part, "bore_" + std::to_string(row.station));
             add(row.station, row.position_mm, row.diameter_mm, sourceKey(row.source), row.author,
                 isoTime(row.acceptedUtc_ms), row.kind == MeasurementKind::Correction, verdict.lower, verdict.upper,
-                verdict.value, verdict.part, row.sourceName);
+                verdict.value, verdict.part, row.sourceName, verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms, row.acceptedUtc_ms});
         }
         if (effective.empty()) {
-            add("", "", "", "", "", "", "", "", "", "", judged(verdictOf, part, {}).part, "");
+            const ExportedVerdict verdict = judged(verdictOf, part, {});
+            add("", "", "", "", "", "", "", "", "", "", verdict.part, "", verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms, std::nullopt});
         }
         return {};
@@ -245,14 +253,16 @@ Result<std::uint64_t> exportMeasurements(PartReader& reader, const PartQuery& qu
 
 Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                     const CsvFormat& format, const VerdictOf& verdictOf) {
-    Lines lines("part_id,process,part_type,lot,number,serial,ended_utc,figure,value,lower,upper,verdict,part_verdict",
-                ",ended_local", sink, format);
+    Lines lines(
+        "part_id,process,part_type,lot,number,serial,ended_utc,figure,value,lower,upper,verdict,part_verdict,"
+        "decision,decision_by",
+        ",ended_local", sink, format);
     return eachPart(reader, query, lines, [&](const PartRow& part) -> Result<void> {
         for (const PartFigure& figure : part.figures) {
             const ExportedVerdict verdict = judged(verdictOf, part, figure.key);
             lines.add(part.id, processKey(part.process), part.partTypeName, part.lotName, part.number, part.serial,
                       isoTime(part.endedUtc_ms), figure.key, figure.value, verdict.lower, verdict.upper, verdict.value,
-                      verdict.part);
+                      verdict.part, verdict.decision, verdict.decisionBy);
             lines.end({part.endedUtc_ms});
         }
         return {};
@@ -310,6 +320,26 @@ Result<std::uint64_t> exportRecipes(LotReader& reader, std::optional<ProcessId> 
                   row.restoredFrom ? std::to_string(*row.restoredFrom) : std::string(), row.author, row.reason,
                   isoTime(row.createdUtc_ms), row.parametersJson);
         lines.end({row.createdUtc_ms});
+    }
+    return lines.flush() ? Result<std::uint64_t>(lines.rows()) : stopped();
+}
+
+Result<std::uint64_t> exportLots(LotReader& reader, std::optional<ProcessId> process, const CsvSink& sink,
+                                 const CsvFormat& format) {
+    Lines lines(
+        "lot_id,process,part_type,lot,machine,recipe_revision,size,estimator,tool,gauge,opened_utc,opened_by,closed_"
+        "utc,"
+        "closed_by",
+        ",opened_local,closed_local", sink, format);
+    const auto lots = reader.lots(std::nullopt, std::numeric_limits<std::uint32_t>::max(), process);
+    if (!lots) {
+        return tl::unexpected<Sentence>(lots.error());
+    }
+    for (auto lot = lots->rbegin(); lot != lots->rend(); ++lot) {
+        lines.add(lot->id, processKey(lot->process), lot->partTypeName, lot->name, lot->machineName,
+                  lot->recipeRevision, lot->size, lot->estimator, lot->tool, lot->gauge, isoTime(lot->openedUtc_ms),
+                  lot->openedBy, lot->closedUtc_ms ? isoTime(*lot->closedUtc_ms) : std::string(), lot->closedBy);
+        lines.end({lot->openedUtc_ms, lot->closedUtc_ms});
     }
     return lines.flush() ? Result<std::uint64_t>(lines.rows()) : stopped();
 }

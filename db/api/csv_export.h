@@ -33,16 +33,19 @@ using CsvSink = std::function<bool(std::string_view)>;
 struct ExportedVerdict {
     std::optional<double> lower{};
     std::optional<double> upper{};
-    std::string value{};  ///< "good", "rework", "scrap", "not_judged"
-    std::string part{};   ///< the worst of the part's values
+    std::string value{};     ///< "good", "rework", "scrap", "not_judged"
+    std::string part{};      ///< the worst of the part's values
+    std::string decision{};  ///< what was done with a part out of tolerance; empty: nothing yet
+    std::string decisionBy{};
 };
 /// `key`: a figure's key, or "bore_0" for the first depth.
 using VerdictOf = std::function<ExportedVerdict(const PartRow&, std::string_view key)>;
 
 /// One row per part and station with what holds now: part_id, process, part_type, lot, number, serial, complete,
 /// ended_utc, cutting_time_s, station, position_mm, diameter_mm, source, author, accepted_utc, corrected, lower_mm,
-/// upper_mm, verdict, part_verdict, source_name (which gauge, which file). A part without a measurement has one row
-/// with empty fields from station on. Gives the number of rows; `query`'s paging is ignored.
+/// upper_mm, verdict, part_verdict, source_name (which gauge, which file), decision (what was done with a part out of
+/// tolerance), decision_by, lot_id, recipe_revision. A part without a measurement has one row with empty fields from
+/// station on. Gives the number of rows; `query`'s paging is ignored.
 [[nodiscard]] Result<std::uint64_t> exportParts(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                                 const CsvFormat& format = {}, const VerdictOf& verdictOf = {});
 
@@ -59,7 +62,7 @@ using FeedAt = std::function<std::optional<double>(const PartDetail&, double ove
                                                        const CsvFormat& format = {});
 
 /// The engine's figures of each part, one row per figure: part_id, process, part_type, lot, number, serial, ended_utc,
-/// figure (ends in its unit), value, lower, upper, verdict, part_verdict.
+/// figure (ends in its unit), value, lower, upper, verdict, part_verdict, decision, decision_by.
 [[nodiscard]] Result<std::uint64_t> exportFigures(PartReader& reader, const PartQuery& query, const CsvSink& sink,
                                                   const CsvFormat& format = {}, const VerdictOf& verdictOf = {});
 
@@ -72,6 +75,11 @@ using FeedAt = std::function<std::optional<double>(const PartDetail&, double ove
 /// author, reason, created_utc, parameters (JSON).
 [[nodiscard]] Result<std::uint64_t> exportRecipes(LotReader& reader, std::optional<ProcessId> process,
                                                   const CsvSink& sink, const CsvFormat& format = {});
+
+/// Every lot, of one process or of all: lot_id, process, part_type, lot, machine, recipe_revision, size, estimator,
+/// tool, gauge, opened_utc, opened_by, closed_utc, closed_by.
+[[nodiscard]] Result<std::uint64_t> exportLots(LotReader& reader, std::optional<ProcessId> process, const CsvSink& sink,
+                                               const CsvFormat& format = {});
 
 /// The audit log with its hashes: id, utc, author, action, object, object_id, old_value, new_value, reason,
 /// previous_hash, hash.

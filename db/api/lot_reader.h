@@ -26,8 +26,9 @@ class LotReader {
     /// All revisions of all its part types, oldest first.
     [[nodiscard]] virtual Result<std::vector<RecipeRevision>> allRecipes(ProcessId process) = 0;
     /// Newest first, at most `limit`.
-    [[nodiscard]] virtual Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) = 0;
-    /// The lot that finished parts of the process go to.
+    [[nodiscard]] virtual Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit,
+                                                           std::optional<ProcessId> process = std::nullopt) = 0;
+    /// The lot that parts of the process are begun for.
     [[nodiscard]] virtual Result<std::optional<LotId>> activeLot(ProcessId process) = 0;
     /// What the lot is cut to; empty optional: no such lot.
     [[nodiscard]] virtual Result<std::optional<RecipeRevision>> recipeOf(LotId lot) = 0;

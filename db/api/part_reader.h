@@ -16,6 +16,7 @@ namespace kerf {
 struct PartQuery {
     std::optional<ProcessId> process{};
     std::optional<LotId> lot{};
+    std::optional<std::uint32_t> numberWithoutLot{};  ///< the part of this number that is of no lot
     std::string text{};  ///< start of the serial number, or any piece of the lot's or part type's name
     std::optional<std::int64_t> fromUtc_ms{};  ///< ended at or after
     std::optional<std::int64_t> toUtc_ms{};    ///< ended before

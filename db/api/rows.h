@@ -60,9 +60,14 @@ struct LotRow {
     RecipeRevisionId recipe{0};
     std::string name{};
     std::uint32_t size{0};
-    std::string estimator{};
+    std::string estimator{};  ///< boring; else empty
     std::int64_t openedUtc_ms{0};
     std::optional<std::int64_t> closedUtc_ms{};
+    std::string tool{};               ///< tool or insert; empty: not said
+    std::string gauge{};              ///< empty: not said
+    std::string openedBy{};           ///< empty: not known (opened before version 7, and not in the log)
+    std::string closedBy{};           ///< empty while it is open
+    std::uint32_t recipeRevision{0};  ///< number of `recipe` within its part type
 };
 
 /// A boring schedule that was proposed or cut with.
@@ -134,6 +139,8 @@ struct PartRow {
     std::int64_t machineBegin_ns{0};
     std::int64_t machineEnd_ns{0};
     std::int64_t endedUtc_ms{0};
+    std::optional<RecipeRevisionId> recipe{};    ///< what it was cut with; empty: not known
+    std::uint32_t recipeRevision{0};             ///< its number within the part type; 0: not known
     std::vector<PartFigure> figures{};           ///< as the engine found them (engine/api/part_results.h)
     std::vector<MeasurementRow> measurements{};  ///< every row, in the order of acceptance
 };

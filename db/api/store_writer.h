@@ -61,15 +61,18 @@ struct EnsureLot {
     RecipeRevisionId recipe{0};
     std::string name{};
     std::uint32_t size{0};
-    std::string estimator{};
+    std::string estimator{};  ///< boring; else empty
     std::string author{};
+    std::string tool{};   ///< tool or insert; may be empty
+    std::string gauge{};  ///< may be empty
 };
 struct CloseLot {
     LotId lot{0};
     std::string author{};
     std::string reason{};
 };
-/// From now on finished parts of that process belong to this lot; kept over a restart.
+/// From now on parts of that process are begun for this lot, also after a restart. Of which lot a part is says its
+/// record.
 struct SetActiveLot {
     ProcessId process{ProcessId::Boring};
     std::optional<LotId> lot{};
@@ -194,6 +197,7 @@ struct StoredPart {
     std::optional<LotId> lot{};
     std::uint32_t number{0};
     PartRecord record{};
+    std::optional<RecipeRevisionId> recipe{};
 };
 
 /// Ends when destroyed.

@@ -37,9 +37,9 @@ std::vector<PartDetail> partsOfLot(const QSqlDatabase& database, LotId lot, std:
     while (find.next()) {
         PartDetail detail;
         detail.part = readPart(find);
-        detail.feed = unpackTrace(find.blob(12));
-        if (!find.isNull(13)) {
-            detail.schedule = readSchedule(find, 13);
+        detail.feed = unpackTrace(find.blob(kPartColumnCount));
+        if (!find.isNull(kPartColumnCount + 1)) {
+            detail.schedule = readSchedule(find, kPartColumnCount + 1);
         }
         parts.push_back(std::move(detail));
     }
@@ -140,13 +140,23 @@ Result<std::vector<RecipeRevision>> DatabaseReader::allRecipes(ProcessId process
     });
 }
 
-Result<std::vector<LotRow>> DatabaseReader::lots(std::optional<PartTypeId> partType, std::uint32_t limit) {
+Result<std::vector<LotRow>> DatabaseReader::lots(std::optional<PartTypeId> partType, std::uint32_t limit,
+                                                 std::optional<ProcessId> process) {
     return guarded([&] {
         const QString joined = select(kLotColumns, "FROM lots l ") + QLatin1String(kLotJoins);
-        Statement find(database(), joined + (partType ? QStringLiteral("WHERE l.part_type_id = ? ") : QString()) +
-                                       QStringLiteral("ORDER BY l.id DESC LIMIT ?"));
+        QString where;
+        if (partType || process) {
+            where = QStringLiteral("WHERE %1%2%3 ")
+                        .arg(partType ? QStringLiteral("l.part_type_id = ?") : QString(),
+                             partType && process ? QStringLiteral(" AND ") : QString(),
+                             process ? QStringLiteral("t.process = ?") : QString());
+        }
+        Statement find(database(), joined + where + QStringLiteral("ORDER BY l.id DESC LIMIT ?"));
         if (partType) {
             find.bind(*partType);
+        }
+        if (process) {
+            find.bind(processKey(*process));
         }
         find.bind(limit);
         return readAll(find, readLot);

@@ -36,7 +36,8 @@ class DatabaseReader final : public PartReader,
     [[nodiscard]] Result<std::vector<RecipeRevision>> recipes(PartTypeId partType) override;
     [[nodiscard]] Result<std::vector<RecipeRevision>> newestRecipes(ProcessId process) override;
     [[nodiscard]] Result<std::vector<RecipeRevision>> allRecipes(ProcessId process) override;
-    [[nodiscard]] Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit) override;
+    [[nodiscard]] Result<std::vector<LotRow>> lots(std::optional<PartTypeId> partType, std::uint32_t limit,
+                                                   std::optional<ProcessId> process = std::nullopt) override;
     [[nodiscard]] Result<std::optional<LotId>> activeLot(ProcessId process) override;
     [[nodiscard]] Result<std::optional<RecipeRevision>> recipeOf(LotId lot) override;
     [[nodiscard]] Result<std::optional<LotHistory>> newestParts(LotId lot, std::uint32_t count,

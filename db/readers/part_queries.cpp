@@ -39,17 +39,26 @@ constexpr const char* kTextMatches =
     "= "
     "l2.part_type_id CROSS JOIN parts p2 ON p2.lot_id = l2.id WHERE l2.name LIKE ? ESCAPE '\\' OR t2.name LIKE ? "
     "ESCAPE "
-    "'\\'";
+    "'\\' UNION SELECT p3.id FROM part_types t3 JOIN recipe_revisions r3 ON r3.part_type_id = t3.id CROSS JOIN parts "
+    "p3 "
+    "ON p3.recipe_revision_id = r3.id WHERE p3.lot_id IS NULL AND p3.recipe_revision_id IS NOT NULL AND t3.name LIKE ? "
+    "ESCAPE '\\'";
 
 void bindText(Statement& statement, const std::string& text) {
-    statement.bind(text).bind(endOfRange(text)).bind(containsPattern(text)).bind(containsPattern(text));
+    const std::string contains = containsPattern(text);
+    statement.bind(text).bind(endOfRange(text)).bind(contains).bind(contains);
+}
+
+void bindMatches(Statement& statement, const std::string& text) {
+    bindText(statement, text);
+    statement.bind(containsPattern(text));
 }
 
 bool isSparse(const QSqlDatabase& database, const std::string& text) {
     // UNION ALL: counting stops at the limit without sorting first.
     QString matches = QString::fromUtf8(kTextMatches).replace(QStringLiteral(" UNION "), QStringLiteral(" UNION ALL "));
     Statement probe(database, QStringLiteral("SELECT count(*) FROM (%1 LIMIT %2)").arg(matches).arg(kSparse + 1));
-    bindText(probe, text);
+    bindMatches(probe, text);
     return !probe.run().next() || probe.integer(0) <= kSparse;
 }
 
@@ -60,6 +69,9 @@ QString whereOf(const PartQuery& query, bool sparse) {
     }
     if (query.lot) {
         terms << QStringLiteral("p.lot_id = ?");
+    }
+    if (query.numberWithoutLot) {
+        terms << QStringLiteral("p.lot_id IS NULL AND p.number = ?");
     }
     if (query.fromUtc_ms) {
         terms << QStringLiteral("p.ended_utc_ms >= ?");
@@ -82,12 +94,15 @@ QString whereOf(const PartQuery& query, bool sparse) {
     return terms.isEmpty() ? QString() : QStringLiteral(" WHERE ") + terms.join(QStringLiteral(" AND "));
 }
 
-void bindQuery(Statement& statement, const PartQuery& query) {
+void bindQuery(Statement& statement, const PartQuery& query, bool sparse) {
     if (query.process) {
         statement.bind(processKey(*query.process));
     }
     if (query.lot) {
         statement.bind(*query.lot);
+    }
+    if (query.numberWithoutLot) {
+        statement.bind(*query.numberWithoutLot);
     }
     if (query.fromUtc_ms) {
         statement.bind(*query.fromUtc_ms);
@@ -102,7 +117,7 @@ void bindQuery(Statement& statement, const PartQuery& query) {
         statement.bind(*query.after);
     }
     if (!query.text.empty()) {
-        bindText(statement, query.text);
+        sparse ? bindMatches(statement, query.text) : bindText(statement, query.text);
     }
 }
 
@@ -128,7 +143,7 @@ Result<std::vector<PartRow>> DatabaseReader::parts(const PartQuery& query) {
                                             QStringLiteral(" ORDER BY p.id %1 LIMIT %2")
                                                 .arg(query.oldestFirst ? QStringLiteral("ASC") : QStringLiteral("DESC"))
                                                 .arg(query.limit));
-        bindQuery(statement, query);
+        bindQuery(statement, query, sparse);
         statement.run();
         std::vector<PartRow> rows;
         while (statement.next()) {
@@ -147,7 +162,7 @@ Result<std::uint64_t> DatabaseReader::count(const PartQuery& query, std::uint64_
         Statement statement(database(), QStringLiteral("SELECT count(*) FROM (SELECT 1 FROM parts p %1%2 LIMIT %3)")
                                             .arg(joins, whereOf(query, sparse))
                                             .arg(atMost));
-        bindQuery(statement, query);
+        bindQuery(statement, query, sparse);
         return statement.run().next() ? static_cast<std::uint64_t>(statement.integer(0)) : std::uint64_t{0};
     });
 }

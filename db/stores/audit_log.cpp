@@ -13,16 +13,37 @@ namespace kerf::db {
 namespace {
 /// The first entry follows this.
 const std::string kGenesis(64, '0');
-}  // namespace
 
-std::string auditHash(const AuditRow& row) {
+std::string hashOf(std::initializer_list<std::string> fields) {
     std::string text;
-    for (const std::string& field :
-         {row.previousHash, std::to_string(row.id), std::to_string(row.utc_ms), row.author, row.action, row.object,
-          std::to_string(row.objectId), row.oldValue, row.newValue, row.reason}) {
+    for (const std::string& field : fields) {
         text += std::to_string(field.size()) + ':' + field;
     }
     return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().toStdString();
+}
+}  // namespace
+
+std::string auditHash(const AuditRow& row) {
+    return hashOf({row.previousHash, std::to_string(row.id), std::to_string(row.utc_ms), row.author, row.action,
+                   row.object, std::to_string(row.objectId), row.oldValue, row.newValue, row.reason});
+}
+
+std::string lotTextOfBefore(const LotRow& lot) {
+    return fmt::format("{}, {} parts, {}", lot.name, lot.size, lot.estimator);
+}
+
+std::string lotText(const LotRow& lot) {
+    return lotTextOfBefore(lot) + fmt::format("; machine={};part_type={};recipe={};tool={};gauge={};at={}", lot.machine,
+                                              lot.partType, lot.recipe, lot.tool, lot.gauge, lot.openedUtc_ms);
+}
+
+std::string lotEndText(std::int64_t closedUtc_ms) {
+    return fmt::format("at={}", closedUtc_ms);
+}
+
+std::string partSeal(const std::string& before, const SealedPart& part) {
+    return hashOf({before, part.process, part.lot, part.number, part.complete, part.begin_ns, part.end_ns,
+                   part.ended_ms, part.schedule, part.recipe, part.figures});
 }
 
 void appendAudit(const QSqlDatabase& database, AuditRow row) {

@@ -28,6 +28,22 @@ void appendAudit(const QSqlDatabase& database, AuditRow row);
 [[nodiscard]] std::string roomRecordsSeal(const QSqlDatabase& database, std::int64_t last);
 inline constexpr const char* kRoomRecordsSealed = "room records sealed";
 
+/// What the audit log says about a lot when it is opened, and when it is closed.
+inline constexpr const char* kLotOpened = "lot opened";
+inline constexpr const char* kLotClosed = "lot closed";
+[[nodiscard]] std::string lotText(const LotRow& lot);
+/// As versions before 7 wrote it.
+[[nodiscard]] std::string lotTextOfBefore(const LotRow& lot);
+[[nodiscard]] std::string lotEndText(std::int64_t closedUtc_ms);
+
+/// What is kept of a part once it is made, each value as it is stored; "-" stands for none.
+struct SealedPart {
+    std::string process{}, lot{}, number{}, complete{}, begin_ns{}, end_ns{}, ended_ms{}, schedule{}, recipe{},
+        figures{};
+};
+/// SHA-256 over the seal of the part before ("" for the first one) and this part's values, with lengths as auditHash().
+[[nodiscard]] std::string partSeal(const std::string& before, const SealedPart& part);
+
 /// Takes text out of old entries, and leaves the chain whole: the entry keeps the hash it was written with, so that the
 /// next one still follows from it, and a new entry "entry redacted" says why and what the entry reads now (its hash as
 /// it stands). verifyAudit() accepts a changed entry only so. @throws SqlFailure
@@ -35,8 +51,8 @@ void redactAudit(const QSqlDatabase& database, const AuditRow& asItShallRead, co
                  const std::string& reason);
 inline constexpr const char* kRedacted = "entry redacted";
 
-/// Recomputes the whole chain and compares every measurement, room record, recipe and setting with its entry. @throws
-/// SqlFailure
+/// Recomputes the whole chain and compares every measurement, room record, recipe, lot and setting with its entry, and
+/// the chain of the parts. @throws SqlFailure
 [[nodiscard]] AuditVerdict verifyAudit(const QSqlDatabase& database);
 
 }  // namespace kerf::db

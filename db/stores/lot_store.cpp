@@ -14,8 +14,36 @@ struct SavedRecipe {
     std::uint32_t revision;
 };
 
-/// `hashed`: the log notes this in the place of the parameters, which may be long (a tuning with its curves).
-SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, const std::string& hashed = {}) {
+/// Where the limits of figures stand in the parameters of a recipe, whatever else these are.
+constexpr const char* kLimitsPath = "$.figure_limits";
+
+/// Limits of figures stay with the part type when something else of its recipe changes: those of the revision that
+/// comes back, else of the newest one. What says its own keeps them; what says nothing else leaves the rest as it is.
+std::string withLimits(const QSqlDatabase& database, const SaveRecipe& recipe) {
+    Statement carry(database,
+                    "SELECT json_set(g.given, g.path, json(json_extract(r.parameters, g.path))) FROM (SELECT ? AS "
+                    "given, ? AS path, ? AS type, ? AS back) g JOIN recipe_revisions r ON r.part_type_id = g.type AND "
+                    "r.revision = coalesce(g.back, (SELECT max(n.revision) FROM recipe_revisions n WHERE "
+                    "n.part_type_id = g.type)) WHERE json_type(r.parameters, g.path) = 'object' AND "
+                    "json_type(g.given) = 'object' AND json_type(g.given, g.path) IS NULL");
+    carry.bind(recipe.parametersJson).bind(kLimitsPath).bind(recipe.partType).bind(recipe.restoredFrom);
+    if (carry.run().next()) {
+        return carry.text(0);
+    }
+    Statement alone(database,
+                    "SELECT json_set(r.parameters, g.path, json(json_extract(g.given, g.path))) FROM (SELECT ? AS "
+                    "given, ? AS path, ? AS type) g JOIN recipe_revisions r ON r.part_type_id = g.type AND r.revision "
+                    "= (SELECT max(n.revision) FROM recipe_revisions n WHERE n.part_type_id = g.type) WHERE "
+                    "json_type(g.given, g.path) = 'object' AND (SELECT count(*) FROM json_each(g.given)) = 1");
+    alone.bind(recipe.parametersJson).bind(kLimitsPath).bind(recipe.partType);
+    return alone.run().next() ? alone.text(0) : recipe.parametersJson;
+}
+
+/// `hashedAs`: of this part type the log notes a hash in the place of the parameters, which may be long (a tuning with
+/// its curves).
+SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, const std::string& hashedAs = {}) {
+    const std::string parameters = withLimits(database, recipe);
+    const std::string hashed = hashedAs.empty() ? std::string() : roomRecordText(hashedAs, parameters);
     Statement newest(
         database,
         "SELECT revision, parameters FROM recipe_revisions WHERE part_type_id = ? ORDER BY revision DESC LIMIT 1");
@@ -27,7 +55,7 @@ SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, 
                      "created_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
     insert.bind(recipe.partType)
         .bind(revision)
-        .bind(recipe.parametersJson)
+        .bind(parameters)
         .bind(recipe.restoredFrom)
         .bind(recipe.author)
         .bind(recipe.reason)
@@ -38,7 +66,7 @@ SavedRecipe addRevision(const QSqlDatabase& database, const SaveRecipe& recipe, 
                            .object = "part_type",
                            .objectId = recipe.partType,
                            .oldValue = hashed.empty() ? before : std::string(),
-                           .newValue = hashed.empty() ? recipe.parametersJson : hashed,
+                           .newValue = hashed.empty() ? parameters : hashed,
                            .reason = recipe.reason});
     return {insert.lastId(), revision};
 }
@@ -92,7 +120,7 @@ Receipt Store::run(const KeepRecipe& command) {
     }
     const SavedRecipe saved =
         addRevision(m_database, {id, command.parametersJson, command.author, command.reason, command.restoredFrom},
-                    roomRecordText(command.partType, command.parametersJson));
+                    command.partType);
     return {saved.id, saved.revision};
 }
 
@@ -103,35 +131,50 @@ Receipt Store::run(const EnsureLot& command) {
     }
     Statement insert(m_database,
                      "INSERT INTO lots (machine_id, part_type_id, recipe_revision_id, name, size, estimator, "
-                     "opened_utc_ms) VALUES (?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(command.machine)
-        .bind(command.partType)
-        .bind(command.recipe)
-        .bind(command.name)
-        .bind(command.size)
-        .bind(command.estimator)
-        .bind(utcNow_ms())
+                     "opened_utc_ms, tool, gauge, opened_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    LotRow lot;
+    lot.machine = command.machine;
+    lot.partType = command.partType;
+    lot.recipe = command.recipe;
+    lot.name = command.name;
+    lot.size = command.size;
+    lot.estimator = command.estimator;
+    lot.openedUtc_ms = utcNow_ms();
+    lot.tool = command.tool;
+    lot.gauge = command.gauge;
+    insert.bind(lot.machine)
+        .bind(lot.partType)
+        .bind(lot.recipe)
+        .bind(lot.name)
+        .bind(lot.size)
+        .bind(lot.estimator)
+        .bind(lot.openedUtc_ms)
+        .bind(lot.tool)
+        .bind(lot.gauge)
+        .bind(command.author)
         .run();
-    const LotId id = insert.lastId();
-    appendAudit(m_database,
-                {.author = command.author,
-                 .action = "lot opened",
-                 .object = "lot",
-                 .objectId = id,
-                 .newValue = fmt::format("{}, {} parts, {}", command.name, command.size, command.estimator)});
-    return {id};
+    lot.id = insert.lastId();
+    appendAudit(m_database, {.author = command.author,
+                             .action = kLotOpened,
+                             .object = "lot",
+                             .objectId = lot.id,
+                             .newValue = lotText(lot)});
+    return {lot.id};
 }
 
 Receipt Store::run(const CloseLot& command) {
-    Statement close(m_database, "UPDATE lots SET closed_utc_ms = ? WHERE id = ? AND closed_utc_ms IS NULL");
-    if (close.bind(utcNow_ms()).bind(command.lot).run().changed() == 0) {
+    const std::int64_t now_ms = utcNow_ms();
+    Statement close(m_database,
+                    "UPDATE lots SET closed_utc_ms = ?, closed_by = ? WHERE id = ? AND closed_utc_ms IS NULL");
+    if (close.bind(now_ms).bind(command.author).bind(command.lot).run().changed() == 0) {
         throw SqlFailure(Sentence(KERF_TEXT("This lot is closed already, or there is none of that number.")), 0,
                          "lot not open");
     }
     appendAudit(m_database, {.author = command.author,
-                             .action = "lot closed",
+                             .action = kLotClosed,
                              .object = "lot",
                              .objectId = command.lot,
+                             .newValue = lotEndText(now_ms),
                              .reason = command.reason});
     return {command.lot};
 }

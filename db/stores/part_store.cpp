@@ -20,8 +20,14 @@ bool storable(const BoringSchedule& s) {
            std::isfinite(s.overhangTo_mm) && std::isfinite(s.spindleSpeed_rpm);
 }
 
-Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot, const FinishedPart& part,
-                   const std::string& serial) {
+/// A value as it will be read again, for the seal.
+template <class Value>
+std::string sealed(const std::optional<Value>& value) {
+    return value ? std::to_string(*value) : std::string("-");
+}
+
+Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot,
+                   const std::optional<RecipeRevisionId>& recipe, const FinishedPart& part, const std::string& serial) {
     const PartRecord& record = part.record;
     std::optional<ScheduleId> schedule;
     if (record.process == ProcessId::Boring && storable(record.schedule)) {
@@ -38,16 +44,36 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
     const std::uint32_t next = number.run().next() ? number.count(0) : 1;
     Statement insert(database,
                      "INSERT INTO parts (process, lot_id, number, serial, complete, machine_begin_ns, machine_end_ns, "
-                     "ended_utc_ms, schedule_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                     "ended_utc_ms, schedule_id, recipe_revision_id, seal) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    const std::int64_t end_ns = std::max(record.begin_ns, record.end_ns);
+    const std::int64_t ended_ms = part.endedUtc_ms != 0 ? part.endedUtc_ms : utcNow_ms();
+    const std::vector<PartResult> results = partResults(record);
+    const std::string figures = !part.figuresJson.empty() ? part.figuresJson
+                                : results.empty()         ? std::string()
+                                                          : packFigures(results);
+    Statement last(database, "SELECT seal FROM parts ORDER BY id DESC LIMIT 1");
+    const std::string before = last.run().next() ? last.text(0) : std::string();
+    const SealedPart kept{processKey(record.process),
+                          sealed(lot),
+                          std::to_string(next),
+                          record.complete ? "1" : "0",
+                          std::to_string(record.begin_ns),
+                          std::to_string(end_ns),
+                          std::to_string(ended_ms),
+                          sealed(schedule),
+                          sealed(recipe),
+                          figures.empty() ? "-" : figures};
     insert.bind(processKey(record.process))
         .bind(lot)
         .bind(next)
         .bind(serial.empty() ? std::optional<std::string>() : std::optional(serial))
         .bind(record.complete)
         .bind(record.begin_ns)
-        .bind(std::max(record.begin_ns, record.end_ns))
-        .bind(part.endedUtc_ms != 0 ? part.endedUtc_ms : utcNow_ms())
+        .bind(end_ns)
+        .bind(ended_ms)
         .bind(schedule)
+        .bind(recipe)
+        .bind(partSeal(before, kept))
         .run();
     const PartId id = insert.lastId();
     if (record.feed.count > 0) {
@@ -56,31 +82,32 @@ Receipt insertPart(const QSqlDatabase& database, const std::optional<LotId>& lot
             .bind(packTrace(record.feed))
             .run();
     }
-    const std::vector<PartResult> results = partResults(record);
-    if (!results.empty() || !part.figuresJson.empty()) {
-        Statement(database, "INSERT INTO part_results (part_id, results) VALUES (?, ?)")
-            .bind(id)
-            .bind(part.figuresJson.empty() ? packFigures(results) : part.figuresJson)
-            .run();
+    if (!figures.empty()) {
+        Statement(database, "INSERT INTO part_results (part_id, results) VALUES (?, ?)").bind(id).bind(figures).run();
     }
     return {id, next};
 }
 
-std::optional<LotId> activeLotOf(const QSqlDatabase& database, ProcessId process) {
-    Statement setting(database,
-                      "SELECT l.id FROM settings s JOIN lots l ON l.id = CAST(s.value AS INTEGER) WHERE s.key = ?");
-    return setting.bind(activeLotKey(process)).run().next() ? std::optional(setting.integer(0)) : std::nullopt;
+/// What the part's order names, where this file has it: no part is lost for an order of another one.
+std::optional<std::int64_t> known(const QSqlDatabase& database, const char* sql, std::int64_t id, ProcessId process) {
+    if (id <= 0) {
+        return std::nullopt;
+    }
+    Statement find(database, sql);
+    return find.bind(id).bind(processKey(process)).run().next() ? std::optional(id) : std::nullopt;
 }
 
-/// The lot named on the part, which is the one it was begun for; the active one where none is named.
 std::optional<LotId> lotOf(const QSqlDatabase& database, const PartRecord& record) {
-    if (record.lot > 0) {
-        Statement named(database, "SELECT id FROM lots WHERE id = ?");
-        if (named.bind(record.lot).run().next()) {
-            return record.lot;
-        }
-    }
-    return activeLotOf(database, record.process);
+    return known(database,
+                 "SELECT 1 FROM lots l JOIN part_types t ON t.id = l.part_type_id WHERE l.id = ? AND t.process = ?",
+                 record.order.lot, record.process);
+}
+
+std::optional<RecipeRevisionId> recipeOf(const QSqlDatabase& database, const PartRecord& record) {
+    return known(database,
+                 "SELECT 1 FROM recipe_revisions r JOIN part_types t ON t.id = r.part_type_id WHERE r.id = ? AND "
+                 "t.process = ?",
+                 record.order.recipe, record.process);
 }
 
 bool storedAlready(const QSqlDatabase& database, const FinishedPart& part) {
@@ -159,8 +186,9 @@ Result<std::vector<StoredPart>> Store::addParts(std::span<const FinishedPart> pa
         Transaction transaction(m_database);
         for (const FinishedPart& part : parts) {
             const std::optional<LotId> lot = lotOf(m_database, part.record);
-            const Receipt receipt = insertPart(m_database, lot, part, {});
-            stored.push_back({receipt.id, lot, static_cast<std::uint32_t>(receipt.second), part.record});
+            const std::optional<RecipeRevisionId> recipe = recipeOf(m_database, part.record);
+            const Receipt receipt = insertPart(m_database, lot, recipe, part, {});
+            stored.push_back({receipt.id, lot, static_cast<std::uint32_t>(receipt.second), part.record, recipe});
         }
         transaction.commit();
         return stored;
@@ -182,7 +210,8 @@ Result<bool> Store::addWaiting(const Waiting& item) {
             if (storedAlready(m_database, *part)) {
                 return false;
             }
-            (void)insertPart(m_database, lotOf(m_database, part->record), *part, {});
+            (void)insertPart(m_database, lotOf(m_database, part->record), recipeOf(m_database, part->record), *part,
+                             {});
             transaction.commit();
             return true;
         }
@@ -209,7 +238,8 @@ Result<bool> Store::addWaiting(const Waiting& item) {
 }
 
 Receipt Store::run(const AddPart& command) {
-    return insertPart(m_database, command.lot, {command.record, utcNow_ms(), {}}, command.serial);
+    return insertPart(m_database, command.lot, recipeOf(m_database, command.record), {command.record, utcNow_ms(), {}},
+                      command.serial);
 }
 
 Receipt Store::run(const SetPartSerial& command) {

@@ -18,7 +18,7 @@ class Store {
 
     /// One command, one transaction. A failure leaves the database as it was.
     [[nodiscard]] Result<Receipt> apply(const StoreCommand& command);
-    /// Finished parts of the engine in one transaction, each into its own lot, else the active one of its process.
+    /// Finished parts of the engine in one transaction, each into the lot of its order.
     [[nodiscard]] Result<std::vector<StoredPart>> addParts(std::span<const FinishedPart> parts);
     [[nodiscard]] Result<std::vector<StoredPart>> addParts(std::span<const PartRecord> records);
     /// An item of the outbox; false: it had been stored already when the program ended.

@@ -209,6 +209,69 @@ void verifyRecipes(const QSqlDatabase& database) {
     }
 }
 
+void verifyLots(const QSqlDatabase& database) {
+    Statement lots(database,
+                   QStringLiteral("SELECT %1, (SELECT u.new_value FROM audit u WHERE u.object = 'lot' AND "
+                                  "u.object_id = l.id AND u.action = ?), (SELECT u.new_value || '' FROM audit u WHERE "
+                                  "u.object = 'lot' AND u.object_id = l.id AND u.action = ?), (SELECT u.author FROM "
+                                  "audit u WHERE u.object = 'lot' AND u.object_id = l.id AND u.action = ?), "
+                                  "(SELECT u.author FROM audit u WHERE u.object = 'lot' AND u.object_id = l.id AND "
+                                  "u.action = ?) FROM lots l %2 ORDER BY l.id")
+                       .arg(QLatin1String(kLotColumns), QLatin1String(kLotJoins)));
+    lots.bind(kLotOpened).bind(kLotClosed).bind(kLotOpened).bind(kLotClosed).run();
+    std::int64_t stored = 0;
+    while (lots.next()) {
+        ++stored;
+        const LotRow lot = readLot(lots);
+        const std::string opened = lots.text(kLotColumnCount);
+        const bool begun = (opened == lotText(lot) || opened == lotTextOfBefore(lot)) &&
+                           lots.text(kLotColumnCount + 2) == lot.openedBy;
+        const bool closed = !lots.isNull(kLotColumnCount + 1);
+        const std::string end = lots.text(kLotColumnCount + 1);  // of before version 7: without its time
+        const bool ended = closed ? lot.closedUtc_ms && (end.empty() || end == lotEndText(*lot.closedUtc_ms)) &&
+                                        lots.text(kLotColumnCount + 3) == lot.closedBy
+                                  : !lot.closedUtc_ms;
+        if (!begun || !ended) {
+            throw Broken{lot.id, Sentence(KERF_TEXT("Lot %1 (%2) differs from what was logged when it was opened or "
+                                                    "closed."),
+                                          number(lot.id), SentenceArg(lot.name))};
+        }
+    }
+    const auto logged =
+        integerOf(database, QStringLiteral("SELECT count(*) FROM audit WHERE object = 'lot' AND action = '%1'")
+                                .arg(QLatin1String(kLotOpened)));
+    if (logged != stored) {
+        throw Broken{0, Sentence(KERF_TEXT("%1 lots were opened, %2 are stored."), number(logged), number(stored))};
+    }
+}
+
+/// Parts since version 7 follow from one another.
+void verifyParts(const QSqlDatabase& database) {
+    Statement parts(
+        database,
+        "SELECT p.id, p.process, p.lot_id, p.number, p.complete, p.machine_begin_ns, p.machine_end_ns, "
+        "p.ended_utc_ms, p.schedule_id, p.recipe_revision_id, x.results, p.seal FROM parts p LEFT JOIN "
+        "part_results x ON x.part_id = p.id WHERE p.id >= (SELECT min(id) FROM parts WHERE seal IS NOT NULL) "
+        "ORDER BY p.id");
+    parts.run();
+    std::string before;
+    while (parts.next()) {
+        const auto value = [&parts](int column) {
+            return parts.isNull(column) ? std::string("-") : parts.text(column);
+        };
+        const SealedPart part{value(1), value(2), value(3), value(4), value(5),
+                              value(6), value(7), value(8), value(9), value(10)};
+        if (parts.text(11) != partSeal(before, part)) {
+            throw Broken{
+                parts.integer(0),
+                Sentence(KERF_TEXT("Part %1 differs from what was kept of it when it was made, or one before it "
+                                   "is missing."),
+                         number(parts.integer(0)))};
+        }
+        before = parts.text(11);
+    }
+}
+
 void verifySettings(const QSqlDatabase& database) {
     Statement pairs(
         database,
@@ -252,6 +315,8 @@ AuditVerdict verifyAudit(const QSqlDatabase& database) {
         verifyMeasurements(database, verdict);
         verifyRoomRecords(database, verdict);
         verifyRecipes(database);
+        verifyLots(database);
+        verifyParts(database);
         verifySettings(database);
     } catch (const Broken& broken) {
         verdict.firstBad = broken.at;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "engine/api/process_types.h"
 #include "engine/core/process.h"
 #include "engine/core/sentence.h"
+#include "engine/core/work_order.h"
 #include "engine/port/machine_port.h"
 
 /// Commands from a page to the engine: numbered, plain values, whole parameter sets. The status echoes number and
@@ -48,13 +50,21 @@ struct RestoreStops {
 struct SetSimulationSpeed {
     double factor{1.0};
 };
+/// Whose work the next part is, where nothing of what it is cut with changes. Otherwise the order goes with that: every
+/// command with an `order` names it by being done.
+struct NameOrder {
+    ProcessId process{ProcessId::Boring};
+    WorkOrder order{};
+};
 /// Start the next part's program (simulator, or a control that allows it).
 struct StartPart {
     ProcessId process{ProcessId::Boring};
+    /// What whoever starts it believes to start; refused when the engine has another one. Empty: whatever is loaded.
+    std::optional<WorkOrder> order{};
 };
 struct Command {
     std::uint32_t number{0};  ///< set by the sender's EngineApi
-    CommandList<std::monostate, SetLoopMode, ReleaseHold, ReleaseStop, RestoreStops, SetSimulationSpeed,
+    CommandList<std::monostate, SetLoopMode, ReleaseHold, ReleaseStop, RestoreStops, SetSimulationSpeed, NameOrder,
                 StartPart>::And<ProcessCommands>::Variant action{};
 };
 static_assert(std::is_trivially_copyable_v<Command>);

@@ -28,6 +28,7 @@ struct ProcessRecords {
     FeedTrace feed{};
     TurningRecord turning{};
     MillingCut milling{};
+    MillingToolState millingTool{};  ///< after this cut
     TapPart tap{};
 };
 

@@ -58,6 +58,7 @@ struct Status : ProcessStatuses {
     std::array<CommandResult, 8> recentCommands{};   ///< newest first; lastCommand is the first of them
     std::array<StopStatus, kProcessPlaces> stops{};  ///< of each process; released by number (ReleaseStop)
     std::array<LoopStatus, kProcessPlaces> loops{};
+    std::array<WorkOrder, kProcessPlaces> orders{};  ///< whose work the next part of each process is
     CycleStats stats{};
 };
 static_assert(std::is_trivially_copyable_v<Status>);
@@ -89,7 +90,7 @@ struct PartRecord : ProcessRecords {
     bool complete{true};       ///< false: aborted
     std::int64_t begin_ns{0};  ///< machine time
     std::int64_t end_ns{0};
-    std::int64_t lot{0};      ///< the lot whose recipe it was begun with; 0: none was named, the active one counts
+    WorkOrder order{};        ///< whose work it is: what was in force when it began
     double forceMean_N{0.0};  ///< of processes that measure force
     double forcePeak_N{0.0};
 };

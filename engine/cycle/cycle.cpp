@@ -14,6 +14,19 @@ constexpr int kCommandsPerCycle = 4;
 constexpr std::int64_t kMissed_ns = 50'000'000;  // less than any machine waits for its console
 constexpr double kMaxSimulationSpeed = 1000.0;
 
+/// Whose work is named by the command that loads what it is cut with; null: it names none.
+const WorkOrder* orderOf(const Command& command) noexcept {
+    return std::visit(
+        [](const auto& action) -> const WorkOrder* {
+            if constexpr (requires { action.order->lot; }) {
+                return action.order ? &*action.order : nullptr;
+            } else {
+                return nullptr;
+            }
+        },
+        command.action);
+}
+
 /// What passes from a loop that does not control: only the start or end of its own part program.
 bool isProgramRequest(const PortRequest& request) {
     return std::holds_alternative<StartProgram>(request.action) || std::holds_alternative<AbortProgram>(request.action);
@@ -209,16 +222,25 @@ CommandResult Cycle::execute(const Command& command) noexcept {
         return CommandResult::ok();
     }
     if (const auto* start = std::get_if<StartPart>(&command.action)) {
-        return startPart(command, start->process);
+        return startPart(command, *start);
     }
-    if (ProcessLoop* loop = find(processOf(command))) {
-        return loop->handle(command);
+    ProcessLoop* loop = find(processOf(command));
+    if (const auto* name = std::get_if<NameOrder>(&command.action); name != nullptr && loop != nullptr) {
+        loop->nameOrder(name->order);
+        return CommandResult::ok();
+    }
+    if (loop != nullptr) {
+        const CommandResult result = loop->handle(command);
+        if (const WorkOrder* order = orderOf(command); order != nullptr && result.done) {
+            loop->nameOrder(*order);
+        }
+        return result;
     }
     return CommandResult::refused(Sentence(KERF_TEXT("Not fitted yet.")));
 }
 
-CommandResult Cycle::startPart(const Command& command, ProcessId process) noexcept {
-    ProcessLoop* loop = find(process);
+CommandResult Cycle::startPart(const Command& command, const StartPart& start) noexcept {
+    ProcessLoop* loop = find(start.process);
     const Capability& cycleStart = m_port.capabilities().cycleStart;
     if (loop == nullptr) {
         return CommandResult::refused(Sentence(KERF_TEXT("Not fitted yet.")));
@@ -240,6 +262,10 @@ CommandResult Cycle::startPart(const Command& command, ProcessId process) noexce
     }
     if (m_inputs.program == ProgramState::Running || m_inputs.program == ProgramState::Paused) {
         return CommandResult::refused(Sentence(KERF_TEXT("A part is being cut.")));
+    }
+    if (start.order && *start.order != loop->order()) {
+        return CommandResult::refused(Sentence(
+            KERF_TEXT("Lot, recipe or schedule has changed since the start was asked: look, then start again.")));
     }
     return loop->handle(command);
 }
@@ -279,6 +305,7 @@ void Cycle::publish(const CycleStats& stats) noexcept {
         status.loops[index] = describe(id);
         if (m_byProcess[index] != nullptr) {
             m_byProcess[index]->report(status);
+            status.orders[index] = m_byProcess[index]->order();
         }
     }
     status.stats = stats;

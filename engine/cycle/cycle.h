@@ -55,7 +55,7 @@ class Cycle {
  private:
     void takeCommands() noexcept;
     [[nodiscard]] CommandResult execute(const Command& command) noexcept;
-    [[nodiscard]] CommandResult startPart(const Command& command, ProcessId process) noexcept;
+    [[nodiscard]] CommandResult startPart(const Command& command, const StartPart& start) noexcept;
     [[nodiscard]] ProcessLoop* find(ProcessId id) const noexcept { return m_byProcess[static_cast<std::size_t>(id)]; }
     void watchMachine() noexcept;
     [[nodiscard]] bool partsBlocked() const noexcept {

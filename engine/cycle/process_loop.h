@@ -13,6 +13,7 @@
 
 namespace kerf {
 
+struct PartRecord;
 struct Status;
 struct Sample;
 struct EventSink;
@@ -45,10 +46,26 @@ class ProcessLoop {
     /// inputs.stops are those that stand, whoever keeps them. A verdict of Faulted is a stop, too.
     [[nodiscard]] virtual LoopVerdict step(const MachineInputs& inputs, const Capabilities& capabilities,
                                            LoopOutputs& outputs, EventSink& events) noexcept = 0;
+    /// Whose work the next part is. A part that was being cut when the engine started is of the order named first.
+    void nameOrder(const WorkOrder& order) noexcept;
+    [[nodiscard]] const WorkOrder& order() const noexcept { return m_order; }
     /// Copy the loop's own figures into its part of the status.
     virtual void report(Status& status) const noexcept = 0;
     /// Put the loop's own figures into a chart sample; called about 100 times a second.
     virtual void sample(Sample& sample) const noexcept = 0;
+
+ protected:
+    /// A part begins: what every record has, and its order, which is the one in force now.
+    [[nodiscard]] PartRecord beginRecord(const MachineInputs& inputs) noexcept;
+    void beginOrder() noexcept;
+    /// The part has ended: the record gets its order back and goes to the database.
+    void finishRecord(PartRecord& part, std::int64_t now_ns, bool complete, EventSink& events) noexcept;
+
+ private:
+    WorkOrder m_order{};
+    WorkOrder m_partOrder{};
+    bool m_named{false};
+    bool m_inPart{false};
 };
 
 }  // namespace kerf

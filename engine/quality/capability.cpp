@@ -12,10 +12,12 @@ namespace kerf::quality {
 void Moments::add(double value) noexcept {
     m_smallest = m_count == 0 ? value : std::min(m_smallest, value);
     m_largest = m_count == 0 ? value : std::max(m_largest, value);
+    m_first = m_count == 0 ? value : m_first;
     ++m_count;
-    const double off = value - m_mean;
-    m_mean += off / static_cast<double>(m_count);
-    m_squares += off * (value - m_mean);
+    const double distance = value - m_first;
+    const double off = distance - m_meanOff;
+    m_meanOff += off / static_cast<double>(m_count);
+    m_squares += off * (distance - m_meanOff);
 }
 
 double Moments::deviation() const noexcept {

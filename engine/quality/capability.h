@@ -29,7 +29,7 @@ class Moments {
  public:
     void add(double value) noexcept;
     [[nodiscard]] std::size_t count() const noexcept { return m_count; }
-    [[nodiscard]] double mean() const noexcept { return m_mean; }
+    [[nodiscard]] double mean() const noexcept { return m_first + m_meanOff; }
     /// With n − 1; 0 below two values.
     [[nodiscard]] double deviation() const noexcept;
     [[nodiscard]] double smallest() const noexcept { return m_smallest; }
@@ -37,7 +37,8 @@ class Moments {
 
  private:
     std::size_t m_count{0};
-    double m_mean{0.0};
+    double m_first{0.0};    ///< counted from: a spread of µm on a value of metres keeps its digits
+    double m_meanOff{0.0};  ///< of the distances from it
     double m_squares{0.0};
     double m_smallest{0.0};
     double m_largest{0.0};

@@ -45,6 +45,57 @@
         </message>
     </context>
     <context>
+        <name>FigureLimits</name>
+        <message>
+            <source>Limits: %1</source>
+            <translation>Limits: %1</translation>
+        </message>
+        <message>
+            <source>Limits in the recipe of %1 (%2)</source>
+            <translation>Limits in the recipe of %1 (%2)</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</source>
+            <translation>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Figure</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>Lower limit</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>Upper limit</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>Reason for the change</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>A limit is a number, or empty.</translation>
+        </message>
+        <message>
+            <source>The limits stand in the recipe and hold for the parts to come.</source>
+            <translation>The limits stand in the recipe and hold for the parts to come.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Save</translation>
+        </message>
+        <message>
+            <source>Limits of the parts</source>
+            <translation>Limits of the parts</translation>
+        </message>
+    </context>
+    <context>
         <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
@@ -1322,6 +1373,113 @@
         </message>
     </context>
     <context>
+        <name>Lots</name>
+        <message>
+            <source>The next parts are of lot %1 of %2.</source>
+            <translation>The next parts are of lot %1 of %2.</translation>
+        </message>
+        <message>
+            <source>The next parts of %1 are of no lot.</source>
+            <translation>The next parts of %1 are of no lot.</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>Lot</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>Part type</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>Rev.</translation>
+        </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>Tool, gauge</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>When, by</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>lot %1</translation>
+        </message>
+        <message>
+            <source>Lots of %1</source>
+            <translation>Lots of %1</translation>
+        </message>
+        <message>
+            <source>Name of a new lot</source>
+            <translation>Name of a new lot</translation>
+        </message>
+        <message>
+            <source>Parts, if known</source>
+            <translation>Parts, if known</translation>
+        </message>
+        <message>
+            <source>Tool or insert</source>
+            <translation>Tool or insert</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>Gauge</translation>
+        </message>
+        <message>
+            <source>Reason to close the lot</source>
+            <translation>Reason to close the lot</translation>
+        </message>
+        <message>
+            <source>Close the sheet</source>
+            <translation>Close the sheet</translation>
+        </message>
+        <message>
+            <source>no lot is open</source>
+            <translation>no lot is open</translation>
+        </message>
+        <message>
+            <source>Close the lot</source>
+            <translation>Close the lot</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>give a reason</translation>
+        </message>
+        <message>
+            <source>Parts of no lot</source>
+            <translation>Parts of no lot</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>Go on with it</translation>
+        </message>
+        <message>
+            <source>touch a lot</source>
+            <translation>touch a lot</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>it is closed</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>Open the lot</translation>
+        </message>
+        <message>
+            <source>type a name</source>
+            <translation>type a name</translation>
+        </message>
+        <message>
+            <source>0 to 100000 parts</source>
+            <translation>0 to 100000 parts</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>Lots</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -1507,6 +1665,10 @@
             <source>no other setter or engineer has a PIN</source>
             <translation>no other setter or engineer has a PIN</translation>
         </message>
+        <message>
+            <source>%1 has said yes</source>
+            <translation>%1 has said yes</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -1646,6 +1808,18 @@
             <source>%1 to %2</source>
             <comment>limits</comment>
             <translation>%1 to %2</translation>
+        </message>
+        <message>
+            <source>Decided: %1, by %2, %3</source>
+            <translation>Decided: %1, by %2, %3</translation>
+        </message>
+        <message>
+            <source>Nobody has decided yet what is done with it.</source>
+            <translation>Nobody has decided yet what is done with it.</translation>
+        </message>
+        <message>
+            <source>Part %1</source>
+            <translation>Part %1</translation>
         </message>
     </context>
     <context>
@@ -1923,6 +2097,27 @@
         <message>
             <source>Earlier revisions</source>
             <translation>Earlier revisions</translation>
+        </message>
+        <message>
+            <source>%1, lower limit</source>
+            <translation>%1, lower limit</translation>
+        </message>
+        <message>
+            <source>%1, upper limit</source>
+            <translation>%1, upper limit</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>limit</comment>
+            <translation>none</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>yes</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>no</translation>
         </message>
     </context>
     <context>
@@ -2235,6 +2430,14 @@
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no lot selected any more</source>
+            <translation>no lot selected any more</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>lot selected</translation>
         </message>
     </context>
     <context>
@@ -2894,6 +3097,10 @@
             <source>The shift follows while a part is cut</source>
             <translation>The shift follows while a part is cut</translation>
         </message>
+        <message>
+            <source>left in a part</source>
+            <translation>left in a part</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -2960,6 +3167,18 @@
         <message>
             <source>Drift, %1</source>
             <translation>Drift, %1</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>not judged</translation>
+        </message>
+        <message>
+            <source>good, within %1</source>
+            <translation>good, within %1</translation>
+        </message>
+        <message>
+            <source>out of %1</source>
+            <translation>out of %1</translation>
         </message>
     </context>
     <context>
@@ -7262,6 +7481,78 @@
             <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
             <translation>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</translation>
         </message>
+        <message>
+            <source>There is no part type yet whose recipe could hold limits.</source>
+            <translation>There is no part type yet whose recipe could hold limits.</translation>
+        </message>
+        <message>
+            <source>%1 lots were opened, %2 are stored.</source>
+            <translation>%1 lots were opened, %2 are stored.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name.</source>
+            <translation>A lot needs a name.</translation>
+        </message>
+        <message>
+            <source>Lot %1 (%2) differs from what was logged when it was opened or closed.</source>
+            <translation>Lot %1 (%2) differs from what was logged when it was opened or closed.</translation>
+        </message>
+        <message>
+            <source>Lot, recipe or schedule has changed since the start was asked: look, then start again.</source>
+            <translation>Lot, recipe or schedule has changed since the start was asked: look, then start again.</translation>
+        </message>
+        <message>
+            <source>No lot is open.</source>
+            <translation>No lot is open.</translation>
+        </message>
+        <message>
+            <source>Part %1 differs from what was kept of it when it was made, or one before it is missing.</source>
+            <translation>Part %1 differs from what was kept of it when it was made, or one before it is missing.</translation>
+        </message>
+        <message>
+            <source>The part type has changed: nothing was opened.</source>
+            <translation>The part type has changed: nothing was opened.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name already.</source>
+            <translation>There is a lot of this name already.</translation>
+        </message>
+        <message>
+            <source>This lot is of %1: choose that part type first.</source>
+            <translation>This lot is of %1: choose that part type first.</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>lot selected</translation>
+        </message>
+        <message>
+            <source>The log file (kerf.log) cannot be written: check the data folder and its permissions.</source>
+            <translation>The log file (kerf.log) cannot be written: check the data folder and its permissions.</translation>
+        </message>
+        <message>
+            <source>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</source>
+            <translation>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</translation>
+        </message>
+        <message>
+            <source>Acceleration feed-forward of Z</source>
+            <translation>Acceleration feed-forward of Z</translation>
+        </message>
+        <message>
+            <source>Follow gain of Z</source>
+            <translation>Follow gain of Z</translation>
+        </message>
+        <message>
+            <source>Follow gain of the spindle</source>
+            <translation>Follow gain of the spindle</translation>
+        </message>
+        <message>
+            <source>Shift only between parts</source>
+            <translation>Shift only between parts</translation>
+        </message>
+        <message>
+            <source>Speed feed-forward of Z</source>
+            <translation>Speed feed-forward of Z</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -9014,6 +9305,10 @@
             <source>Touch what you want explained.</source>
             <translation>Touch what you want explained.</translation>
         </message>
+        <message>
+            <source>Close what is open first: it keeps the language it was opened in.</source>
+            <translation>Close what is open first: it keeps the language it was opened in.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -9950,6 +10245,10 @@
             <source>%1, part %2</source>
             <translation>%1, part %2</translation>
         </message>
+        <message>
+            <source>No course of the feed is kept for this part.</source>
+            <translation>No course of the feed is kept for this part.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>
@@ -10399,34 +10698,6 @@
             <translation>Save</translation>
         </message>
         <message>
-            <source>Limits: %1</source>
-            <translation>Limits: %1</translation>
-        </message>
-        <message>
-            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
-            <translation>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</translation>
-        </message>
-        <message>
-            <source>Figure</source>
-            <translation>Figure</translation>
-        </message>
-        <message>
-            <source>Lower limit</source>
-            <translation>Lower limit</translation>
-        </message>
-        <message>
-            <source>Upper limit</source>
-            <translation>Upper limit</translation>
-        </message>
-        <message>
-            <source>A limit is a number, or empty.</source>
-            <translation>A limit is a number, or empty.</translation>
-        </message>
-        <message>
-            <source>The limits are stored and hold from now on.</source>
-            <translation>The limits are stored and hold from now on.</translation>
-        </message>
-        <message>
             <source>Rules of the charts</source>
             <translation>Rules of the charts</translation>
         </message>
@@ -10807,6 +11078,13 @@
         <message>
             <source>Touch a channel, then its place on the picture.</source>
             <translation>Touch a channel, then its place on the picture.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Sheet</name>
+        <message>
+            <source>That is stored. What was typed since then is not yet.</source>
+            <translation>That is stored. What was typed since then is not yet.</translation>
         </message>
     </context>
     <context>

@@ -45,6 +45,57 @@
         </message>
     </context>
     <context>
+        <name>FigureLimits</name>
+        <message>
+            <source>Limits: %1</source>
+            <translation>한계: %1</translation>
+        </message>
+        <message>
+            <source>Limits in the recipe of %1 (%2)</source>
+            <translation>%1 레시피의 한계 (%2)</translation>
+        </message>
+        <message>
+            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit. They hold for the parts to come: a part keeps the limits it was made under.</source>
+            <translation>한계를 벗어난 값이 있으면 공작물은 불량입니다. 저장 단위로 입력하며 빈 칸은 한계 없음입니다. 앞으로 만들 공작물에 적용되며, 이미 만든 공작물은 만들 때의 한계를 유지합니다.</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>수치</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>하한</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>상한</translation>
+        </message>
+        <message>
+            <source>Reason for the change</source>
+            <translation>변경 사유</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>A limit is a number, or empty.</source>
+            <translation>한계는 숫자이거나 비워 둡니다.</translation>
+        </message>
+        <message>
+            <source>The limits stand in the recipe and hold for the parts to come.</source>
+            <translation>한계를 레시피에 저장했으며 앞으로 만들 공작물에 적용됩니다.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>저장</translation>
+        </message>
+        <message>
+            <source>Limits of the parts</source>
+            <translation>공작물 한계</translation>
+        </message>
+    </context>
+    <context>
         <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
@@ -1322,6 +1373,113 @@
         </message>
     </context>
     <context>
+        <name>Lots</name>
+        <message>
+            <source>The next parts are of lot %1 of %2.</source>
+            <translation>다음 공작물은 %2 품종의 로트 %1에 속합니다.</translation>
+        </message>
+        <message>
+            <source>The next parts of %1 are of no lot.</source>
+            <translation>%1 품종의 다음 공작물은 로트에 속하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>Lot</source>
+            <translation>로트</translation>
+        </message>
+        <message>
+            <source>Part type</source>
+            <translation>품종</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>개정</translation>
+        </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>공구, 게이지</translation>
+        </message>
+        <message>
+            <source>When, by</source>
+            <translation>언제, 누가</translation>
+        </message>
+        <message>
+            <source>lot %1</source>
+            <translation>로트 %1</translation>
+        </message>
+        <message>
+            <source>Lots of %1</source>
+            <translation>%1의 로트</translation>
+        </message>
+        <message>
+            <source>Name of a new lot</source>
+            <translation>새 로트 이름</translation>
+        </message>
+        <message>
+            <source>Parts, if known</source>
+            <translation>공작물 수(알면)</translation>
+        </message>
+        <message>
+            <source>Tool or insert</source>
+            <translation>공구 또는 인서트</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>게이지</translation>
+        </message>
+        <message>
+            <source>Reason to close the lot</source>
+            <translation>로트를 닫는 이유</translation>
+        </message>
+        <message>
+            <source>Close the sheet</source>
+            <translation>시트 닫기</translation>
+        </message>
+        <message>
+            <source>no lot is open</source>
+            <translation>열린 로트가 없습니다</translation>
+        </message>
+        <message>
+            <source>Close the lot</source>
+            <translation>로트 닫기</translation>
+        </message>
+        <message>
+            <source>give a reason</source>
+            <translation>이유를 적으십시오</translation>
+        </message>
+        <message>
+            <source>Parts of no lot</source>
+            <translation>로트 없이 가공</translation>
+        </message>
+        <message>
+            <source>Go on with it</source>
+            <translation>이 로트로 계속</translation>
+        </message>
+        <message>
+            <source>touch a lot</source>
+            <translation>로트를 누르십시오</translation>
+        </message>
+        <message>
+            <source>it is closed</source>
+            <translation>닫힌 로트입니다</translation>
+        </message>
+        <message>
+            <source>Open the lot</source>
+            <translation>로트 열기</translation>
+        </message>
+        <message>
+            <source>type a name</source>
+            <translation>이름을 입력하십시오</translation>
+        </message>
+        <message>
+            <source>0 to 100000 parts</source>
+            <translation>공작물 0~100000개</translation>
+        </message>
+        <message>
+            <source>Lots</source>
+            <translation>로트</translation>
+        </message>
+    </context>
+    <context>
         <name>Milling</name>
         <message>
             <source>Constant feed</source>
@@ -1507,6 +1665,10 @@
             <source>no other setter or engineer has a PIN</source>
             <translation>PIN이 있는 다른 셋업 담당자나 공정 엔지니어가 없음</translation>
         </message>
+        <message>
+            <source>%1 has said yes</source>
+            <translation>%1 님이 확인했습니다</translation>
+        </message>
     </context>
     <context>
         <name>Pages</name>
@@ -1646,6 +1808,18 @@
             <source>%1 to %2</source>
             <comment>limits</comment>
             <translation>%1~%2</translation>
+        </message>
+        <message>
+            <source>Decided: %1, by %2, %3</source>
+            <translation>조치: %1, %2, %3</translation>
+        </message>
+        <message>
+            <source>Nobody has decided yet what is done with it.</source>
+            <translation>아직 아무도 조치를 결정하지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1</source>
+            <translation>공작물 %1</translation>
         </message>
     </context>
     <context>
@@ -1923,6 +2097,27 @@
         <message>
             <source>Earlier revisions</source>
             <translation>이전 개정</translation>
+        </message>
+        <message>
+            <source>%1, lower limit</source>
+            <translation>%1, 하한</translation>
+        </message>
+        <message>
+            <source>%1, upper limit</source>
+            <translation>%1, 상한</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>limit</comment>
+            <translation>없음</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>예</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>아니요</translation>
         </message>
     </context>
     <context>
@@ -2233,6 +2428,14 @@
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no lot selected any more</source>
+            <translation>선택된 로트 없음</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>로트 선택</translation>
         </message>
     </context>
     <context>
@@ -2889,6 +3092,10 @@
             <source>The shift follows while a part is cut</source>
             <translation>가공 중에도 원점 보정</translation>
         </message>
+        <message>
+            <source>left in a part</source>
+            <translation>공작물에 남는 오차</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>
@@ -2955,6 +3162,18 @@
         <message>
             <source>Drift, %1</source>
             <translation>열변위, %1</translation>
+        </message>
+        <message>
+            <source>not judged</source>
+            <translation>미판정</translation>
+        </message>
+        <message>
+            <source>good, within %1</source>
+            <translation>양호, %1 이내</translation>
+        </message>
+        <message>
+            <source>out of %1</source>
+            <translation>%1 벗어남</translation>
         </message>
     </context>
     <context>
@@ -7257,6 +7476,78 @@
             <source>The position of the boring spindle is missing, old, not a number, or stands still while it feeds.</source>
             <translation>보링 주축의 위치가 없거나 오래되었거나 숫자가 아니거나, 이송 중인데도 멈춰 있습니다.</translation>
         </message>
+        <message>
+            <source>There is no part type yet whose recipe could hold limits.</source>
+            <translation>한계를 저장할 레시피가 있는 품종이 아직 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 lots were opened, %2 are stored.</source>
+            <translation>로트 %1개가 열렸고 %2개가 저장되어 있습니다.</translation>
+        </message>
+        <message>
+            <source>A lot needs a name.</source>
+            <translation>로트에는 이름이 필요합니다.</translation>
+        </message>
+        <message>
+            <source>Lot %1 (%2) differs from what was logged when it was opened or closed.</source>
+            <translation>로트 %1(%2)이(가) 열거나 닫을 때 기록된 내용과 다릅니다.</translation>
+        </message>
+        <message>
+            <source>Lot, recipe or schedule has changed since the start was asked: look, then start again.</source>
+            <translation>시작을 요청한 뒤 로트, 레시피 또는 스케줄이 바뀌었습니다. 확인하고 다시 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>No lot is open.</source>
+            <translation>열린 로트가 없습니다.</translation>
+        </message>
+        <message>
+            <source>Part %1 differs from what was kept of it when it was made, or one before it is missing.</source>
+            <translation>공작물 %1이(가) 가공할 때 저장된 내용과 다르거나 그 앞의 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The part type has changed: nothing was opened.</source>
+            <translation>품종이 바뀌었습니다. 로트를 열지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>There is a lot of this name already.</source>
+            <translation>같은 이름의 로트가 이미 있습니다.</translation>
+        </message>
+        <message>
+            <source>This lot is of %1: choose that part type first.</source>
+            <translation>이 로트는 %1 품종입니다. 먼저 그 품종을 선택하십시오.</translation>
+        </message>
+        <message>
+            <source>lot selected</source>
+            <translation>로트 선택</translation>
+        </message>
+        <message>
+            <source>The log file (kerf.log) cannot be written: check the data folder and its permissions.</source>
+            <translation>로그 파일(kerf.log)을 쓸 수 없습니다. 데이터 폴더와 그 권한을 확인하십시오.</translation>
+        </message>
+        <message>
+            <source>The name of the data folder is not UTF-8: rename it, or choose another one with --data.</source>
+            <translation>데이터 폴더 이름이 UTF-8이 아닙니다. 이름을 바꾸거나 --data로 다른 폴더를 고르십시오.</translation>
+        </message>
+        <message>
+            <source>Acceleration feed-forward of Z</source>
+            <translation>Z축 가속 선행</translation>
+        </message>
+        <message>
+            <source>Follow gain of Z</source>
+            <translation>Z축 추종 게인</translation>
+        </message>
+        <message>
+            <source>Follow gain of the spindle</source>
+            <translation>주축 추종 게인</translation>
+        </message>
+        <message>
+            <source>Shift only between parts</source>
+            <translation>공작물 사이에서만 보정</translation>
+        </message>
+        <message>
+            <source>Speed feed-forward of Z</source>
+            <translation>Z축 속도 선행</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -9005,6 +9296,10 @@
             <source>Touch what you want explained.</source>
             <translation>궁금한 것을 누르십시오.</translation>
         </message>
+        <message>
+            <source>Close what is open first: it keeps the language it was opened in.</source>
+            <translation>열린 창을 먼저 닫으십시오. 열린 창은 열 때의 언어로 남아 있습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MarginPanel</name>
@@ -9940,6 +10235,10 @@
             <source>%1, part %2</source>
             <translation>%1, 공작물 %2</translation>
         </message>
+        <message>
+            <source>No course of the feed is kept for this part.</source>
+            <translation>이 공작물에는 저장된 이송 기록이 없습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::PartsModel</name>
@@ -10388,34 +10687,6 @@
             <translation>저장</translation>
         </message>
         <message>
-            <source>Limits: %1</source>
-            <translation>한계: %1</translation>
-        </message>
-        <message>
-            <source>A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit.</source>
-            <translation>한계를 벗어난 값이 있으면 공작물은 불량입니다. 저장 단위로 입력하며 빈 칸은 한계 없음입니다.</translation>
-        </message>
-        <message>
-            <source>Figure</source>
-            <translation>값</translation>
-        </message>
-        <message>
-            <source>Lower limit</source>
-            <translation>하한</translation>
-        </message>
-        <message>
-            <source>Upper limit</source>
-            <translation>상한</translation>
-        </message>
-        <message>
-            <source>A limit is a number, or empty.</source>
-            <translation>한계는 숫자이거나 비워 둡니다.</translation>
-        </message>
-        <message>
-            <source>The limits are stored and hold from now on.</source>
-            <translation>한계를 저장했으며 지금부터 적용됩니다.</translation>
-        </message>
-        <message>
             <source>Rules of the charts</source>
             <translation>관리도 규칙</translation>
         </message>
@@ -10796,6 +11067,13 @@
         <message>
             <source>Touch a channel, then its place on the picture.</source>
             <translation>채널을 누른 다음 그림에서 위치를 누르십시오.</translation>
+        </message>
+    </context>
+    <context>
+        <name>kerf::ui::Sheet</name>
+        <message>
+            <source>That is stored. What was typed since then is not yet.</source>
+            <translation>저장되었습니다. 그 뒤에 입력한 것은 아직 저장되지 않았습니다.</translation>
         </message>
     </context>
     <context>

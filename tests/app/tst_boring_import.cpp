@@ -42,6 +42,7 @@ class Bench {
             record.begin_ns = part * 60'000'000'000LL;
             record.end_ns = record.begin_ns + 40'000'000'000LL;
             record.schedule = view().nextSchedule;
+            record.order.lot = m_reader->activeLot(ProcessId::Boring)->value();
             m_schedule = record.schedule;
             QVERIFY(m_ring.tryPush(record));
             waitUntil([&] { return view().parts.size() == part; });

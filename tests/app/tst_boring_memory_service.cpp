@@ -61,6 +61,7 @@ class Bench {
         record.begin_ns = m_sequence * 60'000'000'000LL;
         record.end_ns = record.begin_ns + 40'000'000'000LL;
         record.schedule = loaded();
+        record.order = engine.fake.orders[static_cast<std::size_t>(ProcessId::Boring)];
         const std::size_t before = view().parts.size();
         QVERIFY(m_ring.tryPush(record));
         waitUntil([&] { return view().parts.size() > before; });

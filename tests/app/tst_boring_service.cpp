@@ -107,6 +107,7 @@ class Bench {
         record.begin_ns = m_sequence * 60'000'000'000LL;
         record.end_ns = record.begin_ns + 40'000'000'000LL;
         record.schedule = loaded();
+        record.order = engine->fake.orders[static_cast<std::size_t>(ProcessId::Boring)];
         record.feed.count = kFeedTracePoints;
         for (std::size_t i = 0; i < kFeedTracePoints; ++i) {
             const double overhang_mm = 40.0 + 270.0 * static_cast<double>(i) / (kFeedTracePoints - 1);

@@ -201,6 +201,21 @@ class TestDfq : public QObject {
         QVERIFY(!file.oddities.empty());
         QVERIFY(copiesEqually(file));
     }
+    void aPartHasOneValueOfACharacteristic() {
+        // The first line leaves out the characteristic that the field in front is of.
+        const auto file = readOrFail(
+            "K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\nK0014/2 P-1\r\n1\r\n3\x0F"
+            "4\r\n5\x0F"
+            "6\r\n");
+        QCOMPARE(file.values.size(), std::size_t{5});
+        for (std::size_t i = 1; i < file.values.size(); ++i) {
+            QVERIFY(std::pair(file.values[i - 1].row, file.values[i - 1].characteristic) <
+                    std::pair(file.values[i].row, file.values[i].characteristic));
+        }
+        QCOMPARE(*file.values[2].value, 4.0);
+        QCOMPARE(*file.values[2].find(14), "P-1"s);
+        QVERIFY(copiesEqually(file));
+    }
     void indexedKeysFindTheirValue() {
         const auto file = readOrFail(
             "K0100 2\r\nK2001/1 a\r\nK2001/2 b\r\n1\x14"

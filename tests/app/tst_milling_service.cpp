@@ -80,9 +80,9 @@ class TestMillingService : public QObject {
     void aNewToolBeginsFromTheOnesBefore() {
         Bench bench;
         test::Shop shop(bench.scratch.path());
-        std::uint32_t part = 0;
+        std::int64_t part = 0;
         // What a tool leaves behind, as the service writes it after a cut.
-        const auto wornOut = [&](std::uint32_t since, double stiffness, std::size_t likely, double radius_mm) {
+        const auto wornOut = [&](std::int64_t since, double stiffness, std::size_t likely, double radius_mm) {
             MillingToolRecord record;
             record.learnt = true;
             record.since = since;
@@ -108,7 +108,7 @@ class TestMillingService : public QObject {
         bench.open();
         const auto& memory = [&]() -> const MillingMemoryView& { return bench.service->view().memory; };
         QCOMPARE(memory().tools.size(), std::size_t{3});
-        QCOMPARE(memory().tools.front().since, 20U);  // newest first
+        QCOMPARE(memory().tools.front().since, std::int64_t{20});  // newest first
         QVERIFY(memory().lnKx && memory().used && memory().lnKx->tools == 3);
         const double wide = memory().stiffness->half95;
         const auto restored = [&]() -> std::array<double, kMillingKxFilters> {

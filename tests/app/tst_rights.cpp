@@ -59,6 +59,7 @@ struct Shop {
             writer, scratch.path(), [](const auto& work, const auto& done) { done(work()); }, rights});
         StoredQualityService::Links qualityLinks{
             writer, *reader, *reader, *reader, scratch.path(), [](const auto&, const auto&) {}, {}, rights};
+        qualityLinks.recipe = [](ProcessId) { return RecipeHeld{"Bracket", "{}"}; };
         quality = std::make_unique<StoredQualityService>(std::move(qualityLinks));
         gate = std::make_unique<EngineGate>(EngineGate::Links{
             engine, [this] { return signedOn; }, rights,
@@ -90,6 +91,7 @@ struct Shop {
         record.begin_ns = 60'000'000'000LL;
         record.end_ns = 100'000'000'000LL;
         record.schedule = lots->service().view().nextSchedule;
+        record.order.lot = reader->activeLot(ProcessId::Boring)->value();
         if (!ring.tryPush(record)) qFatal("ring");
         if (!QTest::qWaitFor([&] { return !lots->service().view().parts.empty(); })) qFatal("no part");
     }
@@ -362,8 +364,8 @@ const std::vector<Row>& rows() {
              return s.wait([&](const auto& done) { s.quality->dispose(1, "scrapped", who, done); });
          }},
         {Deed::QualityLimits,
-         [](Shop& s, Text who, Text) {
-             return s.wait([&](const auto& done) { s.quality->setLimits(ProcessId::Milling, {}, who, done); });
+         [](Shop& s, Text who, Text why) {
+             return s.wait([&](const auto& done) { s.quality->setLimits(ProcessId::Milling, {}, who, why, done); });
          }},
         {Deed::QualityGauge,
          [](Shop& s, Text who, Text) {

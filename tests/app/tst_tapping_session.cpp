@@ -22,6 +22,8 @@ SimulatedTapping::Params shopFloor() {
     return params;
 }
 
+constexpr std::int64_t kFirstRevision = 40;  ///< numbers that the store gives
+
 /// Service and machine, polled now and then as the console does.
 struct ServiceBench : TappingBench {
     explicit ServiceBench(const SimulatedTapping::Params& machineParams = {},
@@ -30,9 +32,9 @@ struct ServiceBench : TappingBench {
         StoredTappingService::Params params;
         params.known = std::move(known);
         params.store = [this](const tapping::StoredTuning& tuning, const tapping::TuningWords&,
-                              const RecipeHistory::Done& done) {
+                              const StoredTappingService::Params::Kept& done) {
             stored.push_back(tuning);
-            if (done) done({});
+            if (done) done(kFirstRevision + static_cast<std::int64_t>(stored.size()));
         };
         service = std::make_unique<StoredTappingService>(*engine, *exchange, std::move(params));
         service->poll();

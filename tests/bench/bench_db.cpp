@@ -44,15 +44,20 @@ void generate(const std::string& path) {
                     counter.arg(20) + "INSERT INTO recipe_revisions SELECT i, i, 1, '{}', NULL, 'Lee', '', 0 FROM n");
         db::execute(database,
                     counter.arg(kParts / kPartsPerLot) +
-                        "INSERT INTO lots SELECT i, 1, 1 + i % 20, 1 + i % 20, 'L' || i, 50, 'kalman', i, NULL FROM n");
+                        "INSERT INTO lots (id, machine_id, part_type_id, recipe_revision_id, name, size, estimator, "
+                        "opened_utc_ms, "
+                        "closed_utc_ms) SELECT i, 1, 1 + i % 20, 1 + i % 20, 'L' || i, 50, 'kalman', i, NULL FROM n");
         db::execute(database,
                     counter.arg(kParts) +
                         "INSERT INTO schedules SELECT i, 1 + (i - 1) / 50, 1 + (i - 1) % 50, -2.44, 0.5, 0.27, 0.1165, "
                         "0, 0.01, 1, 40, 310, 400, '', '', i, '', NULL FROM n");
-        db::execute(database,
-                    counter.arg(kParts) +
-                        "INSERT INTO parts SELECT i, 'boring', 1 + (i - 1) / 50, 1 + (i - 1) % 50, CASE WHEN i % 3 = 0 "
-                        "THEN 'SN' || i END, 1, i * 60000000000, i * 60000000000 + 41000000000, i * 60000, i FROM n");
+        db::execute(
+            database,
+            counter.arg(kParts) +
+                "INSERT INTO parts (id, process, lot_id, number, serial, complete, machine_begin_ns, machine_end_ns, "
+                "ended_utc_ms, schedule_id) SELECT i, 'boring', 1 + (i - 1) / 50, 1 + (i - 1) % 50, CASE WHEN i % 3 = "
+                "0 "
+                "THEN 'SN' || i END, 1, i * 60000000000, i * 60000000000 + 41000000000, i * 60000, i FROM n");
         db::execute(database, counter.arg(kParts) + "INSERT INTO feed_traces SELECT i, zeroblob(512) FROM n");
         db::execute(
             database,

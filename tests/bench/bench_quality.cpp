@@ -41,7 +41,9 @@ void generate(const std::string& path) {
                                                  "0.01, 1, 40, 310, 400, '', '', i, '', NULL FROM n")
                                       .arg(shop.lot));
         db::execute(database, counter.arg(kParts) +
-                                  QStringLiteral("INSERT INTO parts SELECT i, 'boring', %1, i, NULL, 1, i * "
+                                  QStringLiteral("INSERT INTO parts (id, process, lot_id, number, serial, complete, "
+                                                 "machine_begin_ns, machine_end_ns, ended_utc_ms, schedule_id) SELECT "
+                                                 "i, 'boring', %1, i, NULL, 1, i * "
                                                  "60000000000, i * 60000000000 + 41000000000, i * 60000, i FROM n")
                                       .arg(shop.lot));
         db::execute(database, counter.arg(kParts) + "INSERT INTO feed_traces SELECT i, zeroblob(512) FROM n");

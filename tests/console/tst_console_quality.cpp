@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
+#include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
@@ -10,12 +12,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/lot_report.h"
+#include "app/console/part_report.h"
 #include "app/service/boring/boring_memory.h"
+#include "app/service/quality/dfq_export.h"
 #include "app/service/quality/gauge_records.h"
 #include "app/service/quality/lot_dfq.h"
 #include "app/service/quality/quality_watch.h"
 #include "app/service/quality/stored_quality_service.h"
 #include "db/writer_thread.h"
+#include "engine/api/part_results.h"
 #include "engine/api/quality_alarms.h"
 #include "tests/db/db_test_support.h"
 #include "tests/support/fake_boring_service.h"
@@ -499,6 +504,72 @@ class TestConsoleQuality : public QObject {
         }
         m_bench->look.apply(english);
     }
+    void theReportOfAPartHasToleranceVerdictAndGauge_data() {
+        QTest::addColumn<ProcessId>("process");
+        QTest::addColumn<bool>("korean");
+        for (const ProcessId process :
+             {ProcessId::Boring, ProcessId::Milling, ProcessId::Turning, ProcessId::Tapping}) {
+            QTest::addRow("%s, en", processKey(process)) << process << false;
+            QTest::addRow("%s, ko", processKey(process)) << process << true;
+        }
+    }
+    void theReportOfAPartHasToleranceVerdictAndGauge() {
+        QFETCH(ProcessId, process);
+        QFETCH(bool, korean);
+        const ui::Preferences before = m_bench->look.preferences();
+        ui::Preferences preferences = before;
+        preferences.language = korean ? ui::Language::Korean : ui::Language::English;
+        m_bench->look.apply(preferences);
+        PartDetail detail;
+        if (process == ProcessId::Boring) {
+            MeasurementRow row = test::measured(m_shop->addPart(kParts + 1), 0, 50.04);
+            row.source = MeasurementSource::Gauge;
+            row.sourceName = "G-07";
+            (void)m_shop->must(AcceptMeasurement{row, {}, {}});
+            detail = **m_reader->part(row.part);
+        } else {
+            detail.part.process = process;
+            detail.part.number = 7;
+            detail.part.figures = {{"waviness_um", 63.5}, {"surface_rms_um", 0.912}, {"tolerance_used_percent", 120.0}};
+            std::erase_if(detail.part.figures, [process](const PartFigure& figure) {
+                return findPartResult(process, figure.key) == nullptr;
+            });
+        }
+        const std::vector<FigureLimit> limits{{process == ProcessId::Milling   ? "waviness_um"
+                                               : process == ProcessId::Turning ? "surface_rms_um"
+                                                                               : "tolerance_used_percent",
+                                               {std::nullopt,
+                                                process == ProcessId::Milling   ? 50.0
+                                                : process == ProcessId::Turning ? 0.8
+                                                                                : 100.0,
+                                                quality::ReworkSide::None}}};
+        const auto characteristics = process == ProcessId::Boring ? m_service->characteristics(detail.part)
+                                                                  : characteristicsOf(process, {}, limits);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.pdf"));
+        QVERIFY(console::writePartReport(detail, characteristics, Disposition{"scrapped", "Kim", 1'800'000'000'000}, {},
+                                         file));
+        const QString report = outputOf(QStringLiteral("pdftotext"), {"-layout", file, "-"});
+        m_bench->look.apply(before);
+        QStringList words;
+        words << (korean ? QStringLiteral("판정: 폐기") : QStringLiteral("Verdict: scrap"))
+              << (korean ? QStringLiteral("조치: 폐기함, Kim") : QStringLiteral("Decided: scrapped, by Kim"));
+        if (process == ProcessId::Boring) {
+            words << QStringLiteral("50.040") << QStringLiteral("49.985") << QStringLiteral("50.015")
+                  << QStringLiteral("G-07");
+        } else if (process == ProcessId::Milling) {
+            words << QStringLiteral("63.5") << QStringLiteral("50");
+        } else if (process == ProcessId::Turning) {
+            words << QStringLiteral("0.912") << QStringLiteral("0.800");
+        } else {
+            words << QStringLiteral("120") << QStringLiteral("100");
+        }
+        for (const QString& word : words) {
+            QVERIFY2(report.contains(word), qPrintable(word + u'\n' + report));
+        }
+        QVERIFY2(!report.contains(QStringLiteral("lot \n")), qPrintable(report));
+        QCOMPARE(outputOf(QStringLiteral("pdfinfo"), {file}).contains(QStringLiteral("Pages:           1")), true);
+    }
     void badPartsAlarmAndEveryJudgedPartGetsAFile() {
         QTemporaryDir folder;
         std::vector<AlarmEvent> alarms;
@@ -607,6 +678,33 @@ class TestConsoleQuality : public QObject {
         QVERIFY(!dfqFileName("{lot}.dfq", lot, part) && !dfqFileName("{nothing}{part}", lot, part) &&
                 !dfqFileName("../{part}", lot, part));
     }
+    void aFileOfAnotherPartIsNeverOverwritten() {
+        QTemporaryDir folder;
+        const std::string to = folder.path().toStdString();
+        QualityLot lot = *readQualityLot(*m_reader, m_shop->lot);
+        const PartRow first = lot.history.parts.front().part;
+        const auto name = [](const Result<std::string>& file) {
+            return file ? QFileInfo(QString::fromStdString(*file)).fileName() : QString();
+        };
+        QCOMPARE(name(exportPart(lot, first, to, "{part}")), QStringLiteral("1.dfq"));
+        QCOMPARE(name(exportPart(lot, first, to, "{part}")), QStringLiteral("1.dfq"));  // corrected, after a restart
+        QualityLot next = lot;                                                          // part 1 of the next lot
+        next.history.lot.name = "13";
+        next.history.parts.front().part.lotName = "13";
+        const PartRow other = next.history.parts.front().part;
+        const auto second = exportPart(next, other, to, "{part}");
+        QCOMPARE(name(second), QStringLiteral("1_2.dfq"));
+        QCOMPARE(name(exportPart(next, other, to, "{part}")), QStringLiteral("1_2.dfq"));
+        next.history.parts.front().part.serial = "S-1";  // known by its number until now
+        QCOMPARE(name(exportPart(next, next.history.parts.front().part, to, "{part}", *second)),
+                 QStringLiteral("1_2.dfq"));
+        QFile theirs(folder.filePath(QStringLiteral("2.dfq")));  // of the plant
+        QVERIFY(theirs.open(QIODevice::WriteOnly) && theirs.write("mine") == 4);
+        theirs.close();
+        QCOMPARE(name(exportPart(lot, lot.history.parts[1].part, to, "{part}")), QStringLiteral("2_2.dfq"));
+        QCOMPARE(theirs.size(), 4);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 4);  // no half-written one left
+    }
     void figuresOfOtherProcessesAreJudgedByTheirLimits() {
         PartRow tap;
         tap.process = ProcessId::Tapping;
@@ -616,15 +714,133 @@ class TestConsoleQuality : public QObject {
         face.process = ProcessId::Turning;
         face.figures = {{"surface_rms_um", 0.9}};
         QVERIFY(m_service->judge(face).verdict == quality::Verdict::NotJudged);
-        std::optional<Result<void>> stored;
-        m_service->setLimits(ProcessId::Turning, {{"surface_rms_um", {std::nullopt, 0.8, {}}}}, "Kim",
-                             [&](const Result<void>& done) { stored = done; });
-        QTRY_VERIFY(stored.has_value());
-        QVERIFY(stored->has_value());
-        QVERIFY(m_service->judge(face).verdict == quality::Verdict::Scrap);
+        face.endedUtc_ms = QDateTime::currentMSecsSinceEpoch();
+        QVERIFY(m_service->judge(face).verdict == quality::Verdict::NotJudged);
+        QVERIFY(!setLimits(ProcessId::Turning, {{"surface_rms_um", {std::nullopt, 0.8, {}}}}, ""));  // why?
+        QVERIFY(!setLimits(ProcessId::Turning, {{"surface_rms_um", {0.8, 0.8, {}}}}, "drawing A"));
+        QVERIFY(!setLimits(ProcessId::Turning, {{"waviness_um", {std::nullopt, 0.8, {}}}}, "drawing A"));
+        nextMillisecond();  // the limits are younger than the part above
+        QVERIFY(setLimits(ProcessId::Turning, {{"surface_rms_um", {std::nullopt, 0.8, {}}}}, "drawing A"));
+        QVERIFY(m_service->judge(face).verdict == quality::Verdict::NotJudged);  // it was made without any
+        PartRow next = face;
+        next.endedUtc_ms = QDateTime::currentMSecsSinceEpoch();
+        QVERIFY(m_service->judge(next).verdict == quality::Verdict::Scrap);
+        // A wider limit is another revision: it is of the parts to come.
+        nextMillisecond();
+        QVERIFY(setLimits(ProcessId::Turning, {{"surface_rms_um", {std::nullopt, 1.0, {}}}}, "drawing B"));
+        QVERIFY(m_service->judge(next).verdict == quality::Verdict::Scrap);
+        PartRow last = face;
+        last.endedUtc_ms = QDateTime::currentMSecsSinceEpoch();
+        QVERIFY(m_service->judge(last).verdict == quality::Verdict::Good);
+        QCOMPARE(*m_service->limits(ProcessId::Turning).front().tolerance.upper, 1.0);
+        const auto known = m_reader->allRecipes(ProcessId::Turning);
+        QVERIFY(known && known->size() == 3);  // what it worked by, and two of limits
+        QCOMPARE(known->back().reason, std::string("drawing B"));
+        QCOMPARE(known->back().author, std::string("Kim"));
+        QCOMPARE(known->back().parametersJson,
+                 std::string(R"({"depth":2.50,"figure_limits":{"surface_rms_um":{"upper":1.0,"rework":"none"}}})"));
+        QVERIFY(m_reader->verifyAudit()->finding.empty());
+    }
+    void limitsGoWithTheRecipe() {
+        const auto keep = [&](const std::string& parameters, std::optional<std::uint32_t> from = {}) {
+            (void)m_shop->must(KeepRecipe{ProcessId::Milling, "Bracket", parameters, "Lee", "setup", from});
+            return m_reader->newestRecipes(ProcessId::Milling)->back().parametersJson;
+        };
+        (void)m_shop->must(AddRoomRecord{ProcessId::Milling, kPartTypeRecord, "Bracket", "{}", "Kim", "chosen"});
+        QCOMPARE(keep(R"({"feed":1.50})"), std::string(R"({"feed":1.50})"));  // to the digit, without limits
+        const std::string limits = R"("figure_limits":{"waviness_um":{"upper":50.0,"rework":"none"}})";
+        QCOMPARE(keep('{' + limits + '}'), R"({"feed":1.50,)" + limits + '}');   // limits alone: the rest stays
+        QCOMPARE(keep(R"({"feed":2.0})"), R"({"feed":2.0,)" + limits + '}');     // another setup: they go along
+        QCOMPARE(keep(R"({"feed":1.50})", 1), std::string(R"({"feed":1.50})"));  // back to when there were none
+        QCOMPARE(keep(R"({"feed":2.0})", 3), R"({"feed":2.0,)" + limits + '}');  // … and to when there were
+        QCOMPARE(keep(R"({"figure_limits":{}})"), std::string(R"({"feed":2.0,"figure_limits":{}})"));
+        QVERIFY(m_reader->verifyAudit()->finding.empty());
+        const RecipeLimits all = recipeLimits(*m_reader, *m_reader, ProcessId::Milling);
+        QVERIFY(all.inForce.empty());
+        QCOMPARE(all.revisions.size(), std::size_t{7});  // chosen, and six revisions
+        PartRow part;
+        part.process = ProcessId::Milling;
+        part.endedUtc_ms = all.revisions[2].from_ms;
+        // Revisions of the same millisecond: the last one holds.
+        QVERIFY(all.revisionOf(part) >= 2);
+        // One that says what it was cut with: that, whenever it ended.
+        const auto revisions = m_reader->allRecipes(ProcessId::Milling);
+        QVERIFY(revisions && revisions->size() == 6);
+        for (const RecipeRevision& revision : *revisions) {
+            part.recipe = revision.id;
+            QCOMPARE(all.revisionOf(part), revision.revision);
+            QCOMPARE(all.of(part).empty(), revision.parametersJson.find("waviness_um") == std::string::npos);
+        }
+    }
+    void aLimitOfBeforeHoldsUntilARecipeHasOne() {
+        (void)m_shop->must(AddRoomRecord{ProcessId::Turning,
+                                         kFigureLimits,
+                                         {},
+                                         limitsJson({{"surface_rms_um", {std::nullopt, 0.8, {}}}}),
+                                         "Kim",
+                                         {}});
+        PartRow old;
+        old.process = ProcessId::Turning;
+        old.figures = {{"surface_rms_um", 0.9}};
+        old.endedUtc_ms = QDateTime::currentMSecsSinceEpoch();
+        QVERIFY(m_service->judge(old).verdict == quality::Verdict::Scrap);
+        (void)m_shop->must(KeepRecipe{ProcessId::Turning, "Face", R"({"depth":2.5})", "Lee", "setup", {}});
+        PartRow next = old;
+        next.id = 1'000'000;
+        next.endedUtc_ms += 60'000;
+        QVERIFY(m_service->judge(next).verdict == quality::Verdict::Scrap);  // that revision says none of its own
+        QCOMPARE(*m_service->limits(ProcessId::Turning).front().tolerance.upper, 0.8);
+    }
+    void eachThreadHasItsOwnLimits() {
+        const auto work = [&](const char* thread) {
+            nextMillisecond();
+            (void)m_shop->must(AddRoomRecord{ProcessId::Tapping, kPartTypeRecord, thread, "{}", "Kerf", "chosen"});
+        };
+        const auto tap = [&](double used_percent) {
+            nextMillisecond();
+            PartRow row;
+            row.process = ProcessId::Tapping;
+            row.id = ++m_tap;
+            row.figures = {{"tolerance_used_percent", used_percent}};
+            row.endedUtc_ms = QDateTime::currentMSecsSinceEpoch();
+            return row;
+        };
+        work("M8");
+        const PartRow first = tap(90.0);
+        nextMillisecond();
+        (void)m_shop->must(KeepRecipe{ProcessId::Tapping, "M8", R"({"not_tuned":true})", "Kerf", "begun", {}});
+        (void)m_shop->must(KeepRecipe{ProcessId::Tapping,
+                                      "M8",
+                                      R"({"figure_limits":{"tolerance_used_percent":{"upper":80.0}}})",
+                                      "Lee",
+                                      "4H",
+                                      {}});
+        const PartRow second = tap(90.0);
+        work("M10");
+        const PartRow third = tap(90.0);
+        work("M8");
+        const PartRow fourth = tap(90.0);
+        QCOMPARE(m_service->judge(first).verdict, quality::Verdict::Good);  // 6H, as ever
+        QCOMPARE(m_service->judge(second).verdict, quality::Verdict::Scrap);
+        QCOMPARE(m_service->judge(third).verdict, quality::Verdict::Good);  // another thread
+        QCOMPARE(m_service->judge(fourth).verdict, quality::Verdict::Scrap);
     }
 
  private:
+    /// What follows is later than what was stored.
+    static void nextMillisecond() {
+        const qint64 now_ms = QDateTime::currentMSecsSinceEpoch();
+        while (QDateTime::currentMSecsSinceEpoch() == now_ms) {
+        }
+    }
+    Result<void> setLimits(ProcessId process, const std::vector<FigureLimit>& limits, const char* reason) {
+        std::optional<Result<void>> stored;
+        m_service->setLimits(process, limits, "Kim", reason, [&](const Result<void>& done) { stored = done; });
+        if (!QTest::qWaitFor([&] { return stored.has_value(); })) {
+            qFatal("no answer");
+        }
+        return *stored;
+    }
     void cut(std::uint32_t number) {
         PartRecord record = test::boringPart(number);
         record.schedule.revision = number;
@@ -657,6 +873,9 @@ class TestConsoleQuality : public QObject {
             return [](const QualityLot& lot, const LotPapers& papers, const std::string& file) {
                 return console::writeLotReport(lot, papers, {}, {}, QString::fromStdString(file));
             };
+        };
+        links.recipe = [](ProcessId process) {
+            return process == ProcessId::Turning ? RecipeHeld{"Face", R"({"depth":2.50})"} : RecipeHeld{};
         };
         m_service = std::make_unique<StoredQualityService>(std::move(links));
     }
@@ -691,6 +910,7 @@ class TestConsoleQuality : public QObject {
     std::unique_ptr<StoredQualityService> m_service;
     std::unique_ptr<PageBench> m_bench;
     MeasurementId m_lastMeasurement{0};
+    PartId m_tap{0};
 };
 
 QTEST_MAIN(TestConsoleQuality)

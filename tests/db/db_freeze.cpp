@@ -42,6 +42,21 @@ int main(int argc, char** argv) {
         accept(gone, 0.51);
         (void)shop.must(RaiseAlarm{101, 2, Sentence("Bore %1 mm outside", SentenceArg(50.125, 3))});
         (void)shop.must(ChangeSetting{"display.unit", "mm", "Lee", "as the drawing"});
+        const Receipt rail = shop.must(EnsurePartType{ProcessId::Milling, "Rail", R"({"reference_N":392})", "Lee"});
+        const LotId milled =
+            shop.must(EnsureLot{shop.machine, rail.id, rail.second, "R7", 2, "", "Kim", "end mill 8", "caliper 3"}).id;
+        for (std::uint32_t sequence = 4; sequence <= 5; ++sequence) {
+            db::FinishedPart part;
+            part.record.process = ProcessId::Milling;
+            part.record.partSequence = sequence;
+            part.record.begin_ns = sequence * 60'000'000'000LL;
+            part.record.end_ns = part.record.begin_ns + 41'000'000'000LL;
+            part.record.order = {sequence == 4 ? milled : 0, rail.second, 0};
+            if (!shop.store().addParts(std::span<const db::FinishedPart>(&part, 1))) {
+                return 1;
+            }
+        }
+        (void)shop.must(CloseLot{milled, "Choi", "done"});
     }
     const auto copied = db::backupDatabase(scratch.path(), argv[1]);
     return copied ? 0 : 1;

@@ -118,10 +118,12 @@ int main(int argc, char** argv) {
     }
     const auto seed = std::stoull(argv[2]) + rows.size();
     Victim victim(writer, rows, parts, seed);
-    std::thread engine([&ring] {
+    std::thread engine([&ring, lot] {
         for (std::uint32_t sequence = 1;; ++sequence) {
+            PartRecord part = test::boringPart(sequence, sequence);
+            part.order.lot = lot;
             // About one part per few measurements: the ring stays full, the writer sets the pace.
-            while (!ring.tryPush(test::boringPart(sequence, sequence))) {
+            while (!ring.tryPush(part)) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(4));

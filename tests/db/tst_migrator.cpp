@@ -111,14 +111,32 @@ class TestMigrator : public QObject {
         // The lot that every frozen file holds: 3 parts, one corrected and one voided measurement, an intact audit log.
         auto reader = db::DatabaseReader::open(copy.toStdString());
         QVERIFY(reader);
-        const auto lots = (*reader)->lots(std::nullopt, 10);
+        const auto lots = (*reader)->lots(std::nullopt, 10, ProcessId::Boring);
         QVERIFY(lots);
         QCOMPARE(lots->size(), std::size_t{1});
+        QCOMPARE(lots->front().openedBy, std::string("Lee"));  // before version 7 in the log alone
+        QVERIFY(lots->front().closedBy.empty() && lots->front().tool.empty());
         const auto history = (*reader)->history(lots->front().id);
         QVERIFY(history && *history);
         const LotHistory& lot = **history;
         QCOMPARE(lot.parts.size(), std::size_t{3});
         QCOMPARE(lot.measurements.size(), std::size_t{7});
+        for (const PartDetail& part : lot.parts) {
+            QVERIFY(!part.part.recipe);  // which revision they were cut with was not kept, and is not guessed
+        }
+        const auto milled = (*reader)->lots(std::nullopt, 10, ProcessId::Milling);
+        if (file.endsWith("v7.db")) {
+            QCOMPARE(milled->size(), std::size_t{1});
+            PartQuery query;
+            query.process = ProcessId::Milling;
+            const auto parts = *(*reader)->parts(query);
+            QCOMPARE(parts.size(), std::size_t{2});
+            QCOMPARE(parts[1].lot, std::optional(milled->front().id));
+            QVERIFY(!parts[0].lot);
+            QCOMPARE(parts[0].partTypeName, std::string("Rail"));
+        } else {
+            QVERIFY(milled->empty());
+        }
         const auto effective = effectiveMeasurements(lot.measurements);
         QCOMPARE(effective.size(), std::size_t{4});
         QCOMPARE(*effective[1].diameter_mm, 50.0125);

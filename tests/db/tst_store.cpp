@@ -30,6 +30,12 @@ MeasurementRow voidOf(MeasurementId id) {
     row.diameter_mm.reset();
     return row;
 }
+/// A bored part that comes back with this order.
+PartRecord ofOrder(std::uint32_t sequence, const WorkOrder& order) {
+    PartRecord record = test::boringPart(sequence);
+    record.order = order;
+    return record;
+}
 }  // namespace
 
 /// What the tables promise, seen through the store and past it.
@@ -159,17 +165,96 @@ class TestStore : public QObject {
         QVERIFY(!stored->front().lot);
         QCOMPARE(shop.reader()->parts({})->size(), std::size_t{1});
     }
-    void finishedPartsGoToTheActiveLot() {
+    void finishedPartsGoToTheLotOfTheirOrder() {
         test::ScratchDatabase scratch;
         test::Shop shop(scratch.path());
         (void)shop.must(SetActiveLot{ProcessId::Boring, shop.lot, "Lee"});
-        const std::array records{test::boringPart(1), test::boringPart(2)};
+        const std::array records{ofOrder(1, {shop.lot, shop.recipe, 1}), ofOrder(2, {shop.lot, shop.recipe, 1}),
+                                 ofOrder(3, {}), ofOrder(4, {shop.lot + 7, shop.recipe + 7, 1})};
         const auto stored = shop.store().addParts(records);
         QVERIFY(stored);
         QCOMPARE(stored->at(1).lot, std::optional(shop.lot));
+        QCOMPARE(stored->at(1).recipe, std::optional(shop.recipe));
         QCOMPARE(stored->at(1).number, 2U);
+        QVERIFY(!stored->at(2).lot);                           // the active one is nobody's guess
+        QVERIFY(!stored->at(3).lot && !stored->at(3).recipe);  // of another data file: kept without
+        const auto rows = *shop.reader()->parts({});
+        QCOMPARE(rows.size(), std::size_t{4});
+        QCOMPARE(rows[3].recipe, std::optional(shop.recipe));
+        QCOMPARE(rows[3].recipeRevision, 1U);
+        QCOMPARE(rows[3].partTypeName, std::string("Sleeve 50"));
         QCOMPARE(*shop.reader()->activeLot(ProcessId::Boring), std::optional(shop.lot));
         QVERIFY(!*shop.reader()->activeLot(ProcessId::Milling));
+    }
+    void aMilledLotIsALotLikeABoredOne() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        const Receipt rail = shop.must(EnsurePartType{ProcessId::Milling, "Rail", "{}", "Lee"});
+        const EnsureLot order{shop.machine, rail.id, rail.second, "R7", 40, "", "Kim", "end mill 8", "caliper 3"};
+        const LotId lot = shop.must(order).id;
+        QVERIFY(lot != shop.lot);
+        PartRecord record = ofOrder(1, {lot, rail.second, 0});
+        record.process = ProcessId::Milling;
+        PartRecord lost = record;  // a bored part is of no milled lot
+        lost.process = ProcessId::Boring;
+        const auto stored = shop.store().addParts(std::array{record, lost});
+        QVERIFY(stored);
+        QCOMPARE(stored->at(0).lot, std::optional(lot));
+        QVERIFY(!stored->at(1).lot && !stored->at(1).recipe);
+        (void)shop.must(CloseLot{lot, "Choi", "done"});
+        QVERIFY(!shop.tried(CloseLot{lot, "Choi", "again"}));
+        const auto lots = *shop.reader()->lots(std::nullopt, 9, ProcessId::Milling);
+        QCOMPARE(lots.size(), std::size_t{1});
+        QCOMPARE(lots[0].tool, std::string("end mill 8"));
+        QCOMPARE(lots[0].gauge, std::string("caliper 3"));
+        QCOMPARE(lots[0].openedBy, std::string("Kim"));
+        QCOMPARE(lots[0].closedBy, std::string("Choi"));
+        QCOMPARE(lots[0].recipeRevision, 1U);
+        QCOMPARE(shop.reader()->lots(std::nullopt, 9, ProcessId::Boring)->size(), std::size_t{1});
+        QCOMPARE(shop.reader()->lots(std::nullopt, 9)->size(), std::size_t{2});
+        for (const char* sql :
+             {"UPDATE lots SET tool = 'x'", "UPDATE lots SET closed_utc_ms = 1 WHERE name = 'R7'", "DELETE FROM lots",
+              "UPDATE parts SET lot_id = NULL", "DELETE FROM parts", "UPDATE part_results SET results = '{}'"}) {
+            QVERIFY2(!test::tryExecute(shop.database(), sql), sql);
+        }
+        QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+    }
+    void aLotOrPartThatWasChangedIsFound_data() {
+        QTest::addColumn<QString>("sql");
+        QTest::newRow("lot's name") << "UPDATE lots SET name = '13'";
+        QTest::newRow("lot's recipe") << "UPDATE lots SET recipe_revision_id = 2";
+        QTest::newRow("lot's tool") << "UPDATE lots SET tool = 'x'";
+        QTest::newRow("who opened it") << "UPDATE lots SET opened_by = 'Choi'";
+        QTest::newRow("when it was opened") << "UPDATE lots SET opened_utc_ms = opened_utc_ms + 1";
+        QTest::newRow("closed by nobody") << "UPDATE lots SET closed_utc_ms = 1";
+        QTest::newRow("lot gone") << "DELETE FROM lots";
+        QTest::newRow("part's lot") << "UPDATE parts SET lot_id = NULL WHERE id = 2";
+        QTest::newRow("part's recipe") << "UPDATE parts SET recipe_revision_id = 2 WHERE id = 2";
+        QTest::newRow("part complete") << "UPDATE parts SET complete = 0 WHERE id = 3";
+        QTest::newRow("part's figure") << "UPDATE part_results SET results = '{}' WHERE part_id = 2";
+        QTest::newRow("part gone") << "DELETE FROM parts WHERE id = 2";
+        QTest::newRow("part slipped in")
+            << "INSERT INTO parts (process, number, complete, machine_begin_ns, machine_end_ns, "
+               "ended_utc_ms) VALUES ('boring', 9, 1, 0, 0, 0)";
+    }
+    void aLotOrPartThatWasChangedIsFound() {
+        QFETCH(QString, sql);
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        (void)shop.must(SaveRecipe{shop.partType, "{}", "Lee", "other", {}});
+        for (std::uint32_t i = 1; i <= 3; ++i) {
+            db::FinishedPart part{ofOrder(i, {shop.lot, shop.recipe, 1}), 1000 + i, R"({"force_mean_N":3.5})"};
+            QVERIFY(shop.store().addParts(std::span<const db::FinishedPart>(&part, 1)));
+        }
+        (void)shop.must(SetPartSerial{2, "SN-2", "Lee", "engraved"});  // the one thing that may change
+        QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+        for (const char* trigger :
+             {"lots_only_closed", "lots_no_delete", "parts_only_serial", "parts_no_delete", "part_results_no_update"}) {
+            QVERIFY(test::tryExecute(shop.database(), QStringLiteral("DROP TRIGGER %1").arg(trigger).toUtf8()));
+        }
+        QVERIFY(test::tryExecute(shop.database(), "PRAGMA foreign_keys = OFF"));
+        QVERIFY(test::tryExecute(shop.database(), sql.toUtf8()));
+        QVERIFY(!shop.reader()->verifyAudit()->finding.empty());
     }
     void measurementIsStoredWithStateScheduleAndAudit() {
         test::ScratchDatabase scratch;
@@ -526,10 +611,8 @@ class TestStore : public QObject {
         for (std::uint32_t i = 1; i < 10; ++i) {
             (void)shop.must(AddPart{shop.lot, test::boringPart(i), "SN-00" + std::to_string(i)});
         }
-        (void)shop.must(SetActiveLot{ProcessId::Boring, shop.lot, "Lee"});
-        QVERIFY(shop.store().addParts(std::vector<PartRecord>(41, test::boringPart(10))));
-        (void)shop.must(SetActiveLot{ProcessId::Boring, lotB, "Lee"});
-        QVERIFY(shop.store().addParts(std::vector<PartRecord>(10, test::boringPart(1))));
+        QVERIFY(shop.store().addParts(std::vector<PartRecord>(41, ofOrder(10, {shop.lot, shop.recipe, 1}))));
+        QVERIFY(shop.store().addParts(std::vector<PartRecord>(10, ofOrder(1, {lotB, other.second, 1}))));
         const auto reader = shop.reader();
         PartQuery query;
         query.text = text.toStdString();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QSignalSpy>
+#include <QSqlQuery>
 #include <QTest>
 #include <thread>
 
@@ -96,7 +97,9 @@ class TestWriterThread : public QObject {
         std::vector<StoredPart> seen;
         const auto subscription = bench.writer.onPartStored([&](const StoredPart& part) { seen.push_back(part); });
         for (std::uint32_t i = 1; i <= 5; ++i) {
-            QVERIFY(bench.ring.tryPush(test::boringPart(i, i)));
+            PartRecord part = test::boringPart(i, i);
+            part.order.lot = bench.lot;
+            QVERIFY(bench.ring.tryPush(part));
         }
         QTRY_COMPARE(seen.size(), std::size_t{5});
         QCOMPARE(seen[4].record.partSequence, 5U);
@@ -289,7 +292,7 @@ class TestWriterThread : public QObject {
         int mine = 0;
         for (std::uint32_t i = 1; i <= 50; ++i) {  // the active lot changes while parts are on their way
             PartRecord part = test::boringPart(i);
-            part.lot = i % 3 == 0 ? other : bench.lot;
+            part.order.lot = i % 3 == 0 ? other : bench.lot;
             mine += i % 3 == 0 ? 1 : 0;
             bench.writer.submit(SetActiveLot{ProcessId::Boring, i % 2 == 0 ? other : bench.lot, "Lee"}, {});
             while (!bench.ring.tryPush(part)) {

@@ -51,7 +51,7 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows[0].join(u','),
                  QStringLiteral("part_id,process,part_type,lot,number,serial,complete,ended_utc,cutting_time_s,station,"
                                 "position_mm,diameter_mm,source,author,accepted_utc,corrected,lower_mm,upper_mm,"
-                                "verdict,part_verdict,source_name"));
+                                "verdict,part_verdict,source_name,decision,decision_by,lot_id,recipe_revision"));
         QCOMPARE(rows[1][8].toDouble(), 41.0);
         QCOMPARE(rows[2][9], QStringLiteral("1"));
         QCOMPARE(rows[2][11].toDouble(), 50.0125);
@@ -59,13 +59,29 @@ class TestDataCommands : public QObject {
         QCOMPARE(rows[5][4], QStringLiteral("3"));
         QCOMPARE(rows[5][11], QString());
         for (const auto& row : rows) {
-            QCOMPARE(row.size(), 21);
+            QCOMPARE(row.size(), 25);
         }
         // 50.0125 lies in 49.985 … 50.015, the recipe's limits
         QCOMPARE(rows[2][16].toDouble(), 49.985);
         QCOMPARE(rows[2][17].toDouble(), 50.015);
         QCOMPARE(rows[2][18], QStringLiteral("good"));
         QCOMPARE(rows[5][19], QStringLiteral("not_judged"));
+        QCOMPARE(rows[5][23], QStringLiteral("1"));
+        QCOMPARE(rows[5][24], QString());  // made before version 7: nobody guesses
+    }
+    void exportLotsGivesEveryLotOfEveryProcess() {
+        const DataFolder data;
+        const auto rows = csvRows(data.run({"export", "lots"}).out);
+        QCOMPARE(rows.size(), 2);
+        QCOMPARE(rows[0].join(u','),
+                 QStringLiteral("lot_id,process,part_type,lot,machine,recipe_revision,size,estimator,tool,gauge,"
+                                "opened_utc,opened_by,closed_utc,closed_by"));
+        QCOMPARE(rows[1].size(), 14);
+        QCOMPARE(rows[1][1], QStringLiteral("boring"));
+        QCOMPARE(rows[1][3], QStringLiteral("12"));
+        QCOMPARE(rows[1][11], QStringLiteral("Lee"));
+        QCOMPARE(rows[1][12], QString());
+        QCOMPARE(csvRows(data.run({"export", "lots", "--process", "milling"}).out).size(), 1);
     }
     void exportMeasurementsGivesEveryAcceptedRow() {
         const DataFolder data;

@@ -119,6 +119,28 @@ class TestLoggerDays : public QObject {
                                        }()))
                                .out);
     }
+    /// One thermocouple of many in degrees Fahrenheit: what training refuses, prediction refuses.
+    void oneSensorInFahrenheit() {
+        const json model = json::parse(bytesOf(m_model).toStdString());
+        const auto name = QByteArray::fromStdString(model["sensors"][0]["name"].get<std::string>());
+        const auto inFahrenheit = [&](const QByteArray& text) {
+            QList<QByteArray> lines = text.split('\n');
+            const auto at = lines[0].split(',').indexOf(name);
+            for (int k = 1; k < lines.size() && !lines[k].isEmpty(); ++k) {
+                QList<QByteArray> cells = lines[k].split(',');
+                cells[at] = QByteArray::number(cells[at].toDouble() * 1.8 + 32.0, 'f', 3);
+                lines[k] = cells.join(',');
+            }
+            return lines.join('\n');
+        };
+        const QString file = put("one_f.csv", inFahrenheit(day("T0_same")));
+        const QStringList pieces{QString::fromUtf8(name), "Fahrenheit"};
+        expectRefused(predict(file), pieces);
+        expectRefused(runKerf({"thermal", "compensate", "--model", m_model, "--history", file}), pieces);
+        expectRefused(runKerf({"thermal", "train", "--history", put("one_fh.csv", inFahrenheit(day("H0_train"))),
+                               "--model", "regression", "-o", "f.json"}),
+                      pieces);
+    }
     /// Columns without a unit in their names that are no temperatures, by how they behave.
     void whatIsNoTemperatureIsLeftOutAndTold_data() {
         QTest::addColumn<Cell>("value");

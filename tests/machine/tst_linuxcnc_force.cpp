@@ -10,6 +10,7 @@
 #include "engine/machine/linuxcnc/linuxcnc_machine.h"
 #include "engine/process/milling/milling_alarms.h"
 #include "engine/process/milling/milling_loop.h"
+#include "tests/support/force_held.h"
 #include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
@@ -93,10 +94,7 @@ class TestLinuxCncForce : public QObject {
         QTRY_VERIFY(milling().zero == ForceZeroState::Known);
         QVERIFY2(std::abs(milling().zero_N - kZero_N) < 3.0, qPrintable(QString::number(milling().zero_N)));
         QVERIFY(milling().position_mm < 0.0);
-        std::vector<double> deviations;
-        double last_N = 0.0;
-        double low_mmPerS = 1e9;
-        double high_mmPerS = 0.0;
+        test::ForceHeld force(setup.reference_N);
         bool faultSet = false;
         bool blind = false;
         bool cleared = false;
@@ -108,12 +106,8 @@ class TestLinuxCncForce : public QObject {
             const double feed_mmPerS = m_engine->status().actualFeed_mmPerS.value;
             const bool steady =
                 (x_mm > 6.0 && x_mm < 11.5) || (x_mm > 25.5 && x_mm < 29.5) || (x_mm > 39.0 && x_mm < 45.5);
-            if (now.cutting && steady && !m_engine->status().held && now.force_N.good() &&
-                now.force_N.value != last_N) {
-                last_N = now.force_N.value;
-                deviations.push_back(std::abs(last_N / setup.reference_N - 1.0));
-                low_mmPerS = std::min(low_mmPerS, feed_mmPerS);
-                high_mmPerS = std::max(high_mmPerS, feed_mmPerS);
+            if (now.cutting && steady && !m_engine->status().held) {
+                force.take(now.force_N, feed_mmPerS);
             }
             // A busy computer loses the link now and then: somebody looks, and the loop goes on.
             if (m_engine->status().held && m_engine->status().link == LinkState::Up) {
@@ -142,18 +136,12 @@ class TestLinuxCncForce : public QObject {
                                m_engine->status().loops[static_cast<std::size_t>(ProcessId::Milling)].reason.english()))
                            .arg(milling().force_N.value)
                            .arg(alarms())));
-        QVERIFY(deviations.size() > 50);
-        std::ranges::sort(deviations);
-        const auto at = [&](double share) {
-            return deviations[static_cast<std::size_t>(share * static_cast<double>(deviations.size() - 1))];
-        };
-        qInfo(
-            "force of the pin against its reference: %zu revolutions, median %.1f %%, nine of ten within %.1f %%, feed "
-            "%.2f to %.2f mm/s, link lost %d times",
-            deviations.size(), 100.0 * at(0.5), 100.0 * at(0.9), low_mmPerS, high_mmPerS, held);
-        QVERIFY(at(0.5) < 0.05);
-        QVERIFY(at(0.9) < 0.15);
-        QVERIFY(high_mmPerS > 2.0 * low_mmPerS);
+        QVERIFY(force.revolutions() > 50);
+        force.print("force of the pin");
+        qInfo("link lost %d times", held);
+        QVERIFY(force.within(0.5) < 0.05);
+        QVERIFY(force.within(0.9) < 0.15);
+        QVERIFY(force.feedRange() > 2.0);
         QVERIFY(blind && cleared);  // … and it went on by itself
         QVERIFY(blindFeed_mmPerS <= setup.plannedFeed_mmPerS + 1e-9);
     }

@@ -16,6 +16,7 @@
 #include "engine/process/milling/milling_loop.h"
 #include "engine/process/tapping/tapping_loop.h"
 #include "engine/process/tapping/tuning_session.h"
+#include "tests/support/force_held.h"
 #include "tests/support/lateness.h"
 #include "tests/support/linuxcnc_control.h"
 
@@ -123,35 +124,22 @@ class TestLinuxCncLoops : public QObject {
         QVERIFY(send(SetLoopMode{ProcessId::Milling, LoopMode::Control}));
         QVERIFY(send(StartPart{ProcessId::Milling}));
         QTRY_VERIFY_WITH_TIMEOUT(m_engine->status().milling.cutting, 10'000);
-        std::vector<double> deviations;
-        double last_N = 0.0;
-        double low_mmPerS = 1e9;
-        double high_mmPerS = 0.0;
+        test::ForceHeld held(setup.reference_N);
         const auto done = [&] {
             const Status& status = m_engine->status();
             const MillingStatus& milling = status.milling;
             const bool inWork = milling.cutting && milling.position_mm > 5.0 && milling.position_mm < 43.0;
-            if (inWork && milling.force_N.good() && milling.force_N.value != last_N) {
-                last_N = milling.force_N.value;
-                deviations.push_back(std::abs(last_N / setup.reference_N - 1.0));
-                low_mmPerS = std::min(low_mmPerS, status.actualFeed_mmPerS.value);
-                high_mmPerS = std::max(high_mmPerS, status.actualFeed_mmPerS.value);
+            if (inWork) {
+                held.take(milling.force_N, status.actualFeed_mmPerS.value);
             }
             return milling.partsCut == 1;
         };
         QVERIFY(QTest::qWaitFor(done, 60'000));
-        QVERIFY(deviations.size() > 50);
-        std::ranges::sort(deviations);
-        const auto at = [&](double share) {
-            return deviations[static_cast<std::size_t>(share * static_cast<double>(deviations.size() - 1))];
-        };
-        qInfo(
-            "force against its reference: %zu revolutions, median %.1f %%, nine of ten within %.1f %%, feed %.2f to "
-            "%.2f mm/s",
-            deviations.size(), 100.0 * at(0.5), 100.0 * at(0.9), low_mmPerS, high_mmPerS);
-        QVERIFY(at(0.5) < 0.05);
-        QVERIFY(at(0.9) < 0.15);
-        QVERIFY(high_mmPerS > 1.3 * low_mmPerS);  // it is the feed that holds it
+        QVERIFY(held.revolutions() > 50);
+        held.print("force");
+        QVERIFY(held.within(0.5) < 0.05);
+        QVERIFY(held.within(0.9) < 0.15);
+        QVERIFY(held.feedRange() > 1.3);  // it is the feed that holds it
     }
     void tuningTakesMostOfTheContourError() {
         QVERIFY(send(SetLoopMode{ProcessId::Tapping, LoopMode::Control}));

@@ -78,7 +78,7 @@ void addLots(const std::string& folder, const std::string& machineName, const st
             record.begin_ns = sequence * 60'000'000'000LL;
             record.end_ns = record.begin_ns + 41'000'000'000LL;
             record.schedule.revision = static_cast<std::uint32_t>(p) + 1U;
-            record.schedule.lot = lot;
+            record.order.lot = lot;
             record.schedule.lnC = law.lnC + 0.1 * random.gauss();
             record.schedule.alpha = law.alpha + 0.02 * random.gauss();
             record.schedule.beta = law.beta;

@@ -35,6 +35,9 @@ class FakeEngine : public EngineApi {
         }
         commands.push_back(command);
         commands.back().number = ++m_number;
+        if (refuseWith.empty()) {
+            takeOrder(command);
+        }
         if (answer) {
             fake.lastCommand = refuseWith.empty() ? CommandResult::ok() : CommandResult::refused(refuseWith);
             fake.lastCommand.number = m_number;
@@ -79,6 +82,20 @@ class FakeEngine : public EngineApi {
     Sentence refuseWith{};  ///< not empty: refuse with this reason
 
  private:
+    /// As the cycle does it: whose work the next part is.
+    void takeOrder(const Command& command) {
+        std::visit(
+            [this, &command](const auto& action) {
+                if constexpr (requires { action.order->lot; }) {
+                    if (action.order && !std::holds_alternative<StartPart>(command.action)) {
+                        fake.orders[static_cast<std::size_t>(processOf(command))] = *action.order;
+                    }
+                } else if constexpr (requires { action.order.lot; }) {
+                    fake.orders[static_cast<std::size_t>(processOf(command))] = action.order;
+                }
+            },
+            command.action);
+    }
     std::uint32_t m_number{0};
 };
 

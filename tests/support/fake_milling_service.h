@@ -75,7 +75,7 @@ class FakeMillingService final : public MillingService {
     void newTool(const std::string& author, Done done) override {
         note({"new tool", author, {}, {}, {}}, done, [] {});
     }
-    void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+    void leaveOut(std::int64_t since, bool out, const std::string& author, const std::string& reason,
                   Done done) override {
         note({out ? "leave out" : "take in", author, reason, {}, {}}, done, [this, since, out] {
             for (MillingToolView& tool : m_view.memory.tools) {

@@ -2,6 +2,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 
 #include "tests/support/shell_bench.h"
@@ -136,6 +137,38 @@ class TestFitting : public QObject {
                 if (troubled) {
                     bench.raise(test::kSensorAlarm, false);
                     bench.raise(test::kToolAlarm, false);
+                }
+            }
+        }
+    }
+    void noButtonIsNarrowerThanItsWords() {
+        for (const Language language : {Language::English, Language::Korean}) {
+            for (const double scale : {1.0, 1.5, 2.0}) {
+                Preferences preferences;
+                preferences.language = language;
+                preferences.scale = scale;
+                ShellBench bench(kerf::test::allPages(), preferences);
+                bench.window->client().stop();
+                bench.window->show();
+                for (const QSize screen : {QSize(1024, 768), QSize(1280, 800)}) {
+                    bench.window->resize(screen);
+                    for (const PageEntry& entry : bench.window->pages()) {
+                        bench.window->showPage(entry.key);
+                        bench.window->client().tick();
+                        settle();
+                        for (const auto* button : bench.window->page(entry.key)->findChildren<QPushButton*>()) {
+                            QVERIFY2(!button->isVisible() || button->width() >= button->minimumSizeHint().width(),
+                                     qPrintable(QStringLiteral("%1 %2 %3 at %4: %5 is %6 wide, wants %7, least %8")
+                                                    .arg(QLatin1String(entry.key))
+                                                    .arg(int(language))
+                                                    .arg(scale)
+                                                    .arg(screen.width())
+                                                    .arg(button->objectName() + u' ' + button->text())
+                                                    .arg(button->width())
+                                                    .arg(button->minimumSizeHint().width())
+                                                    .arg(button->minimumWidth())));
+                        }
+                    }
                 }
             }
         }

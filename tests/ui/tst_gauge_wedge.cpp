@@ -154,6 +154,33 @@ class TestGaugeWedge : public QObject {
         QVERIFY(m_memo->toPlainText().isEmpty());
         QCOMPARE(pressed.count(), 0);
     }
+    /// Now and then a pause of 150 ms, wherever it falls, two of them next to each other too.
+    void pausesMayFallAnywhere() {
+        for (const char* text : {"50.011", "9.998", "  50.011mm", "01A+00050.011", "OD 50.011mm OK"}) {
+            const QString frame = QString::fromLatin1(text);
+            for (int one = 0; one < frame.size(); ++one) {
+                for (int other = one; other < frame.size(); ++other) {
+                    m_read->clear();
+                    m_now_ms += 10000;
+                    for (int k = 0; k < frame.size(); ++k) {
+                        QTest::keyClick(m_button, frame[k].toLatin1());
+                        m_now_ms += k == one || k == other ? 150 : 35 + (17 * k) % 56;
+                    }
+                    QTest::keyClick(m_button, Qt::Key_Return);
+                    QVERIFY2(m_read->count() == 1, text);
+                }
+            }
+        }
+    }
+    void paddingOfATooSlowFramePressesNothing() {
+        QSignalSpy pressed(m_button, &QPushButton::pressed);
+        for (const char c : std::string("50.0  11   mm ")) {
+            QTest::keyClick(m_button, c);
+            m_now_ms += 150;
+        }
+        QTest::keyClick(m_button, Qt::Key_Return);
+        QCOMPARE(pressed.count(), 0);
+    }
     void halfAFrameIsNoReadingAndPressesNothing_data() {
         QTest::addColumn<QString>("begin");
         QTest::addColumn<QString>("end");

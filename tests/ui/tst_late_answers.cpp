@@ -8,6 +8,7 @@
 
 #include "tests/support/fake_milling_service.h"
 #include "tests/support/page_bench.h"
+#include "ui/dialogs/operator_chooser.h"
 #include "ui/dialogs/restore_sheet.h"
 #include "ui/dialogs/tool_sheet.h"
 #include "ui/help/help_mode.h"
@@ -31,13 +32,14 @@ class SlowTools final : public ShiftService {
     void writePdf(const ShiftView&, const std::string&, Done) override {}
     [[nodiscard]] const std::vector<ToolLife>& tools() const override { return m_tools; }
     void newTool(ProcessId, const std::string&, Done done) override { answer = std::move(done); }
-    void setToolLife(ProcessId, std::uint32_t, const std::string&, Done) override {}
+    void setToolLife(ProcessId, std::uint32_t, const std::string&, Done done) override { kept = std::move(done); }
     void putIn() {
         m_tools.front().parts = 0;
         answer({});
     }
 
     Done answer{};
+    Done kept{};
 
  private:
     std::vector<ToolLife> m_tools{{ProcessId::Boring, 41, 0, 0, {}}};
@@ -119,6 +121,44 @@ class TestLateAnswers : public QObject {
         tools.putIn();
         QVERIFY(m_bench->sheets->isOpen(sheet));  // the same one, with the new count in it
         QVERIFY(m_bench->find<QLabel>("tool_boring")->text().startsWith(QStringLiteral("0 ")));
+    }
+    /// What is typed closes with the sheet only when it, and nothing else, has been stored.
+    void whatIsTypedOutlivesItsAnswer() {
+        SlowTools tools;
+        m_bench->services.shiftService = &tools;
+        m_page = m_bench->show<PlainPage>();
+        openTools(m_page->context());
+        QVERIFY(press("toolLife_boring"));
+        const QPointer<QLineEdit> field = m_bench->find<QLineEdit>("toolLifeField");
+        typeInto(field);
+        m_bench->find<QPushButton>("toolLifeSave")->setFocusPolicy(Qt::TabFocus);  // as the console's frame does
+        QVERIFY(press("toolLifeSave"));
+        const Result<void> full = tl::unexpected(Sentence(KERF_TEXT("The file is damaged.")));
+        tools.kept(full);
+        QVERIFY(stillThere(field));  // refused: it can be sent again
+        QVERIFY(m_bench->notices.back().contains(QStringLiteral("damaged")));
+        QVERIFY(press("toolLifeSave"));
+        QVERIFY(!m_bench->find<QPushButton>("toolLifeSave")->isEnabled());  // and not twice
+        field->setFocus();
+        QTest::keyClicks(field, "3");
+        tools.kept({});
+        QVERIFY(stillThere(field, "123"));  // typed since
+        QVERIFY(press("toolLifeSave"));
+        tools.kept({});
+        QVERIFY(m_bench->sheets->current() == nullptr);
+    }
+    /// Who is there is asked over the form, which comes back with what was typed.
+    void theQuestionWhoIsThereGivesTheFormBack() {
+        m_page = m_bench->show<PlainPage>();
+        const QPointer<QLineEdit> field = openForm();
+        chooseOperator(m_bench->look, *m_bench->sheets, m_bench->session);
+        QTest::keyClicks(m_bench->find<QLineEdit>("operatorName"), "Park");
+        QVERIFY(press("signOn"));
+        QVERIFY(stillThere(field));
+        QCOMPARE(m_bench->session.name(), QStringLiteral("Park"));
+        chooseOperator(m_bench->look, *m_bench->sheets, m_bench->session);
+        QVERIFY(press("sheetSafe"));
+        QVERIFY(stillThere(field));
     }
     void aReasonForTheNextToolStays() {
         FakeMillingService service;

@@ -210,6 +210,34 @@ class TestShell : public QObject {
         QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("language")), Qt::LeftButton);
         QCOMPARE(bench.look.preferences().language, Language::English);
     }
+    void theLanguageWaitsForASheetThatKeepsItsWords() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.window->client().tick();
+        const auto touch = [&](const char* name) {
+            QTest::mouseClick(bench.window->findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);
+        };
+        bench.window->sheets().tell(QStringLiteral("A title"), QStringLiteral("A sentence."));
+        touch("language");
+        QCOMPARE(bench.look.preferences().language, Language::English);
+        QVERIFY2(bench.window->bottomLine().startsWith(QStringLiteral("Close what is open first")),
+                 qPrintable(bench.window->bottomLine()));
+        bench.window->sheets().current()->close();
+        // Who is at the machine is asked in the language that is read here, with what was typed already.
+        touch("operator");
+        const QString english = bench.window->sheets().current()->findChild<QPushButton*>("signOn")->text();
+        bench.window->sheets().current()->findChild<QLineEdit*>("operatorName")->setText(QStringLiteral("Choi"));
+        touch("language");
+        QCOMPARE(bench.look.preferences().language, Language::Korean);
+        QVERIFY(bench.window->sheets().current() != nullptr);
+        QVERIFY(bench.window->sheets().current()->findChild<QPushButton*>("signOn")->text() != english);
+        QCOMPARE(bench.window->sheets().current()->findChild<QLineEdit*>("operatorName")->text(),
+                 QStringLiteral("Choi"));
+        bench.window->sheets().current()->close();
+        touch("language");
+        QCOMPARE(bench.look.preferences().language, Language::English);
+    }
     void whatIsHeldIsSaidOnEveryPageWithTheWayOut() {
         ShellBench bench;
         bench.window->resize(1280, 800);

@@ -192,6 +192,26 @@ class TestThermalPage : public QObject {
         QVERIFY(m_bench->press("thermalAdopt"));
         QVERIFY(last<AdoptMeasurement>() != nullptr);
     }
+    void whatAMeasurementLeavesInAPartHasAVerdict() {
+        ThermalGapRow row;
+        row.left_um = {1.0, -4.1, 3.9};
+        row.allowed_um = 4.0;
+        QCOMPARE(row.verdict(0), quality::Verdict::NotJudged);  // the control's shift was not readable
+        row.leftKnown = true;
+        QCOMPARE(row.verdict(0), quality::Verdict::Good);
+        QCOMPARE(row.verdict(1), quality::Verdict::Scrap);
+        row.known[1] = false;
+        QCOMPARE(row.verdict(1), quality::Verdict::NotJudged);
+        row.known[1] = true;
+        show();
+        m_service->edit().gaps = {row};
+        m_service->announce();
+        QVERIFY(m_bench->press("thermalMeasure"));
+        m_bench->engine.fake.thermal.gap = {1, GapPhase::Done, {}, 1, {2.9, -16.8, -5.0}, {}, {}, false};
+        m_bench->client.tick();
+        QVERIFY(cell("thermalGapTable", 0, 5).contains(QStringLiteral("good, within ±4.0")));
+        QVERIFY(cell("thermalGapTable", 1, 5).contains(QStringLiteral("out of ±4.0")));
+    }
     void aFinishedPartIsTakenAsAMeasurement() {
         show();
         QVERIFY(m_bench->press("thermalMeasure"));

@@ -312,6 +312,8 @@ bool Chart::fitAxes() {
     const bool figures = !across.empty() || m_emptyText.isEmpty();
     m_x->setLabelsVisible(figures || m_xRange.has_value());
     m_y->setLabelsVisible(figures || m_yRange.has_value());
+    m_x->setGridLineVisible(figures);  // and no lines through the sentence
+    m_y->setGridLineVisible(figures);
     bool moved = false;
     if (m_xRange) {
         moved = applyRange(m_x, x.toShown(m_xRange->first), x.toShown(m_xRange->second), false, m_wholeNumbers);
@@ -468,6 +470,30 @@ void Chart::paintMarks(QPainter& painter, const QRectF& plot) const {
     }
 }
 
+// What the drawn lines cover of the columns from `left` to `right`, px.
+std::vector<QRectF> Chart::linesBetween(double left, double right) const {
+    std::vector<QRectF> covered;
+    for (const Curve& curve : m_curves) {
+        if (curve.style.kind == Kind::Points) {
+            continue;
+        }
+        for (qsizetype i = 1; i < curve.shown.size(); ++i) {
+            QPointF a = place(curve.shown[i - 1]);
+            QPointF b = place(curve.shown[i]);
+            if (std::max(a.x(), b.x()) < left || std::min(a.x(), b.x()) > right || a.x() == b.x()) {
+                continue;
+            }
+            const double slope = (b.y() - a.y()) / (b.x() - a.x());
+            const auto at = [&](double x) {
+                return a.y() + slope * (std::clamp(x, std::min(a.x(), b.x()), std::max(a.x(), b.x())) - a.x());
+            };
+            const double low = std::min(at(left), at(right));
+            covered.emplace_back(left, low - 1.0, right - left, std::abs(at(right) - at(left)) + 2.0);
+        }
+    }
+    return covered;
+}
+
 void Chart::paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const {
     const QFontMetrics metrics(m_look.font(TextSize::Label));
     const double r = radius();
@@ -507,16 +533,23 @@ void Chart::paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRect
         const double height = metrics.height();
         double left = std::min(end.x() + r + m_look.space(Space::Small), plot.right() - width);
         double top = std::clamp(end.y() - height - r, plot.top(), plot.bottom() - height);
+        const std::vector<QRectF> drawn = linesBetween(left, left + width);
+        const auto touches = [](const std::vector<QRectF>& those, const QRectF& box) {
+            return std::ranges::any_of(those, [&box](const QRectF& other) { return other.intersects(box); });
+        };
         QRectF box(left, top, width, height);
+        std::optional<QRectF> second;  // clear of names, but on a line
         for (int attempt = 0; attempt < 12; ++attempt) {
-            const bool free =
-                std::none_of(taken.begin(), taken.end(), [&box](const QRectF& other) { return other.intersects(box); });
-            if (free) {
+            const double shift = 0.5 * height * (attempt / 2 + 1);
+            const bool free = !touches(taken, box);
+            if (free && !touches(drawn, box)) {
+                second = box;
                 break;
             }
-            const double shift = height * (attempt / 2 + 1);
+            second = free && !second ? std::optional(box) : second;
             box.moveTop(std::clamp(attempt % 2 == 0 ? top + shift : top - shift, plot.top(), plot.bottom() - height));
         }
+        box = second.value_or(box);
         taken.push_back(box);
         painter.setPen(color);
         painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, curve.label);

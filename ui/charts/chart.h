@@ -126,6 +126,7 @@ class Chart : public QChartView {
     [[nodiscard]] QRegion covered(const Curve& curve) const;  ///< by its points' marks
     void paintLimits(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
     void paintMarks(QPainter& painter, const QRectF& plot) const;
+    [[nodiscard]] std::vector<QRectF> linesBetween(double left, double right) const;
     void paintCurves(QPainter& painter, const QRectF& plot, std::vector<QRectF>& taken) const;
 
     Look& m_look;

@@ -16,7 +16,6 @@ struct FirstEngineer {
 }  // namespace
 
 void askFirstEngineer(Look& look, SheetHost& host, OperatorSession& session) {
-    (void)look;
     Sheet* sheet =
         host.open(FirstEngineer::tr("The first process engineer"),
                   FirstEngineer::tr(
@@ -51,6 +50,12 @@ void askFirstEngineer(Look& look, SheetHost& host, OperatorSession& session) {
     sheet->addButton(FirstEngineer::tr("Make and sign on"), make, false)
         ->setObjectName(QStringLiteral("firstEngineerMake"));
     name->setFocus();
+    // It comes by itself at the first start, maybe in a language its reader does not know.
+    sheet->followLanguage([&look, &host, &session, name] {
+        const QString typed = name->text();
+        askFirstEngineer(look, host, session);
+        host.current()->findChild<QLineEdit*>(QStringLiteral("firstEngineerName"))->setText(typed);
+    });
 }
 
 }  // namespace kerf::ui

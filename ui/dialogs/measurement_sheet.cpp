@@ -248,6 +248,9 @@ void MeasurementForm::apply() {
         }
     }
     m_pending = true;
+    if (m_sheet) {
+        m_sheet->sent();
+    }
     const auto done = [form = QPointer<MeasurementForm>(this)](const Result<void>& result) {
         if (form) {
             form->answered(result);
@@ -283,7 +286,7 @@ void MeasurementForm::answered(const Result<void>& result) {
         m_onDone(withParticles(sentence));
     }
     if (m_sheet) {
-        m_sheet->close();
+        m_sheet->taken();
     }
 }
 

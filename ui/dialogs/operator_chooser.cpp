@@ -42,10 +42,16 @@ void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
         auto* button = new QPushButton(others[i], sheet);
         button->setObjectName(QStringLiteral("second%1").arg(i));
         sheet->body()->addWidget(button);
-        QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, name = others[i]] {
+        QObject::connect(button, &QPushButton::clicked, sheet, [&look, &host, &session, sheet, name = others[i]] {
+            sheet->close();
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
-                [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); }, {},
+                [&session, name](const QString& pin) { return session.confirmAsSecond(name, pin); },
+                [&host, &session, name] {
+                    host.tell(OperatorChooser::tr("%1 has said yes").arg(name),
+                              OperatorChooser::tr("For two minutes %1 may raise a limit by more than half.")
+                                  .arg(session.name()));
+                },
                 [&session, name] { return session.whyNotYet(name); });
         });
     }
@@ -55,9 +61,10 @@ void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
 }  // namespace
 
 void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::function<void()> then) {
-    Sheet* sheet =
-        host.open(OperatorChooser::tr("Who is at the machine?"),
-                  OperatorChooser::tr("The name goes with every entry and correction.") + demonstrationNote(session));
+    // Over the form that asked: it comes back as it was.
+    Sheet* sheet = host.openOver(
+        OperatorChooser::tr("Who is at the machine?"),
+        OperatorChooser::tr("The name goes with every entry and correction.") + demonstrationNote(session));
     auto* grid = new QGridLayout;
     grid->setSpacing(look.metrics().touchGap());
     const QStringList all = session.known();
@@ -71,6 +78,7 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
         }
         const OperatorAccount* account = session.account(name);
         if (account != nullptr && !account->pin.isEmpty() && name != session.name()) {
+            sheet->close();
             askPin(
                 look, host, name, OperatorChooser::tr("Type your PIN."), OperatorChooser::tr("This PIN does not fit."),
                 [&session, name](const QString& pin) { return session.signOn(name, Role::Operator, pin); }, then,
@@ -140,6 +148,12 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
     QObject::connect(edit, &QLineEdit::textChanged, accept,
                      [accept](const QString& text) { accept->setEnabled(!text.simplified().isEmpty()); });
     edit->setFocus();
+    // Whoever takes over may read the other language.
+    sheet->followLanguage([&look, &host, &session, then, edit] {
+        const QString typed = edit->text();
+        chooseOperator(look, host, session, then);
+        host.current()->findChild<QLineEdit*>(QStringLiteral("operatorName"))->setText(typed);
+    });
 }
 
 }  // namespace kerf::ui

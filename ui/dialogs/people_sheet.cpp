@@ -86,6 +86,7 @@ void openPermissions(Look& look, SheetHost& host) {
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionMode(QAbstractItemView::NoSelection);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     for (int row = 0; row < static_cast<int>(kDeedCount); ++row) {
         const Permission& one = kPermissions[static_cast<std::size_t>(row)];

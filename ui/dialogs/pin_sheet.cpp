@@ -18,7 +18,7 @@ struct PinSheet {
 
 void askPin(Look& look, SheetHost& host, const QString& title, const QString& text, const QString& refusal,
             std::function<bool(const QString&)> take, std::function<void()> then, std::function<QString()> whyNotYet) {
-    Sheet* sheet = host.open(title, text);
+    Sheet* sheet = host.openOver(title, text);
     auto* field = new QLineEdit(sheet);
     field->setObjectName(QStringLiteral("pinField"));
     field->setEchoMode(QLineEdit::Password);

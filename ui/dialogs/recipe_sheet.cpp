@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "engine/api/part_results.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
@@ -37,28 +38,77 @@ bool inList(const RecipeChangeView& change) {
     });
 }
 
+/// What the limits of a figure are called in a recipe: "figure_limits.surface_rms_um.upper".
+struct LimitChange {
+    const PartResultSpec* figure{nullptr};  ///< null: no limit of a figure that this version knows
+    QString words{};
+};
+LimitChange limitChange(const std::string& key) {
+    const QStringList path = QString::fromStdString(key).split(u'.');
+    if (path.size() != 3 || path[0] != QLatin1String("figure_limits")) {
+        return {};
+    }
+    LimitChange change;
+    for (const ProcessId process : allProcesses()) {
+        if (change.figure == nullptr) {
+            change.figure = findPartResult(process, path[1].toStdString());
+        }
+    }
+    if (change.figure != nullptr) {
+        const QString name = engineText(change.figure->label);
+        change.words = path[2] == QLatin1String("lower")   ? Revisions::tr("%1, lower limit").arg(name)
+                       : path[2] == QLatin1String("upper") ? Revisions::tr("%1, upper limit").arg(name)
+                                                           : QString();
+    }
+    return change;
+}
+
 QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSystem& units) {
     if (stored.empty()) {
         return QStringLiteral("–");
     }
     bool isNumber = false;
     const double value = QString::fromStdString(stored).toDouble(&isNumber);
+    if (spec != nullptr && (stored == "true" || stored == "false")) {
+        return stored == "true" ? Revisions::tr("yes") : Revisions::tr("no");
+    }
     return spec != nullptr && isNumber ? units.withUnit(value, spec->unit, spec->decimals)
                                        : QString::fromStdString(stored);
 }
 
 QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf& specOf, const UnitSystem& units) {
+    // Which side can be cut again goes with the limit.
+    std::erase_if(changes, [](const RecipeChangeView& change) {
+        const LimitChange limit = limitChange(change.key);
+        return limit.figure != nullptr && limit.words.isEmpty();
+    });
     std::ranges::stable_partition(changes, [](const RecipeChangeView& change) { return !inList(change); });
+    // What has a name in the shop is named; the rest, where there is such, is only counted.
+    const auto unnamed = std::ranges::stable_partition(changes, [&specOf](const RecipeChangeView& change) {
+        return !specOf || specOf(change.key) != nullptr || limitChange(change.key).figure != nullptr;
+    });
+    const auto named = changes.size() - unnamed.size();
+    const std::size_t shown = std::min(named > 0 ? named : changes.size(), kChangesShown);
     QStringList lines;
-    for (std::size_t i = 0; i < changes.size() && i < kChangesShown; ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         const RecipeChangeView& change = changes[i];
+        if (const LimitChange limit = limitChange(change.key); limit.figure != nullptr) {
+            const auto limitText = [&](const std::string& stored) {
+                bool isNumber = false;
+                const double value = QString::fromStdString(stored).toDouble(&isNumber);
+                return isNumber ? units.withUnit(value, limit.figure->unit, limit.figure->decimals)
+                                : Revisions::tr("none", "limit");
+            };
+            lines << QStringLiteral("%1: %2 → %3").arg(limit.words, limitText(change.before), limitText(change.after));
+            continue;
+        }
         const ParamSpec* spec = specOf ? specOf(change.key) : nullptr;
         lines << QStringLiteral("%1: %2 → %3")
                      .arg(spec != nullptr ? engineText(spec->label) : QString::fromStdString(change.key),
                           valueText(change.before, spec, units), valueText(change.after, spec, units));
     }
-    if (changes.size() > kChangesShown) {
-        lines << Revisions::tr("and %1 more values").arg(changes.size() - kChangesShown);
+    if (changes.size() > shown) {
+        lines << Revisions::tr("and %1 more values").arg(changes.size() - shown);
     }
     return lines.isEmpty() ? Revisions::tr("The same values as now.") : lines.join(u'\n');
 }
@@ -155,7 +205,7 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             message->setText(words);
         } else {
             context.notify(words);
-            openRecipeSheet(context, history, deed, specOf);
+            if (open->taken()) openRecipeSheet(context, history, deed, specOf);
         }
     };
     sheet->addButton(
@@ -167,7 +217,10 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             }
             context.withPermission(
                 deed, [context, &history, revision = one->revision, why = reason->text().trimmed().toStdString(),
-                       answered] { history.restore(revision, context.session.author(), why, answered); });
+                       answered, open = QPointer<Sheet>(context.sheets.current())] {
+                    if (open) open->sent();
+                    history.restore(revision, context.session.author(), why, answered);
+                });
         },
         false);
 }

@@ -56,6 +56,7 @@ class ChoiceRow {
 
 void openSettings(Look& look, SheetHost& host) {
     Sheet* sheet = host.open({});
+    sheet->followLanguage();
     auto* grid = new QGridLayout;
     sheet->body()->addLayout(grid);
     const auto rows = std::make_shared<std::vector<ChoiceRow>>();

@@ -6,9 +6,11 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QResizeEvent>
+#include <algorithm>
 #include <utility>
 
 #include "ui/dialogs/sheet_buttons.h"
+#include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_box.h"
 
@@ -130,6 +132,52 @@ void Sheet::close() {
     deleteLater();
 }
 
+void Sheet::sent() {
+    m_sent.clear();
+    for (const QLineEdit* field : findChildren<QLineEdit*>()) {
+        m_sent.insert(field, field->text());
+    }
+}
+
+bool Sheet::taken() {
+    const auto fields = findChildren<QLineEdit*>();
+    const bool typed = std::any_of(fields.begin(), fields.end(), [this](const QLineEdit* field) {
+        const auto sent = m_sent.constFind(field);
+        return sent != m_sent.constEnd() && *sent != field->text();
+    });
+    m_sent.clear();
+    if (typed) {
+        setText(tr("That is stored. What was typed since then is not yet."));
+        return false;
+    }
+    close();
+    return true;
+}
+
+Sheet::Answer Sheet::whenStored(QPushButton* button, Answer then) {
+    sent();
+    button->setEnabled(false);
+    return [here = QPointer<Sheet>(this), save = QPointer<QPushButton>(button),
+            then = std::move(then)](const Result<void>& result) {
+        if (QPushButton* again = save.data(); again != nullptr) {
+            again->setEnabled(true);
+        }
+        if (Sheet* sheet = here.data(); sheet != nullptr) {
+            if (result) {
+                sheet->taken();
+            } else {
+                sheet->setText(sentenceText(result.error(), sheet->look().units()));
+            }
+        }
+        then(result);
+    };
+}
+
+void Sheet::followLanguage(std::function<void()> remake) {
+    m_follows = true;
+    m_remake = std::move(remake);
+}
+
 void Sheet::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     QColor veil = look().color(Token::Ground);
@@ -152,7 +200,20 @@ void Sheet::refresh() {
     place();
 }
 
-SheetHost::SheetHost(Look& look, QWidget* parent) : QWidget(parent), m_look(look) {}
+SheetHost::SheetHost(Look& look, QWidget* parent)
+    : QWidget(parent), m_look(look), m_language(look.preferences().language) {
+    connect(&look, &Look::changed, this, [this] {
+        const Language language = m_look.preferences().language;
+        if (std::exchange(m_language, language) != language && m_current != nullptr && m_current->m_remake) {
+            const auto remake = m_current->m_remake;  // it closes the sheet that holds it
+            remake();
+        }
+    });
+}
+
+bool SheetHost::languageMayChange() const {
+    return m_current == nullptr || (m_current->m_follows && m_beneath == nullptr);
+}
 
 Sheet* SheetHost::open(const QString& title, const QString& text) {
     QPointer<QWidget> before = m_before;

@@ -3,13 +3,16 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <functional>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "ui/widgets/face_widget.h"
 
 namespace kerf::ui {
@@ -37,6 +40,19 @@ class Sheet : public FaceWidget {
     void addButton(QPushButton* button, std::function<void()> onClicked, bool closes = true);
     QPushButton* addButton(const QString& text, std::function<void()> onClicked, bool closes = true);
     void close();
+    /// The language may change while this sheet is open: it looks after its own words, or is made anew by `remake`.
+    /// Any other sheet keeps its words, so the language stays until it is closed (SheetHost::languageMayChange()).
+    void followLanguage(std::function<void()> remake = {});
+
+    /// What stands in the fields now is on its way into the store …
+    void sent();
+    /// … and has been taken: the sheet closes, unless something else was typed meanwhile. Then it stays, and says that
+    /// this is not stored yet. True: it closed.
+    bool taken();
+    /// The same for one button: sent() now and the button at rest; with the answer taken(), or a refusal above the
+    /// fields, in which everything stays. The sheet may have gone. `then` has every answer.
+    using Answer = std::function<void(const Result<void>&)>;
+    [[nodiscard]] Answer whenStored(QPushButton* button, Answer then);
 
  signals:
     void closed();
@@ -63,7 +79,10 @@ class Sheet : public FaceWidget {
     QLabel* m_title;
     QLabel* m_text;
     QVBoxLayout* m_body;
+    QHash<const QLineEdit*, QString> m_sent;
     std::vector<QPushButton*> m_list;
+    bool m_follows{false};
+    std::function<void()> m_remake{};
 };
 
 /// The page area that sheets cover. One sheet at a time; opening another closes the first. When the last one has gone,
@@ -86,6 +105,8 @@ class SheetHost : public QWidget {
     /// A sentence with "Close".
     void tell(const QString& title, const QString& text);
     [[nodiscard]] Sheet* current() const { return m_current; }
+    /// No sheet is open that would keep the words it was opened with.
+    [[nodiscard]] bool languageMayChange() const;
     /// The sheet that waits for figures: the one beneath, when help lies over it.
     [[nodiscard]] Sheet* waiting() const { return m_beneath != nullptr ? m_beneath : m_current; }
 
@@ -99,6 +120,7 @@ class SheetHost : public QWidget {
     void giveBackFocus();
 
     Look& m_look;
+    Language m_language;
     Sheet* m_current{nullptr};
     Sheet* m_beneath{nullptr};    ///< hidden by openOver()
     QPointer<QWidget> m_formers;  ///< had the focus in m_beneath

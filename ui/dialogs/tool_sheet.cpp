@@ -54,20 +54,21 @@ void askLife(const PageContext& context, ProcessId process) {
     row->addWidget(field);
     sheet->body()->addLayout(row);
     sheet->addButton(Tools::tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    const auto save = [context, field, process] {
+    QPushButton* keep = sheet->addButton(Tools::tr("Keep it"), std::function<void()>(), false);
+    QObject::connect(keep, &QPushButton::clicked, sheet, [context, sheet, keep, field, process] {
         bool ok = false;
         const uint parts = field->text().trimmed().toUInt(&ok);
         if (!ok) {
-            context.notify(Tools::tr("A life is a whole number of parts."));
+            sheet->setText(Tools::tr("A life is a whole number of parts."));
             return;
         }
-        context.services.shiftService->setToolLife(
-            process, parts, context.session.author(), [context](const Result<void>& result) {
-                context.notify(result ? Tools::tr("The life is kept.")
-                                      : sentenceText(result.error(), context.look.units()));
-            });
-    };
-    QPushButton* keep = sheet->addButton(Tools::tr("Keep it"), save);
+        const auto told = [context](const Result<void>& result) {
+            context.notify(result ? Tools::tr("The life is kept.")
+                                  : sentenceText(result.error(), context.look.units()));
+        };
+        context.services.shiftService->setToolLife(process, parts, context.session.author(),
+                                                   sheet->whenStored(keep, told));
+    });
     keep->setObjectName(QStringLiteral("toolLifeSave"));
     QObject::connect(field, &QLineEdit::returnPressed, keep, &QPushButton::click);
 }

@@ -135,7 +135,7 @@ void GaugeWedge::pause(qint64 now_ms) {
         m_pauses += gap_ms > kGap_ms ? 1 : 0;
         if (!run) {
             timedOut();
-        } else if (m_pauses > 1 + m_frame.size() / kKeysPerPause) {
+        } else if (!senderPace()) {
             m_spoiled = true;  // a hand
             release();
         }
@@ -165,6 +165,10 @@ bool GaugeWedge::onPress(QObject* target, QKeyEvent* event) {
     if (event->key() == Qt::Key_Shift && !m_frame.isEmpty()) {
         hold(target, *event);  // part of typing '+' or a letter
         return true;
+    }
+    if (m_spoiled && event->key() == Qt::Key_Space && !takesText(target)) {
+        m_endKey = event->key();
+        return true;  // in the middle of a run of keys: padding, no press
     }
     QChar c = text.size() == 1 ? text[0] : QChar();
     if ((event->modifiers() & Qt::KeypadModifier) != 0 && text.isEmpty()) {
@@ -262,7 +266,7 @@ bool GaugeWedge::atEndKey(QObject* target, int key) {
 }
 
 bool GaugeWedge::senderPace() const {
-    return m_pauses <= 1 + m_frame.size() / kKeysPerPause;
+    return m_pauses <= std::max<qsizetype>(2, 1 + m_frame.size() / kKeysPerPause);
 }
 
 void GaugeWedge::hold(QObject* target, const QEvent& event) {

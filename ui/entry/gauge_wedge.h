@@ -26,7 +26,7 @@ class GaugeWedge : public QObject {
     Q_OBJECT
  public:
     static constexpr int kGap_ms = 95;     ///< a sender's pace; hands are slower
-    static constexpr int kPause_ms = 170;  ///< longest pause inside a frame, once in kKeysPerPause keys
+    static constexpr int kPause_ms = 170;  ///< longest pause inside a frame; two of them, in a long one more
     static constexpr int kKeysPerPause = 6;
     static constexpr int kRepeat_ms = 1500;  ///< the same frame again within this time is a bounce of the send button
     static constexpr int kChannelRepeat_ms = 5000;  ///< of a multiplexer: nobody changes the part in this time

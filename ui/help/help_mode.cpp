@@ -60,7 +60,12 @@ void HelpMode::explain(const QWidget* widget) {
             }
         }
     }
-    text ? show(*text) : openGuide();
+    if (!text) {
+        openGuide();
+        return;
+    }
+    show(*text);
+    m_sheets.current()->followLanguage([this, asked = QPointer(widget)] { asked ? explain(asked) : openGuide(); });
 }
 
 void HelpMode::show(const HelpText& text) {
@@ -112,6 +117,7 @@ void HelpMode::openGuide() {
     QScroller::grabGesture(guide->viewport(), QScroller::TouchGesture);
     sheet->body()->addWidget(guide, 1);
     sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    sheet->followLanguage([this] { openGuide(); });
 }
 
 }  // namespace kerf::ui

@@ -45,6 +45,11 @@ class EngineClient : public QObject {
         command.action = action;
         return send(command);
     }
+    /// Start the next part of what the screen shows: lot, recipe and schedule of the last status. The engine refuses
+    /// when another one is loaded by then.
+    bool startPart(ProcessId process) {
+        return sendAction(StartPart{process, m_status.orders[static_cast<std::size_t>(process)]});
+    }
 
  signals:
     void statusChanged(const kerf::Status& status);

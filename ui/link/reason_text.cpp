@@ -9,8 +9,8 @@
 namespace kerf::ui {
 
 QString reasonText(const std::string& stored) {
-    static constexpr std::array kOwn{KERF_TEXT("part type created"), KERF_TEXT("full"), KERF_TEXT("setup changed"),
-                                     KERF_TEXT("kept by a version that noted no hash")};
+    static constexpr std::array kOwn{KERF_TEXT("part type created"), KERF_TEXT("full"), KERF_TEXT("lot selected"),
+                                     KERF_TEXT("setup changed"), KERF_TEXT("kept by a version that noted no hash")};
     static constexpr const char* kStudy = KERF_TEXT("repeatability of gauge %1, study %2");
     for (const char* own : kOwn) {
         if (stored == own) {

@@ -5,6 +5,8 @@
 #include <QHash>
 #include <QStringList>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
@@ -102,6 +104,22 @@ QString shortened(const std::string& text) {
     return whole.size() > kLongestValue ? whole.left(kLongestValue) + QStringLiteral("…") : whole;
 }
 
+/// A lot made the one that parts go into: the setting's key and row number are for programs.
+std::optional<QString> lotSelection(const ShiftChange& change) {
+    constexpr std::string_view kKey = "setting active_lot.";
+    if (!change.object.starts_with(kKey)) {
+        return std::nullopt;
+    }
+    for (const ProcessId process : allProcesses()) {
+        if (change.object.substr(kKey.size()) == processKey(process)) {
+            return Shift::tr("%1: %2").arg(processName(process), change.newValue.empty()
+                                                                     ? Shift::tr("no lot selected any more")
+                                                                     : Shift::tr("lot selected"));
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& stopReasons() {
@@ -163,6 +181,9 @@ QString shiftSavingText(const ShiftSaving& saving) {
 }
 
 QString changeText(const ShiftChange& change) {
+    if (const auto selected = lotSelection(change)) {
+        return *selected;
+    }
     QStringList words{deedText(change.action)};
     if (change.object == "setting" || change.object.starts_with("setting ") || change.object.starts_with("loop.")) {
         words << QString::fromStdString(change.object).section(u' ', -1);

@@ -19,6 +19,9 @@ struct DeedOf {
     DeedOrNone operator()(std::monostate) const { return std::nullopt; }
     DeedOrNone operator()(const ReleaseHold&) const { return std::nullopt; }
     DeedOrNone operator()(const SetSimulationSpeed&) const { return std::nullopt; }
+    DeedOrNone operator()(const NameOrder& name) const {
+        return name.process == ProcessId::Boring ? Deed::BoringLot : Deed::ProcessSetup;
+    }
     DeedOrNone operator()(const StartPart&) const { return std::nullopt; }
     DeedOrNone operator()(const AbortTap&) const { return std::nullopt; }
     DeedOrNone operator()(const RecoverTap&) const { return std::nullopt; }
@@ -27,7 +30,6 @@ struct DeedOf {
     DeedOrNone operator()(const ReleaseStop&) const { return Deed::ReleaseStop; }
     DeedOrNone operator()(const RestoreStops&) const { return Deed::ReleaseStop; }
     DeedOrNone operator()(const LoadBoringSchedule&) const { return Deed::BoringSchedule; }
-    DeedOrNone operator()(const NameBoringLot&) const { return Deed::BoringLot; }
     DeedOrNone operator()(const LoadTurningSetup&) const { return Deed::TurningLimits; }
     DeedOrNone operator()(const SetTurningController&) const { return Deed::TurningLaw; }
     DeedOrNone operator()(const LoadTappingJob&) const { return Deed::TappingJob; }

@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/core/subscription.h"
 #include "engine/process/milling/milling_fields.h"
+#include "ui/services/lot_service.h"
 #include "ui/services/recipe_history.h"
 
 /// What belongs to milling outside the cycle: part types with their setup and blank profile, the tool in the spindle,
@@ -20,7 +21,9 @@ namespace kerf {
 
 /// One cut of the log.
 struct MillingCutView {
-    std::uint32_t number{0};  ///< the machine's count of parts
+    std::int64_t id{0};       ///< the part, as it is stored
+    std::uint32_t number{0};  ///< in its lot, or among those of no lot
+    std::string lot{};        ///< empty: of none
     bool complete{false};
     bool withThisTool{false};
     MillingCut cut{};
@@ -28,7 +31,7 @@ struct MillingCutView {
 
 /// A tool that was in the spindle before, as a new one of its kind may begin from it.
 struct MillingToolView {
-    std::uint32_t since{0};  ///< its identity: the last part cut before it
+    std::int64_t since{0};  ///< its identity: the last part cut before it
     std::uint32_t parts{0};
     std::string partType{};
     double firstStiffness{0.0};  ///< ln(C b) of its first part
@@ -93,6 +96,8 @@ class MillingService {
 
     /// The revisions of the part type's setup. Null: there is no store behind the service.
     [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
+    /// The lots of milling. Null: there is no store behind the service.
+    [[nodiscard]] virtual LotService* lots() { return nullptr; }
 
     /// Called on the caller's thread when the change is safely on disk and the engine uses it (or why not).
     using Done = std::function<void(const Result<void>&)>;
@@ -106,7 +111,7 @@ class MillingService {
     virtual void newTool(const std::string& author, Done done) = 0;
 
     /// Leave a tool before out of that, or take it in again; a reason is needed.
-    virtual void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+    virtual void leaveOut(std::int64_t since, bool out, const std::string& author, const std::string& reason,
                           Done done) = 0;
 
     /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.

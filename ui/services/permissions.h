@@ -115,7 +115,7 @@ inline constexpr std::array<Permission, kDeedCount> kPermissions{{
      KERF_TEXT("Raise a limit by more than half, with a second person")},
     {Deed::QualityDecision, Trust::Operator, false, "quality.decision",
      KERF_TEXT("Say what was done with a part out of tolerance")},
-    {Deed::QualityLimits, Trust::Setter, false, "quality.limits", KERF_TEXT("Set the limits of figures")},
+    {Deed::QualityLimits, Trust::Setter, true, "quality.limits", KERF_TEXT("Set the limits of figures")},
     {Deed::QualityGauge, Trust::Setter, false, "quality.gauge", KERF_TEXT("Change the register of gauges")},
     {Deed::QualityStudy, Trust::Setter, false, "quality.study", KERF_TEXT("Keep the study of a gauge")},
     {Deed::QualityFiles, Trust::Setter, false, "quality.files", KERF_TEXT("Set where Q-DAS files appear")},

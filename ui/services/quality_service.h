@@ -30,6 +30,13 @@ struct Characteristic {
     quality::Tolerance tolerance{};
 };
 
+/// What a process without lots works by now.
+struct RecipeHeld {
+    std::string partType{};        ///< empty: nothing to work by yet
+    std::string parametersJson{};  ///< of its first revision, when it has none yet
+    bool kept{true};               ///< the service keeps itself which part type was chosen when
+};
+
 /// Limits of one figure, in its stored unit.
 struct FigureLimit {
     std::string key{};
@@ -38,6 +45,7 @@ struct FigureLimit {
 
 struct JudgedValue {
     std::optional<double> value{};
+    quality::Tolerance tolerance{};  ///< of the recipe revision the part was made under
     quality::Verdict verdict{quality::Verdict::NotJudged};
 };
 
@@ -71,6 +79,7 @@ struct LotPart {
     std::int64_t endedUtc_ms{0};
     PartJudgement judgement{};
     std::vector<std::size_t> groups{};  ///< of LotQuality::groups: the ones it belongs to
+    std::uint32_t recipeRevision{0};    ///< made under; 0: not known
 };
 
 /// Parts that have something in common: to be looked at by tool, by person, by gauge.
@@ -93,6 +102,7 @@ struct QualitySignal {
 struct LotQuality {
     LotRow lot{};
     std::uint32_t recipeRevision{0};
+    /// Without lots: of every part that is shown, with the limits of the parts to come.
     std::vector<Characteristic> characteristics{};
     std::vector<quality::Capability> capability{};  ///< one per characteristic
     std::vector<PartGroup> groups{};                ///< by kind, then as they came
@@ -199,10 +209,14 @@ class QualityService {
     [[nodiscard]] virtual std::vector<Characteristic> characteristics(const PartRow& part) = 0;
     /// Makes, on a worker, who judges the parts of an export there.
     [[nodiscard]] virtual std::function<VerdictOf()> openVerdicts() = 0;
-    /// Limits for the figures of a process that is not measured by hand; they hold for every part that is looked at.
+    /// Limits for the figures of a process that is not measured by hand, of the parts to come: those of the recipe of
+    /// the part type it works by.
     [[nodiscard]] virtual std::vector<FigureLimit> limits(ProcessId process) = 0;
+    /// Whose recipe that is; empty: the process has none yet, and no part type.
+    [[nodiscard]] virtual std::string limitsPartType(ProcessId process) = 0;
+    /// One more revision of that recipe, with a reason. A part keeps the limits it was made under.
     virtual void setLimits(ProcessId process, const std::vector<FigureLimit>& limits, const std::string& author,
-                           Done done) = 0;
+                           const std::string& reason, Done done) = 0;
 
     [[nodiscard]] virtual const std::map<PartId, Disposition>& dispositions() const = 0;
     virtual void dispose(PartId part, const std::string& what, const std::string& author, Done done) = 0;

@@ -8,6 +8,7 @@
 
 #include "engine/core/result.h"
 #include "engine/process/tapping/tapping_types.h"
+#include "ui/services/lot_service.h"
 #include "ui/services/recipe_history.h"
 
 /// The tuning of a tapping cycle outside the engine's cycle: trials, the tuner's proposal, what the operator decides,
@@ -137,6 +138,8 @@ class TappingService {
     /// The revisions of this thread's recipe: the tunings that were accepted. Null: there is no store behind the
     /// service.
     [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
+    /// The lots of this thread. Null: there is no store behind the service.
+    [[nodiscard]] virtual LotService* lots() { return nullptr; }
     virtual void setAutomatic(bool automatic, const std::string& author) = 0;
     virtual void oneMore(const std::string& author) = 0;   ///< make the proposed tap
     virtual void accept(const std::string& author) = 0;    ///< keep the best so far

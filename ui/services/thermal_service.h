@@ -11,6 +11,7 @@
 
 #include "engine/core/result.h"
 #include "engine/process/thermal/thermal_types.h"
+#include "engine/quality/verdict.h"
 #include "ui/services/recipe_history.h"
 
 /// Thermal models outside the engine's cycle: training on a worker, comparison, going live and back, gap-sensor
@@ -88,6 +89,17 @@ struct ThermalGapRow {
     bool predictionKnown{false};
     bool byPart{false};                                      ///< from a part, not from the gap sensors
     std::array<bool, kAxisCount> known{{true, true, true}};  ///< axes measured
+    /// What a part cut then shows of it: drift and shift together, against what the part allows in the recipe.
+    std::array<double, kAxisCount> left_um{};
+    bool leftKnown{false};   ///< the control's shift was readable
+    double allowed_um{0.0};  ///< 0: not kept (measured by a version before)
+
+    /// Good when every measured axis is within ± allowed_um.
+    [[nodiscard]] quality::Verdict verdict(std::size_t axis) const noexcept {
+        const bool judged = leftKnown && allowed_um > 0.0 && known[axis];
+        return quality::judge(judged ? std::optional(left_um[axis]) : std::nullopt,
+                              {-allowed_um, allowed_um, quality::ReworkSide::None});
+    }
 };
 
 struct ThermalSessionView {

@@ -13,6 +13,7 @@
 #include "engine/core/result.h"
 #include "engine/core/subscription.h"
 #include "engine/process/turning/turning_types.h"
+#include "ui/services/lot_service.h"
 #include "ui/services/recipe_history.h"
 
 /// What happens to turned surfaces outside the cycle: the setup of the cut, spectra, margins, blind tones, the archive
@@ -128,6 +129,8 @@ class TurningService {
     using Done = std::function<void(const Result<void>&)>;
     /// The revisions of the setup. Null: there is no store behind the service.
     [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
+    /// The lots of turning. Null: there is no store behind the service.
+    [[nodiscard]] virtual LotService* lots() { return nullptr; }
     /// The next part is cut with this setup. A larger trim authority is a limit: it wants a process engineer and a
     /// reason.
     virtual void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,

@@ -52,11 +52,7 @@ HeaderBar::HeaderBar(Look& look, OperatorSession& session, QWidget* parent)
     connect(m_help, &QPushButton::clicked, this, &HeaderBar::helpRequested);
     connect(m_settings, &QPushButton::clicked, this, &HeaderBar::settingsRequested);
     connect(&session, &OperatorSession::changed, this, &HeaderBar::rebuild);
-    connect(m_language, &QPushButton::clicked, this, [this] {
-        Preferences preferences = this->look().preferences();
-        preferences.language = preferences.language == Language::Korean ? Language::English : Language::Korean;
-        this->look().apply(preferences);
-    });
+    connect(m_language, &QPushButton::clicked, this, &HeaderBar::languageRequested);
     refresh();
 }
 

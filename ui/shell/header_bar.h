@@ -30,6 +30,7 @@ class HeaderBar : public FaceWidget {
     void operatorRequested();
     void speedRequested();
     void settingsRequested();
+    void languageRequested();
     /// The next touch is to be explained, or not after all.
     void helpRequested(bool on);
 

@@ -29,6 +29,7 @@
 #include "ui/shell/held_band.h"
 #include "ui/shell/machine_strip.h"
 #include "ui/shell/navigation.h"
+#include "ui/widgets/action_button.h"
 #include "ui/widgets/alarm_bar.h"
 #include "ui/widgets/hold_all_button.h"
 #include "ui/widgets/scroll_box.h"
@@ -52,6 +53,8 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
       m_session(m_services.signOn),
       m_alarms(m_services.engine) {
     setObjectName(QStringLiteral("mainWindow"));
+    m_sinceStart.start();
+    qApp->installEventFilter(this);  // before the first widget is polished
     buildFrame();
     connect(&m_look, &Look::changed, this, [this] {
         refresh();
@@ -106,8 +109,6 @@ MainWindow::MainWindow(Look& look, Services services, PageList pages, QWidget* p
         m_session.tick(m_sinceStart.elapsed());
     });
     m_clock.start();
-    m_sinceStart.start();
-    qApp->installEventFilter(this);
     m_header->setTime(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm")));
     setWording();
     refresh();
@@ -128,6 +129,7 @@ void MainWindow::sayStartFindings() {
     }
     if (!lines.isEmpty()) {
         m_sheets->tell(tr("The data file"), lines.join(QStringLiteral("\n")));
+        m_sheets->current()->followLanguage([this] { sayStartFindings(); });
     } else if (m_session.firstEngineerMissing()) {
         askFirstEngineer(m_look, *m_sheets, m_session);
     }
@@ -150,6 +152,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                           m_closeAnyway = true;
                           close();
                       });
+        m_sheets->current()->followLanguage([this] { close(); });
         return;
     }
     m_sheets->ask(tr("Finished parts wait"),
@@ -160,6 +163,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                       m_closeAnyway = true;
                       close();
                   });
+    m_sheets->current()->followLanguage([this] { close(); });
 }
 
 MainWindow::~MainWindow() {
@@ -247,6 +251,15 @@ void MainWindow::buildFrame() {
     }
     connect(m_header, &HeaderBar::operatorRequested, this, [this] { chooseOperator(m_look, *m_sheets, m_session); });
     connect(m_header, &HeaderBar::settingsRequested, this, [this] { openSettings(m_look, *m_sheets); });
+    connect(m_header, &HeaderBar::languageRequested, this, [this] {
+        if (!m_sheets->languageMayChange()) {
+            m_alarmBar->notify(tr("Close what is open first: it keeps the language it was opened in."));
+            return;
+        }
+        Preferences preferences = m_look.preferences();
+        preferences.language = preferences.language == Language::Korean ? Language::English : Language::Korean;
+        m_look.apply(preferences);
+    });
     connect(m_header, &HeaderBar::speedRequested, this, &MainWindow::chooseSpeed);
     auto* help = new HelpMode(m_look, *m_sheets, this);
     connect(m_header, &HeaderBar::helpRequested, this, [this, help](bool on) {
@@ -346,6 +359,16 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             if (auto* button = qobject_cast<QAbstractButton*>(watched);
                 button != nullptr && (button->focusPolicy() & Qt::ClickFocus) != 0) {
                 button->setFocusPolicy(Qt::TabFocus);
+            }
+            if (auto* button = qobject_cast<QAbstractButton*>(watched)) {
+                static_cast<QObject*>(button)->event(event);  // polished first
+                forgetStyledWidth(*button);
+                return true;
+            }
+            break;
+        case QEvent::StyleChange:
+            if (auto* button = qobject_cast<QAbstractButton*>(watched)) {
+                forgetStyledWidth(*button);
             }
             break;
         default:

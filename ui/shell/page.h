@@ -73,6 +73,9 @@ struct KeyFigure {
     bool limited{false};
     /// Course for the sparkline, oldest first; empty: the card remembers `value` over the last minute itself.
     std::vector<double> course{};
+    /// What the course should stay within, where that is known.
+    std::optional<double> lower{};
+    std::optional<double> upper{};
 };
 
 /// One row of the navigation. A process hands in its own with its room (app/console/rooms).

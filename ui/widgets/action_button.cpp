@@ -7,12 +7,24 @@
 #include <QStyleOptionButton>
 
 namespace kerf::ui {
+
+void forgetStyledWidth(QAbstractButton& button) {
+    if (button.property("_q_stylesheet_minw").toBool()) {  // the style sheet's mark of its own doing
+        button.setMinimumWidth(0);
+    }
+}
+
 namespace {
 constexpr int kTitle = Qt::AlignHCenter | Qt::AlignTop;
+
+/// That of the style's other buttons.
+int leastWidth(const Look& look) {
+    return look.metrics().touch() + 2 * look.space(Space::Medium);
+}
 }  // namespace
 
 ActionButton::ActionButton(Look& look, QWidget* parent) : QPushButton(parent), m_look(look) {
-    QSizePolicy policy(QSizePolicy::MinimumExpanding, QSizePolicy::Minimum);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     connect(&look, &Look::changed, this, [this] {
@@ -53,6 +65,7 @@ void ActionButton::setPrimary(bool primary) {
     setProperty("primary", primary);
     style()->unpolish(this);
     style()->polish(this);
+    forgetStyledWidth(*this);
 }
 
 // Where the button is too narrow for its title, that takes another line too.
@@ -86,14 +99,14 @@ QSize ActionButton::sizeHint() const {
     if (!m_reason.isEmpty()) {
         width = qMax(width, m_look.px(40.0));
     }
-    width = qMax(width, m_look.metrics().touch());
+    width = qMax(width, leastWidth(m_look));
     return {width, heightForWidth(width)};
 }
 
 // Narrow, the sentence takes more lines.
 QSize ActionButton::minimumSizeHint() const {
     const QFontMetrics title(m_look.font(TextSize::Body, QFont::DemiBold));
-    const int width = qMax(m_look.metrics().touch(), title.horizontalAdvance(text()) + 2 * m_look.space(Space::Medium));
+    const int width = qMax(leastWidth(m_look), title.horizontalAdvance(text()) + 2 * m_look.space(Space::Medium));
     return {width, qMin(heightForWidth(width), sizeHint().height())};
 }
 

@@ -8,6 +8,10 @@
 
 namespace kerf::ui {
 
+/// A style sheet's min-width is written into the button as its minimum, and layouts then no longer ask how wide its
+/// words are: they cut them off. The touch width stays in the hints.
+void forgetStyledWidth(QAbstractButton& button);
+
 /// A button that says why it is off. The predicate gives an empty text when the action is possible, else one
 /// (translated) sentence; the button is then disabled and shows that sentence under its name.
 class ActionButton : public QPushButton {

@@ -10,7 +10,8 @@
 
 namespace kerf::ui {
 
-/// A panel with a title line; put content into body(), and what belongs beside the title into header().
+/// A panel with a title line; put content into body(), and what belongs beside the title into header(). A change of
+/// language calls retranslate().
 class Card : public QFrame {
     Q_OBJECT
  public:
@@ -19,6 +20,11 @@ class Card : public QFrame {
     void setTitle(const QString& title);
     [[nodiscard]] QVBoxLayout* body() const { return m_body; }
     [[nodiscard]] QHBoxLayout* header() const { return m_header; }
+
+ protected:
+    void changeEvent(QEvent* event) override;
+    /// Sets every text anew, in the language that holds now.
+    virtual void retranslate() {}
 
  private:
     void refresh();

@@ -5,6 +5,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kerf::ui {
 
@@ -42,6 +43,24 @@ void Sparkline::clear() {
     update();
 }
 
+void Sparkline::setLimits(const std::optional<Limit>& lower, const std::optional<Limit>& upper) {
+    if (lower != m_lower || upper != m_upper) {
+        m_lower = lower;
+        m_upper = upper;
+        update();
+    }
+}
+
+// The name on the side of its line that is outside the band, out of the course's way.
+void Sparkline::paintLimit(QPainter& painter, const Limit& limit, double y, bool nameAbove) const {
+    painter.setPen(look().pen(Token::Limit, Stroke::Thin));
+    painter.drawLine(QPointF(rect().left(), y), QPointF(rect().right(), y));
+    const QFontMetrics metrics(painter.font());
+    const double gap = look().metrics().stroke(Stroke::Normal);
+    painter.drawText(QPointF(rect().left(), nameAbove ? y - gap - metrics.descent() : y + gap + metrics.ascent()),
+                     limit.name);
+}
+
 QSize Sparkline::sizeHint() const {
     return {look().px(40.0), look().metrics().sparkline()};
 }
@@ -54,21 +73,33 @@ void Sparkline::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double dot = look().metrics().stroke(Stroke::Bold);
-    const QRectF area = QRectF(rect()).adjusted(dot, dot, -dot * 2, -dot);
+    const double name = QFontMetrics(look().font(TextSize::Label)).height();
+    const QRectF area =
+        QRectF(rect()).adjusted(dot, dot + (m_upper ? name : 0.0), -dot * 2, -dot - (m_lower ? name : 0.0));
     painter.setPen(look().pen(Token::Line, Stroke::Thin));
     painter.drawLine(QPointF(rect().left(), rect().bottom()), QPointF(rect().right(), rect().bottom()));
     if (m_values.size() < 2) {
         return;
     }
-    const auto [lowest, highest] = std::minmax_element(m_values.begin(), m_values.end());
-    const double span = *highest - *lowest;
+    auto [lowest, highest] = std::ranges::minmax(m_values);
+    lowest = m_lower ? std::min(lowest, m_lower->value) : lowest;
+    highest = m_upper ? std::max(highest, m_upper->value) : highest;
+    const double span = highest - lowest;
+    const auto yOf = [&](double value) {
+        return area.bottom() - (span > 0.0 ? (value - lowest) / span : 0.5) * area.height();
+    };
+    painter.setFont(look().font(TextSize::Label));
+    for (const auto& [limit, above] : {std::pair(&m_lower, false), std::pair(&m_upper, true)}) {
+        if (*limit) {
+            paintLimit(painter, **limit, yOf((*limit)->value), above);
+        }
+    }
     const double step = area.width() / static_cast<double>(m_capacity - 1);
     QPolygonF line;
     line.reserve(static_cast<qsizetype>(m_values.size()));
     double x = area.right() - step * static_cast<double>(m_values.size() - 1);
     for (const double value : m_values) {
-        const double share = span > 0.0 ? (value - *lowest) / span : 0.5;
-        line << QPointF(x, area.bottom() - share * area.height());
+        line << QPointF(x, yOf(value));
         x += step;
     }
     painter.setPen(look().pen(Token::Measured, Stroke::Normal));

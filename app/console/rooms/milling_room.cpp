@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/service/milling/milling_json.h"
 #include "engine/process/milling/hard_machine.h"
 #include "engine/process/milling/milling_loop.h"
 #include "ui/pages/milling/milling_page.h"
@@ -48,7 +49,8 @@ std::unique_ptr<ProcessLoop> MillingRoom::makeLoop() {
 }
 
 void MillingRoom::open(const Context& context) {
-    StoredMillingService::Links links{context.writer, context.engine, context.author, {}, context.rights};
+    StoredMillingService::Links links{context.writer, context.engine,         context.author, {},
+                                      context.rights, context.options.machine};
     if (m_plant != nullptr) {
         links.toolChanged = [plant = m_plant](std::uint32_t parts) { plant->setTool(parts); };
     }
@@ -70,6 +72,15 @@ void MillingRoom::toolIsNew(const std::string& author) {
 
 void MillingRoom::poll() {
     m_service->poll();
+}
+
+RecipeHeld MillingRoom::recipe() {
+    const MillingServiceView& view = m_service->view();
+    return {view.partType, millingSetupJson(view.setup)};
+}
+
+void MillingRoom::recipeRevised(RecipeRevisionId revision) {
+    m_service->recipeRevised(revision);
 }
 
 }  // namespace kerf::console

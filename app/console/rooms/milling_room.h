@@ -18,6 +18,8 @@ class MillingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
+    void recipeRevised(RecipeRevisionId revision) override;
     void toolIsNew(const std::string& author) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 

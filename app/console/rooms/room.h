@@ -14,6 +14,7 @@
 #include "engine/api/engine_api.h"
 #include "engine/cycle/process_loop.h"
 #include "engine/machine/simulated/simulated_process.h"
+#include "ui/services/quality_service.h"
 #include "ui/services/thermal_service.h"
 #include "ui/shell/page.h"
 #include "ui/shell/services.h"
@@ -64,6 +65,10 @@ class Room {
     /// Hand the service to the pages.
     virtual void serve(ui::Services&) {}
     virtual void poll() {}
+    /// What parts of no lot are made under now; empty: parts of this process have lots, or it makes none.
+    [[nodiscard]] virtual RecipeHeld recipe() { return {}; }
+    /// Limits have made this revision of it.
+    virtual void recipeRevised(RecipeRevisionId /*revision*/) {}
     /// A person has said that a new tool is in.
     virtual void toolIsNew(const std::string& /*author*/) {}
     /// The simulated day before the operator comes: so that no page is empty. Called again and again, with the

@@ -3,6 +3,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/service/tapping/tapping_tuning_json.h"
 #include "engine/machine/linuxcnc/assumed_drive.h"
 #include "engine/machine/simulated/simulated_tapping.h"
@@ -17,6 +19,17 @@ constexpr const char* kBeforehand = "Kerf";
 constexpr std::uint32_t kPreparedTaps = 3;
 constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows the spindle lags by its whole speed
 
+/// The recipe of a thread before anything was tuned, when a lot was opened with it or it has limits: there are no gains
+/// of Kerf's in it.
+constexpr const char* kMachinesOwn = R"({"machines_own":true)";
+
+std::string machinesOwn(const TapChoice& choice) {
+    nlohmann::ordered_json json;
+    json["machines_own"] = true;
+    json["thread"] = choice.thread;
+    return json.dump();
+}
+
 /// Oldest first; one that cannot be read is left out and named in the log.
 std::vector<tapping::StoredTuning> storedTunings(RecipeBook& book) {
     std::vector<tapping::StoredTuning> tunings;
@@ -26,8 +39,12 @@ std::vector<tapping::StoredTuning> storedTunings(RecipeBook& book) {
         return tunings;
     }
     for (const RecipeBook::Recipe& recipe : *recipes) {
+        if (recipe.revision.parametersJson.starts_with(kMachinesOwn)) {
+            continue;
+        }
         if (auto tuning = formats::tuningFromJson(recipe.revision.parametersJson)) {
             tunings.push_back(std::move(*tuning));
+            tunings.back().recipe = recipe.revision.id;
         } else {
             spdlog::error("tuning {} of {}: {}", recipe.revision.revision, recipe.partType, tuning.error().english());
         }
@@ -82,7 +99,18 @@ void TappingRoom::open(const Context& context) {
     params.recipes = &*m_history;
     params.known = storedTunings(*m_recipes);
     params.store = [this](const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
-                          const RecipeHistory::Done& done) { keep(tuning, words, done); };
+                          const StoredTappingService::Params::Kept& done) { keep(tuning, words, done); };
+    LotBook::Links lots{context.writer, context.engine, context.reader, ProcessId::Tapping, context.rights};
+    lots.partType = [this] { return m_service->view().choice.thread; };
+    lots.parametersJson = [this] { return machinesOwn(m_service->view().choice); };
+    lots.settled = [this, &engine = context.engine] { return m_service->loaded(engine.status()); };
+    lots.machineKind = context.options.machine;
+    m_lots.emplace(std::move(lots));
+    params.lots = &*m_lots;
+    params.order = [this](std::int64_t recipe) {
+        m_lots->use(recipe);
+        return m_lots->withLoad();
+    };
     m_service = std::make_unique<StoredTappingService>(context.engine, *m_exchange, std::move(params));
 }
 
@@ -101,15 +129,28 @@ bool TappingRoom::prepared(EngineApi& engine) {
 }
 
 void TappingRoom::poll() {
-    if (m_service) m_service->poll();
+    if (m_service) {
+        m_service->poll();
+        m_lots->send();
+    }
+}
+
+RecipeHeld TappingRoom::recipe() {
+    return m_service ? RecipeHeld{m_service->view().choice.thread, machinesOwn(m_service->view().choice), false}
+                     : RecipeHeld{};
+}
+
+void TappingRoom::recipeRevised(RecipeRevisionId revision) {
+    m_service->recipeRevised(revision);
 }
 
 void TappingRoom::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
-                       const RecipeHistory::Done& done) {
+                       const StoredTappingService::Params::Kept& done) {
     m_recipes->keep(tuning.choice.thread, formats::tuningToJson(tuning), words.author, words.reason, words.restoredFrom,
                     [this, done](const Result<Receipt>& receipt) {
                         m_service->setStoreProblem(receipt ? Sentence{} : receipt.error());
-                        if (done) done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
+                        if (done)
+                            done(receipt ? Result<RecipeRevisionId>(receipt->id) : tl::unexpected(receipt.error()));
                     });
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/console/rooms/room.h"
+#include "app/service/lot_book.h"
 #include "app/service/stored_recipe_history.h"
 #include "app/service/tapping/tapping_service.h"
 #include "engine/process/tapping/tap_exchange.h"
@@ -22,10 +23,13 @@ class TappingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override { services.tappingService = m_service.get(); }
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
+    void recipeRevised(RecipeRevisionId revision) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
 
  private:
-    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, const RecipeHistory::Done& done);
+    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
+              const StoredTappingService::Params::Kept& done);
     void restore(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                  const RecipeHistory::Done& done);
 
@@ -33,6 +37,7 @@ class TappingRoom final : public Room {
     StoreWriter* m_writer{nullptr};
     std::optional<RecipeBook> m_recipes{};
     std::optional<StoredRecipeHistory> m_history{};
+    std::optional<LotBook> m_lots{};
     std::unique_ptr<StoredTappingService> m_service;
 };
 

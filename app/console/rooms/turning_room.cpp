@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/rooms/turning_room.h"
 
+#include "app/service/turning/turning_records.h"
 #include "engine/machine/simulated/simulated_turning.h"
 #include "engine/process/turning/hard_lathe.h"
 #include "engine/process/turning/turning_loop.h"
@@ -37,8 +38,9 @@ std::unique_ptr<ProcessLoop> TurningRoom::makeLoop() {
 }
 
 void TurningRoom::open(const Context& context) {
-    m_service = std::make_unique<StoredTurningService>(StoredTurningService::Links{
-        context.writer, context.engine, *m_exchange, context.reader, context.reader, context.rights});
+    m_service = std::make_unique<StoredTurningService>(
+        StoredTurningService::Links{context.writer, context.engine, *m_exchange, context.reader, context.reader,
+                                    context.rights, context.options.machine});
 }
 
 void TurningRoom::serve(ui::Services& services) {
@@ -51,6 +53,14 @@ bool TurningRoom::prepared(EngineApi& engine) {
 
 void TurningRoom::poll() {
     m_service->poll();
+}
+
+RecipeHeld TurningRoom::recipe() {
+    return {StoredTurningService::kPartType, turningSetupJson(m_service->view().setup)};
+}
+
+void TurningRoom::recipeRevised(RecipeRevisionId revision) {
+    m_service->recipeRevised(revision);
 }
 
 }  // namespace kerf::console

@@ -17,6 +17,8 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] RecipeHeld recipe() override;
+    void recipeRevised(RecipeRevisionId revision) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;
     [[nodiscard]] const StoredTurningService& service() const { return *m_service; }
 

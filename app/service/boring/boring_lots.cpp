@@ -44,11 +44,9 @@ StoredBoringLots::StoredBoringLots(const StoredBoringService::Links& links, LotR
       m_lotOpened(std::move(lotOpened)) {}
 
 Result<std::vector<LotRow>> StoredBoringLots::rows() {
-    auto all = m_reader.lots(std::nullopt, kLotsLooked);
+    auto all = m_reader.lots(std::nullopt, kLotsLooked, ProcessId::Boring);
     if (all) {
-        std::erase_if(*all, [this](const LotRow& lot) {
-            return lot.process != ProcessId::Boring || lot.machineName != m_first.machineName;
-        });
+        std::erase_if(*all, [this](const LotRow& lot) { return lot.machineName != m_first.machineName; });
     }
     return all;
 }

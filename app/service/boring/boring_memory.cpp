@@ -120,13 +120,13 @@ Result<Told> readTold(RoomRecordReader& records) {
 
 Result<BoringMemoryBasis> readBefore(LotReader& reader, const std::string& machine, std::optional<LotId> before,
                                      const Told& told) {
-    const auto all = reader.lots(std::nullopt, kMostLots);  // newest first
+    const auto all = reader.lots(std::nullopt, kMostLots, ProcessId::Boring);  // newest first
     if (!all) {
         return tl::unexpected(all.error());
     }
     BoringMemoryBasis basis;
     for (const LotRow& lot : *all) {
-        if (lot.process != ProcessId::Boring || lot.machineName != machine || (before && lot.id >= *before)) {
+        if (lot.machineName != machine || (before && lot.id >= *before)) {
             continue;
         }
         const auto history = reader.history(lot.id);

@@ -66,7 +66,7 @@ StoredBoringService::StoredBoringService(const Links& links, const LotHistory& h
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     m_problemSubscription = m_links.writer.onProblemChanged([this] {
         if (m_links.writer.problem().empty()) {
-            m_storeProblem = {};
+            m_way.setStoreProblem({});
         }
         rebuild();
         m_listeners.tell();
@@ -127,7 +127,7 @@ void StoredBoringService::propose() {
     adopt(schedule, m_records.predictionFor(schedule), !row.acceptedBy.empty());
     m_links.writer.submit(StoreSchedule{row}, [this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
         if (alive.lock() && !receipt) {
-            m_storeProblem = receipt.error();
+            m_way.setStoreProblem(receipt.error());
             rebuild();
             m_listeners.tell();
         }
@@ -235,7 +235,7 @@ void StoredBoringService::voidMeasurement(MeasurementId id, const std::string& a
 }
 
 void StoredBoringService::undoLast(const std::string& author, Done done) {
-    if (m_busy || !m_waiting.empty()) {
+    if (m_way.busy() || !m_waiting.empty()) {
         return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
     }
     const auto newest = m_records.newestStanding();
@@ -259,7 +259,7 @@ void StoredBoringService::queue(Change change) {
 }
 
 void StoredBoringService::runNext() {
-    while (!m_busy && !m_waiting.empty()) {
+    while (!m_way.busy() && !m_waiting.empty()) {
         const Change change = std::move(m_waiting.front());
         m_waiting.pop_front();
         Rows rows = change.rows();
@@ -292,16 +292,10 @@ void StoredBoringService::submit(std::vector<MeasurementRow> rows, Done done) {
         command.nextSchedule = scheduleRow(tried, schedule);
         command.nextSchedule->acceptedBy = accepted ? kControlAuthor : "";
     }
-    m_busy = true;
-    StoreCommand stored = rows.size() == 1 ? StoreCommand(std::move(command)) : StoreCommand(std::move(batch));
-    m_links.writer.submit(std::move(stored), [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-        if (!alive.lock()) {
-            return;
-        }
-        m_busy = false;
-        m_storeProblem = receipt ? Sentence() : receipt.error();
-        if (receipt) {
-            MeasurementId id = receipt->id;
+    keep(
+        rows.size() == 1 ? StoreCommand(std::move(command)) : StoreCommand(std::move(batch)),
+        [=, this](const Receipt& receipt) {
+            MeasurementId id = receipt.id;
             for (MeasurementRow row : rows) {
                 row.id = id++;
                 m_records.addRow(row);
@@ -309,13 +303,20 @@ void StoredBoringService::submit(std::vector<MeasurementRow> rows, Done done) {
             if (changed) {
                 adopt(schedule, predictions, accepted);
             }
-        }
-        rebuild();
-        send();
-        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        m_listeners.tell();
-        runNext();
-    });
+        },
+        std::move(done));
+}
+
+void StoredBoringService::keep(StoreCommand command, std::function<void(const Receipt&)> then, Done done) {
+    m_way.keep([this, &command](StoreWriter::Done stored) { m_links.writer.submit(std::move(command), stored); },
+               [this, then = std::move(then)](const Receipt& receipt) {
+                   then(receipt);
+                   send();
+               },
+               [this, done = std::move(done)](const Result<void>& result) {
+                   answer(done, result);
+                   runNext();
+               });
 }
 
 ScheduleRow StoredBoringService::scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const {
@@ -339,52 +340,36 @@ void StoredBoringService::acceptSchedule(const std::string& author, Done done) {
     if (const auto may = permitted(m_links.rights, author, Deed::BoringSchedule); !may) {
         return answer(done, may);
     }
-    if (m_busy || m_accepting) {
+    if (m_way.busy()) {
         return answer(done, fail(KERF_TEXT("A value is being stored; try again in a moment.")));
     }
     if (m_accepted && m_accepted->revision == m_next.revision) {
         return answer(done, {});
     }
-    m_accepting = true;
-    const auto stored = [this, done, schedule = m_next,
-                         alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-        if (!alive.lock()) {
-            return;
-        }
-        m_accepting = false;
-        m_storeProblem = receipt ? Sentence() : receipt.error();
-        if (receipt) {
-            m_accepted = schedule;
-        }
-        rebuild();
-        send();
-        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        m_listeners.tell();
-    };
-    m_links.writer.submit(AcceptSchedule{m_lot.id, m_next.revision, author}, stored);
+    keep(
+        AcceptSchedule{m_lot.id, m_next.revision, author},
+        [this, schedule = m_next](const Receipt&) { m_accepted = schedule; }, std::move(done));
 }
 
 void StoredBoringService::send() {
     if (!m_retired && !m_lotNamed) {  // the next part is this lot's, also before a schedule of it is accepted
-        Command command;
-        command.action = NameBoringLot{m_lot.id};
-        m_lotNamed = m_links.engine.send(command).has_value();
+        m_way.owe(NameOrder{ProcessId::Boring, order(0)});
+        m_lotNamed = true;
     }
     if (!m_retired && m_accepted && m_accepted->revision != m_sentRevision) {
-        Command command;
-        BoringSchedule schedule = *m_accepted;
-        schedule.lot = m_lot.id;  // a part begun with it belongs to this lot, whichever is active when it ends
-        command.action = LoadBoringSchedule{schedule};
-        if (m_links.engine.send(command)) {
-            m_sentRevision = m_accepted->revision;  // else its ring is full: poll() tries again
-        }
+        // A part begun with it belongs to this lot, whichever is active when it ends.
+        m_way.owe(LoadBoringSchedule{*m_accepted, order(m_accepted->revision)});
+        m_sentRevision = m_accepted->revision;
     }
 }
 
 void StoredBoringService::poll() {
     send();
+    if (!m_retired) {
+        m_way.poll();
+    }
     const bool waiting = !m_accepted || m_accepted->revision != m_next.revision;
-    if (!m_retired && waiting && !m_busy && !m_accepting && mode() == LoopMode::Control) {
+    if (!m_retired && waiting && !m_way.busy() && mode() == LoopMode::Control) {
         acceptSchedule(kControlAuthor, {});
     }
 }
@@ -438,14 +423,9 @@ void StoredBoringService::tellChange(std::optional<boring::StretchKind> kind, co
     }
     AddRoomRecord record{ProcessId::Boring,      kChangeRecord, std::to_string(m_lot.id),
                          changeJson(part, kind), author,        kind ? "announced" : "withdrawn"};
-    m_busy = true;
-    m_links.writer.submit(std::move(record), [=, this, alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-        if (!alive.lock()) {
-            return;
-        }
-        m_busy = false;
-        m_storeProblem = receipt ? Sentence() : receipt.error();
-        if (receipt) {
+    keep(
+        std::move(record),
+        [=, this](const Receipt&) {
             auto announced = m_records.tracker().announced();
             std::erase_if(announced, [&](const auto& one) { return one.part == part; });
             if (kind) {
@@ -453,13 +433,8 @@ void StoredBoringService::tellChange(std::optional<boring::StretchKind> kind, co
             }
             m_records.setAnnounced(std::move(announced));
             propose();
-        }
-        rebuild();
-        send();
-        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        m_listeners.tell();
-        runNext();
-    });
+        },
+        std::move(done));
 }
 
 std::optional<double> StoredBoringService::gaugeReading_mm(PartId id, std::uint8_t depth) {
@@ -484,7 +459,7 @@ void StoredBoringService::rebuild() {
     const std::uint64_t revision = m_view.revision + 1;
     m_view = boringView(basis);
     m_view.revision = revision;
-    m_view.storeProblem = m_storeProblem.empty() ? m_links.writer.problem() : m_storeProblem;
+    m_view.storeProblem = m_way.problem().empty() ? m_links.writer.problem() : m_way.problem();
 }
 
 }  // namespace kerf

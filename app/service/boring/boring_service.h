@@ -12,6 +12,7 @@
 #include "app/service/boring/boring_memory.h"
 #include "app/service/boring/boring_recipe.h"
 #include "app/service/boring/lot_records.h"
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "db/api/lot_reader.h"
 #include "db/api/store_writer.h"
@@ -84,7 +85,7 @@ class StoredBoringService final : public BoringService {
     /// when the loop has been switched to control.
     void poll();
     /// Nothing is on its way to the disk.
-    [[nodiscard]] bool idle() const noexcept { return !m_busy && !m_accepting && m_waiting.empty(); }
+    [[nodiscard]] bool idle() const noexcept { return !m_way.busy() && m_waiting.empty(); }
     /// Another lot is current: what is on its way is still stored and answered, but no schedule goes to the engine.
     void retire();
     /// What the comparison after a restart found; empty: the replayed state is the stored one.
@@ -108,11 +109,14 @@ class StoredBoringService final : public BoringService {
     void queueOne(std::function<Result<MeasurementRow>()> row, Done done);
     void runNext();
     void submit(std::vector<MeasurementRow> rows, Done done);
+    /// Stored, then taken over and sent; then whatever waits for its turn.
+    void keep(StoreCommand command, std::function<void(const Receipt&)> then, Done done);
     void partStored(const StoredPart& part);
     void propose();
     void tellChange(std::optional<boring::StretchKind> kind, const std::string& author, Done done);
     void adopt(const BoringSchedule& schedule, const Predictions& predictions, bool accepted);
     void send();
+    [[nodiscard]] WorkOrder order(std::uint32_t schedule) const { return {m_lot.id, m_lot.recipe, schedule}; }
     void rebuild();
     [[nodiscard]] ScheduleRow scheduleRow(const LotRecords& records, const BoringSchedule& schedule) const;
     [[nodiscard]] LoopMode mode() const;
@@ -121,6 +125,10 @@ class StoredBoringService final : public BoringService {
     [[nodiscard]] Rows rowsOf(const ReadBores& read, const std::string& author, bool confirmed) const;
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] {
+                        rebuild();
+                        m_listeners.tell();
+                    }};
     LotRow m_lot;
     bool m_lotNamed{false};
     std::uint32_t m_recipeRevision;
@@ -131,11 +139,8 @@ class StoredBoringService final : public BoringService {
     std::uint32_t m_sentRevision{0};
     std::map<std::uint32_t, Predictions> m_predictions{};  ///< by schedule revision, as made before the cut
     std::deque<Change> m_waiting{};
-    bool m_busy{false};       ///< a change is on its way to the disk
-    bool m_accepting{false};  ///< an acceptance is
     bool m_retired{false};
     bool m_hasMemory{false};
-    Sentence m_storeProblem{};
     Sentence m_restartFinding{};
     BoringServiceView m_view{};
     Listeners<> m_listeners{};

@@ -153,7 +153,8 @@ std::string millingToolJson(const MillingToolRecord& record) {
     ordered_json json;
     json["learnt"] = record.learnt;
     json["since_part"] = record.since;
-    json["last_part"] = record.lastPart;
+    json["after_part_id"] = record.after;
+    json["last_part_id"] = record.lastPart;
     json["law"] = keyOf(record.law);
     json["advised"] = record.advised;
     json["parts"] = tool.parts;
@@ -173,8 +174,10 @@ Result<MillingToolRecord> millingToolFromJson(const std::string& text) {
     try {
         const auto json = nlohmann::json::parse(text);
         record.learnt = json.at("learnt").get<bool>();
-        record.since = json.at("since_part").get<std::uint32_t>();
-        record.lastPart = json.at("last_part").get<std::uint32_t>();
+        record.since = json.at("since_part").get<std::int64_t>();
+        record.byNumber = !json.contains("last_part_id");
+        record.after = record.byNumber ? record.since : json.at("after_part_id").get<std::int64_t>();
+        record.lastPart = json.at(record.byNumber ? "last_part" : "last_part_id").get<std::int64_t>();
         record.law = lawOf(json.at("law").get<std::string>());
         record.advised = json.at("advised").get<bool>();
         record.tool.parts = json.at("parts").get<std::uint32_t>();

@@ -26,9 +26,13 @@ struct NamedBlank {
 /// What is kept after each cut: the tool as learnt, and of the cut what its stored figures do not say.
 struct MillingToolRecord {
     MillingToolState tool{};
-    bool learnt{false};                 ///< false: a new tool, nothing learnt yet
-    std::uint32_t since{0};             ///< number of the last part cut with the tool before
-    std::uint32_t lastPart{0};          ///< newest part that `tool` knows
+    bool learnt{false};  ///< false: a new tool, nothing learnt yet
+    /// The tool's name for ever: the last part that was stored before it (by its number in records of before version
+    /// 7).
+    std::int64_t since{0};
+    std::int64_t after{0};              ///< the last part cut with the tool before, as it is stored
+    std::int64_t lastPart{0};           ///< newest part that `tool` knows, as it is stored
+    bool byNumber{false};               ///< of before version 7: `after` and `lastPart` are numbers of parts of no lot
     MillingLaw law{MillingLaw::Model};  ///< of that part
     bool advised{false};
     // what it cut, and what kind it is; empty and 0 in records of older consoles

@@ -35,8 +35,8 @@ bool send(EngineApi& engine, const Action& action) {
 }
 
 /// Tools before the one in the spindle, of its radius and flutes, newest first.
-std::vector<MillingToolView> toolsLike(const std::map<std::uint32_t, MillingToolRecord>& past,
-                                       const std::map<std::uint32_t, RoomRecordRow>& told, const MillingToolRecord& now,
+std::vector<MillingToolView> toolsLike(const std::map<std::int64_t, MillingToolRecord>& past,
+                                       const std::map<std::int64_t, RoomRecordRow>& told, const MillingToolRecord& now,
                                        const MillingSetup& setup) {
     std::vector<MillingToolView> tools;
     for (auto tool = past.rbegin(); tool != past.rend(); ++tool) {
@@ -100,7 +100,10 @@ StoredMillingService::StoredMillingService(Links links, RoomRecordReader& record
       m_recipes(m_links.writer, lots, ProcessId::Milling),
       m_history({m_recipes, [this] { return m_type; },
                  [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
-                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
+                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}),
+      m_lots({m_links.writer, m_links.engine, lots, ProcessId::Milling, m_links.rights, [this] { return m_type; },
+              [this] { return millingSetupJson(m_types[m_type].setup); }, [this] { return settled(); },
+              m_links.machineKind}) {
     restore(records, parts);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     use(m_type);
@@ -110,7 +113,7 @@ StoredMillingService::StoredMillingService(Links links, RoomRecordReader& record
 template <class Value>
 Value StoredMillingService::keep(const Result<Value>& value, const Value& fallback) {
     if (!value) {
-        m_problem = value.error();
+        m_way.setStoreProblem(value.error());
         return fallback;
     }
     return *value;
@@ -132,7 +135,7 @@ void StoredMillingService::restorePast(RoomRecordReader& records) {
     }
     for (RoomRecordRow& row :
          keep(records.newestRoomRecords(ProcessId::Milling, kMemoryRecord), std::vector<RoomRecordRow>{})) {
-        const auto since = static_cast<std::uint32_t>(std::strtoul(row.subject.c_str(), nullptr, 10));
+        const auto since = static_cast<std::int64_t>(std::strtoll(row.subject.c_str(), nullptr, 10));
         m_toldOfPast.insert_or_assign(since, std::move(row));
     }
 }
@@ -181,8 +184,9 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
         m_types.try_emplace(m_type, first);
     }
     for (const RecipeBook::Recipe& recipe : keep(m_recipes.newest(), std::vector<RecipeBook::Recipe>{})) {
-        m_types.try_emplace(recipe.partType, first).first->second.setup =
-            keep(millingSetupFromJson(recipe.revision.parametersJson), first.setup);
+        PartType& type = m_types.try_emplace(recipe.partType, first).first->second;
+        type.setup = keep(millingSetupFromJson(recipe.revision.parametersJson), first.setup);
+        type.recipe = recipe.revision.id;
     }
     for (const RoomRecordRow& row : read("blank")) {
         m_types.try_emplace(row.subject, first).first->second.blank =
@@ -190,12 +194,37 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
     }
 }
 
+namespace {
+
+/// A record of before version 7 names parts by their number among those of no lot.
+void nameByIds(MillingToolRecord& record, PartReader& parts) {
+    const auto idOf = [&parts](std::int64_t number) -> std::int64_t {
+        if (number <= 0) {
+            return 0;
+        }
+        PartQuery query;
+        query.process = ProcessId::Milling;
+        query.numberWithoutLot = static_cast<std::uint32_t>(number);
+        query.limit = 1;
+        const auto found = parts.parts(query);
+        return found && !found->empty() ? found->front().id : 0;
+    };
+    if (record.byNumber) {
+        record.after = idOf(record.after);
+        record.lastPart = idOf(record.lastPart);
+        record.byNumber = false;
+    }
+}
+
+}  // namespace
+
 void StoredMillingService::restoreTool(RoomRecordReader& records, PartReader& parts) {
-    std::map<std::uint32_t, MillingToolRecord> perPart;
+    std::map<std::int64_t, MillingToolRecord> perPart;
     const auto rows =
         keep(records.roomRecords(ProcessId::Milling, "tool", {}, 2 * kCutsShown), std::vector<RoomRecordRow>{});
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
         m_tool = keep(millingToolFromJson(row->bodyJson), m_tool);
+        nameByIds(m_tool, parts);
         perPart[m_tool.lastPart] = m_tool;
     }
     PartQuery query;
@@ -205,16 +234,16 @@ void StoredMillingService::restoreTool(RoomRecordReader& records, PartReader& pa
     milling::WearTrend wear;
     wear.restore(m_tool.tool);
     for (auto row = stored.rbegin(); row != stored.rend(); ++row) {
-        MillingCutView cut{row->number, row->complete, false, cutOf(row->figures)};
-        if (const auto known = perPart.find(row->number); known != perPart.end()) {
+        MillingCutView cut{row->id, row->number, row->lotName, row->complete, false, cutOf(row->figures)};
+        if (const auto known = perPart.find(row->id); known != perPart.end()) {
             cut.cut.law = known->second.law;
             cut.cut.advised = known->second.advised;
         }
-        if (row->number > m_tool.lastPart) {  // stored, but the console ended before it could note the tool
+        if (row->id > m_tool.lastPart) {  // stored, but the console ended before it could note the tool
             if (cut.complete && cut.cut.stiffnessMean != 0.0) {
                 wear.addPart(cut.cut.stiffnessMean);
             }
-            m_tool.lastPart = row->number;
+            m_tool.lastPart = row->id;
         }
         m_cuts.push_back(cut);
     }
@@ -271,26 +300,18 @@ void StoredMillingService::store(const std::string& kind, const std::string& sub
     if (author.empty()) {
         return answer(done, tl::unexpected(signOnFirst()));
     }
-    m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
-                          answered(std::move(done), std::move(then)));
-}
-
-StoreWriter::Done StoredMillingService::answered(Done done, std::function<void()> then) {
-    ++m_busy;
+    m_way.keep(
+        [&](StoreWriter::Done stored) {
+            m_links.writer.submit(AddRoomRecord{ProcessId::Milling, kind, subject, body, author, reason},
+                                  std::move(stored));
+        },
+        [then = std::move(then)](const Receipt&) {
+            if (then) {
+                then();
+            }
+        },
+        std::move(done));
     rebuild();
-    return [this, done = std::move(done), then = std::move(then),
-            alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
-        if (!alive.lock()) {
-            return;
-        }
-        --m_busy;
-        m_problem = receipt ? Sentence() : receipt.error();
-        if (receipt && then) {
-            then();
-        }
-        rebuild();
-        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-    };
 }
 
 std::optional<Sentence> StoredMillingService::whyBusy() const {
@@ -316,25 +337,33 @@ void StoredMillingService::restoreRevision(const RecipeRevision& revision, const
 
 void StoredMillingService::accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
                                   std::optional<std::uint32_t> restoredFrom, Done done) {
+    const auto store = [&](StoreWriter::Done stored) {
+        m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
+        m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom, std::move(stored));
+    };
+    m_way.change(
+        mayAccept(setup, author, reason), store,
+        [this, setup, type = m_type](const Receipt& revision) {
+            m_types[type].setup = setup;
+            m_types[type].recipe = revision.id;
+            use(m_type);
+        },
+        std::move(done));
+    rebuild();
+}
+
+Result<void> StoredMillingService::mayAccept(const MillingSetup& setup, const std::string& author,
+                                             const std::string& reason) const {
     if (const auto why = whyBusy()) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
     if (const auto why = whyUnusable(setup)) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
     const bool limits = setup.overload_N > m_setup.overload_N || setup.highestFeed_mmPerS > m_setup.highestFeed_mmPerS;
     const bool far = raisedFar(m_setup.overload_N, setup.overload_N) ||
                      raisedFar(m_setup.highestFeed_mmPerS, setup.highestFeed_mmPerS);
-    const Deed deed = limits ? Deed::MillingLimits : Deed::MillingSetup;
-    if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
-        return answer(done, may);
-    }
-    m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
-    m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom,
-                   answered(std::move(done), [this, setup, type = m_type] {
-                       m_types[type].setup = setup;
-                       use(m_type);
-                   }));
+    return permittedLimit(m_links.rights, author, limits ? Deed::MillingLimits : Deed::MillingSetup, reason, far);
 }
 
 void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
@@ -380,6 +409,9 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
                         if (!begun) {
                             return answer(done, tl::unexpected(begun.error()));
                         }
+                        if (begun->second > 0) {
+                            like.recipe = begun->second;
+                        }
                         store("part_type", name, "{}", author, "chosen", std::move(done), [this, name, like] {
                             m_types.try_emplace(name, like);
                             m_type = name;
@@ -397,6 +429,7 @@ void StoredMillingService::newTool(const std::string& author, Done done) {
     }
     MillingToolRecord fresh;
     fresh.since = m_tool.lastPart;
+    fresh.after = m_tool.lastPart;
     fresh.lastPart = m_tool.lastPart;
     store("tool", {}, millingToolJson(fresh), author, "new tool", std::move(done), [this, fresh] {
         m_tool = fresh;
@@ -408,7 +441,7 @@ void StoredMillingService::newTool(const std::string& author, Done done) {
     });
 }
 
-void StoredMillingService::leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+void StoredMillingService::leaveOut(std::int64_t since, bool out, const std::string& author, const std::string& reason,
                                     Done done) {
     if (const auto why = whyBusy()) {
         return answer(done, tl::unexpected(*why));
@@ -435,18 +468,22 @@ void StoredMillingService::partStored(const StoredPart& part) {
     if (part.record.process != ProcessId::Milling) {
         return;
     }
-    m_cuts.push_back({part.number, part.record.complete, true, part.record.milling});
+    const auto lot = m_lots.current();
+    m_cuts.push_back({part.id, part.number, lot && part.lot == lot->id ? lot->name : std::string(),
+                      part.record.complete, true, part.record.milling});
     while (m_cuts.size() > kCutsShown) {
         m_cuts.pop_front();
     }
-    m_tool.tool = m_links.engine.status().milling.tool;
+    m_tool.tool = part.record.millingTool;  // after this cut, whatever has been cut since
     m_tool.learnt = true;
-    m_tool.lastPart = part.number;
+    m_tool.lastPart = part.id;
     m_tool.law = part.record.milling.law;
     m_tool.advised = part.record.milling.advised;
-    m_tool.partType = m_type;
-    m_tool.toolRadius_mm = m_setup.toolRadius_mm;
-    m_tool.flutes = m_setup.flutes;
+    const auto used = m_used.find(part.recipe.value_or(0));
+    const Used cut = used != m_used.end() ? used->second : Used{m_type, m_setup.toolRadius_mm, m_setup.flutes};
+    m_tool.partType = cut.partType;
+    m_tool.toolRadius_mm = cut.toolRadius_mm;
+    m_tool.flutes = cut.flutes;
     m_past[m_tool.since] = m_tool;
     store("tool", {}, millingToolJson(m_tool), kItself, {}, {}, {});
 }
@@ -460,31 +497,39 @@ void StoredMillingService::use(const std::string& partType) {
     if (m_setup.law == MillingLaw::Preview && m_blank.count == 0) {
         m_setup.law = MillingLaw::Model;
     }
-    (void)send(m_links.engine, LoadMillingBlank{m_blank});
-    (void)send(m_links.engine, LoadMillingSetup{m_setup});
+    useRecipe();
+    m_way.owe(LoadMillingBlank{m_blank});
+    m_way.owe(LoadMillingSetup{m_setup, m_lots.withLoad()});
     beginFromMemory();  // a tool of another kind may belong to this part type
     rebuild();
 }
 
+void StoredMillingService::useRecipe() {
+    const RecipeRevisionId recipe = m_types[m_type].recipe;
+    m_lots.use(recipe);
+    m_used[recipe] = {m_type, m_setup.toolRadius_mm, m_setup.flutes};
+}
+
+void StoredMillingService::recipeRevised(RecipeRevisionId revision) {
+    m_types[m_type].recipe = revision;
+    useRecipe();
+}
+
+bool StoredMillingService::settled() {
+    return m_links.engine.status().milling.setup == m_setup.revision;
+}
+
 void StoredMillingService::poll() {
+    m_way.poll();
+    m_lots.send();
     const Status& status = m_links.engine.status();
     const MillingStatus& now = status.milling;
     if (m_toolOwed && !now.cutting) {
         (void)send(m_links.engine, RestoreMillingTool{m_tool.tool});
         m_toolOwed = false;
     }
-    if (status.cycle == 0 || now.cutting) {
-        if (now.setup != m_setup.revision) {
-            return;
-        }
-    } else if (now.blank != m_blank.revision) {
-        (void)send(m_links.engine, LoadMillingBlank{m_blank});
-        return;
-    } else if (now.setup != m_setup.revision) {
-        (void)send(m_links.engine, LoadMillingSetup{m_setup});
-        return;
-    }
-    if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
+    if (!m_way.settled() || now.setup != m_setup.revision ||
+        (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
     m_setup.law = now.law;
@@ -492,8 +537,20 @@ void StoredMillingService::poll() {
     m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
     m_types[m_type].setup = m_setup;
     const std::string author = m_links.author();
-    m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine, std::nullopt,
-                   answered({}, {}));
+    m_way.keep(
+        [&](StoreWriter::Done stored) {
+            m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine,
+                           std::nullopt, std::move(stored));
+        },
+        [this, type = m_type](const Receipt& revision) {
+            m_types[type].recipe = revision.id;
+            if (type == m_type) {
+                useRecipe();
+                m_lots.send();
+            }
+        },
+        {});
+    rebuild();
 }
 
 void StoredMillingService::rebuild() {
@@ -507,13 +564,13 @@ void StoredMillingService::rebuild() {
     m_view.blankSource = m_types[m_type].blank.source;
     m_view.cuts.assign(m_cuts.begin(), m_cuts.end());
     for (MillingCutView& cut : m_view.cuts) {
-        cut.withThisTool = cut.number > m_tool.since;
+        cut.withThisTool = cut.id > m_tool.after;
     }
     const milling::ToolMemory found = memory();
     m_view.memory = {toolsLike(m_past, m_toldOfPast, m_tool, m_setup), viewed(found.lnKx), viewed(found.stiffness),
                      !m_tool.learnt && found.lnKx.has_value()};
-    m_view.busy = m_busy > 0;
-    m_view.problem = m_problem.empty() ? m_links.writer.problem() : m_problem;
+    m_view.busy = m_way.busy();
+    m_view.problem = m_way.problem().empty() ? m_links.writer.problem() : m_way.problem();
     ++m_view.revision;
     m_listeners.tell();
 }

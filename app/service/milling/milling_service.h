@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "app/service/change_way.h"
+#include "app/service/lot_book.h"
 #include "app/service/milling/milling_json.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
@@ -38,6 +40,7 @@ class StoredMillingService final : public MillingService {
         /// empty.
         std::function<void(std::uint32_t parts)> toolChanged{};
         Rights rights{};
+        std::string machineKind{"simulator"};  ///< as --machine names it
     };
     static constexpr const char* kFirstPartType = "Rail";
 
@@ -51,11 +54,14 @@ class StoredMillingService final : public MillingService {
     [[nodiscard]] Result<MillingBlank> blankOf(std::span<const MillingBlankStep> steps, double end_mm) const override;
     [[nodiscard]] Result<MillingBlank> readBlank(const std::string& file) const override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
+    [[nodiscard]] LotService* lots() override { return &m_lots; }
+    /// Limits have made this revision of the setup.
+    void recipeRevised(RecipeRevisionId revision);
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
     void choosePartType(const std::string& name, const std::string& author, Done done) override;
     void newTool(const std::string& author, Done done) override;
-    void leaveOut(std::uint32_t since, bool out, const std::string& author, const std::string& reason,
+    void leaveOut(std::int64_t since, bool out, const std::string& author, const std::string& reason,
                   Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override {
         return m_listeners.add(std::move(changed));
@@ -68,6 +74,13 @@ class StoredMillingService final : public MillingService {
     struct PartType {
         MillingSetup setup{};
         NamedBlank blank{};
+        RecipeRevisionId recipe{0};  ///< the setup's; 0: none was kept
+    };
+    /// What a revision was of, as long as parts of it may come back.
+    struct Used {
+        std::string partType{};
+        double toolRadius_mm{0.0};
+        std::uint8_t flutes{0};
     };
     void restore(RoomRecordReader& records, PartReader& parts);
     void restorePartTypes(RoomRecordReader& records);
@@ -79,6 +92,8 @@ class StoredMillingService final : public MillingService {
     /// Checked, stored as a revision of the present part type's recipe, then used.
     void accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
                 std::optional<std::uint32_t> restoredFrom, Done done);
+    [[nodiscard]] Result<void> mayAccept(const MillingSetup& setup, const std::string& author,
+                                         const std::string& reason) const;
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
     template <class Value>
@@ -86,30 +101,32 @@ class StoredMillingService final : public MillingService {
     void partStored(const StoredPart& part);
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);
-    /// Waits for the writer's answer: then `then`, then `done`.
-    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void()> then);
     void use(const std::string& partType);
+    /// The recipe that is in force now, without anything to load.
+    void useRecipe();
+    [[nodiscard]] bool settled();
     void rebuild();
     [[nodiscard]] std::optional<Sentence> whyBusy() const;
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { rebuild(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
+    LotBook m_lots;
     Listeners<> m_listeners;
     MillingServiceView m_view{};
     std::map<std::string, PartType> m_types;
+    std::map<RecipeRevisionId, Used> m_used;
     std::string m_type{kFirstPartType};
     std::uint32_t m_revision{0};  ///< of setups and blanks handed to the engine
     MillingSetup m_setup{};       ///< as handed over, with its revision
     MillingBlank m_blank{};
     MillingToolRecord m_tool{};
-    bool m_begun{false};                                  ///< the tool in the spindle began from memory
-    bool m_toolOwed{false};                               ///< the engine has yet to be told
-    std::map<std::uint32_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
-    std::map<std::uint32_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
+    bool m_begun{false};                                 ///< the tool in the spindle began from memory
+    bool m_toolOwed{false};                              ///< the engine has yet to be told
+    std::map<std::int64_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
+    std::map<std::int64_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
     std::deque<MillingCutView> m_cuts;
-    Sentence m_problem{};
-    int m_busy{0};
     std::shared_ptr<int> m_alive{std::make_shared<int>(0)};
     std::unique_ptr<Subscription> m_partsSubscription;
 };

@@ -100,6 +100,45 @@ Result<std::vector<FigureLimit>> limitsFromJson(ProcessId process, const std::st
     return limits;
 }
 
+std::optional<std::vector<FigureLimit>> limitsOfRecipe(ProcessId process, const std::string& parametersJson) {
+    if (parametersJson.find(kFigureLimits) == std::string::npos) {
+        return std::nullopt;  // a tuning with its curves is long
+    }
+    const auto json = nlohmann::ordered_json::parse(parametersJson, nullptr, false);
+    if (!json.is_object() || !json.contains(kFigureLimits)) {
+        return std::nullopt;
+    }
+    return limitsFromJson(process, json.at(kFigureLimits).dump()).value_or(std::vector<FigureLimit>{});
+}
+
+const RecipeLimits::Revision* RecipeLimits::under(const PartRow& part) const {
+    const auto after = std::ranges::upper_bound(revisions, part.endedUtc_ms, {}, &Revision::from_ms);
+    const Revision* const then = after == revisions.begin() ? nullptr : &*(after - 1);
+    const auto own = part.recipe ? ofRecipe.find(*part.recipe) : ofRecipe.end();
+    // A thread nobody has tuned is cut with the tuning of another one: its limits are its own all the same.
+    const bool another = own != ofRecipe.end() && then != nullptr && then->partType != own->second.partType;
+    return own != ofRecipe.end() && !another ? &own->second : then;
+}
+
+const std::vector<FigureLimit>& RecipeLimits::of(const PartRow& part) const {
+    const Revision* revision = under(part);
+    return revision != nullptr ? revision->limits : before;
+}
+
+std::uint32_t RecipeLimits::revisionOf(const PartRow& part) const {
+    const Revision* revision = under(part);
+    return revision != nullptr ? revision->revision : 0;
+}
+
+std::vector<Characteristic> withLimits(std::vector<Characteristic> characteristics,
+                                       const std::vector<FigureLimit>& limits) {
+    for (Characteristic& one : characteristics) {
+        const auto found = std::ranges::find(limits, one.key, &FigureLimit::key);
+        one.tolerance = found == limits.end() ? quality::Tolerance{} : found->tolerance;
+    }
+    return characteristics;
+}
+
 std::vector<Characteristic> characteristicsOf(ProcessId process, const std::string& recipeJson,
                                               const std::vector<FigureLimit>& limits) {
     if (process == ProcessId::Boring) {
@@ -117,14 +156,18 @@ std::vector<Characteristic> characteristicsOf(ProcessId process, const std::stri
 PartJudgement judgePart(const PartRow& part, const std::vector<Characteristic>& characteristics) {
     PartJudgement judgement;
     const std::vector<MeasurementRow> effective = effectiveMeasurements(part.measurements);
-    quality::Verdict worst =
-        part.complete && !characteristics.empty() ? quality::Verdict::Good : quality::Verdict::NotJudged;
+    const bool any =
+        std::ranges::any_of(characteristics, [](const Characteristic& one) { return one.tolerance.given(); });
+    quality::Verdict worst = part.complete && any ? quality::Verdict::Good : quality::Verdict::NotJudged;
     for (std::size_t i = 0; i < characteristics.size(); ++i) {
         JudgedValue judged;
         judged.value =
             part.process == ProcessId::Boring ? boreOf(effective, i) : figureOf(part, characteristics[i].key);
-        judged.verdict = quality::judge(judged.value, characteristics[i].tolerance);
-        worst = quality::worse(worst, judged.verdict);
+        judged.tolerance = characteristics[i].tolerance;
+        judged.verdict = quality::judge(judged.value, judged.tolerance);
+        if (judged.tolerance.given()) {
+            worst = quality::worse(worst, judged.verdict);
+        }
         judgement.values.push_back(judged);
     }
     judgement.verdict = worst;

@@ -7,7 +7,9 @@
 #include <array>
 #include <cctype>
 #include <ctime>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "app/files/dfq_files.h"
 #include "app/files/table.h"
@@ -63,6 +65,42 @@ std::optional<std::string> filled(const std::string& pattern, const LotRow& lot,
     return name;
 }
 
+/// What tells a part from every other one of the plant: type, lot, machine, operation and the part itself.
+std::vector<std::string> identityOf(const dfq::File& file) {
+    constexpr int kPartIdentity = 14;
+    std::vector<std::string> identity;
+    for (const int key : {1001, 1053, 1082, 1086}) {
+        const std::string* text = file.find(key, 1);
+        identity.push_back(text != nullptr ? *text : std::string());
+    }
+    const std::string* part = file.values.empty() ? nullptr : file.values.front().find(kPartIdentity);
+    identity.push_back(part != nullptr ? *part : std::string());
+    return identity;
+}
+
+/// A file of another part keeps its name, also one that was there before Kerf: the next free number goes behind.
+/// `own`: what this part was written to before.
+std::string freeName(const std::string& folder, const std::string& name, const dfq::File& content,
+                     const std::string& own) {
+    const std::size_t dot = name.rfind('.');
+    for (std::size_t number = 1;; ++number) {
+        std::string file = folder + "/" + name.substr(0, dot) +
+                           (number == 1 ? std::string() : fmt::format("_{}", number)) + name.substr(dot);
+        std::error_code error;
+        if (file == own || !std::filesystem::exists(file, error)) {
+            return file;
+        }
+        try {
+            const auto there = dfq::read(headless::readFile(file));
+            if (there && identityOf(*there) == identityOf(content)) {
+                return file;
+            }
+        } catch (const headless::BadInput&) {
+            continue;  // whatever it is, it is not this part's
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<Sentence> whyNoPattern(const std::string& pattern) {
@@ -89,14 +127,15 @@ Result<std::string> dfqFileName(const std::string& pattern, const LotRow& lot, c
 }
 
 Result<std::string> exportPart(const QualityLot& lot, const PartRow& part, const std::string& folder,
-                               const std::string& pattern) {
+                               const std::string& pattern, const std::string& own) {
     const auto name = dfqFileName(pattern, lot.history.lot, part);
     if (!name) {
         return name;
     }
-    std::string file = folder + "/" + *name;
+    const dfq::File content = lotDfq(lot.history, lot.quality, DfqContent::Standing, part.id);
+    std::string file = freeName(folder, *name, content, own);
     try {
-        headless::writeDfqFile(file, lotDfq(lot.history, lot.quality, DfqContent::Standing, part.id));
+        headless::writeDfqFile(file, content);
     } catch (const headless::BadInput&) {
         return fail(KERF_TEXT("%1 cannot be written."), SentenceArg(std::string_view(file)));
     }

@@ -18,8 +18,10 @@ inline constexpr const char* kDfqPatternStandard = "{type}_{lot}_{part}.dfq";
 /// Why a pattern cannot be used; empty when it can.
 [[nodiscard]] std::optional<Sentence> whyNoPattern(const std::string& pattern);
 
-/// Writes the file of one part of the lot under a name of its own, then renames it: nobody sees half a file.
+/// Writes the file of one part of the lot under a name of its own, then renames it: nobody sees half a file. A file of
+/// another part is never overwritten, whatever the pattern leaves out: name_2, name_3 … follow. `own`: where this part
+/// was written before. Gives where it is now.
 [[nodiscard]] Result<std::string> exportPart(const QualityLot& lot, const PartRow& part, const std::string& folder,
-                                             const std::string& pattern);
+                                             const std::string& pattern, const std::string& own = {});
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/service/quality/gauge_records.h"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace kerf {
@@ -186,6 +187,21 @@ std::string studyJson(const GaugeStudyRecord& study, const StudyFinding& finding
         json["readings"].push_back({reading.part, reading.person, reading.trial, reading.value});
     }
     return json.dump();
+}
+
+std::map<PartId, Disposition> dispositionsIn(RoomRecordReader& records) {
+    std::map<PartId, Disposition> decided;
+    for (const ProcessId process : allProcesses()) {
+        const auto rows = records.newestRoomRecords(process, kDispositionRecord);
+        for (const RoomRecordRow& row : rows ? *rows : std::vector<RoomRecordRow>{}) {
+            const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);
+            if (json.is_object() && json.contains("what")) {
+                decided.insert_or_assign(std::atoll(row.subject.c_str()),
+                                         Disposition{json.value("what", ""), row.author, row.createdUtc_ms});
+            }
+        }
+    }
+    return decided;
 }
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "db/api/room_records.h"
 #include "ui/services/quality_service.h"
 
 /// Gauges, their studies and what was done with bad parts, as room records keep them.
@@ -9,6 +10,9 @@ namespace kerf {
 inline constexpr const char* kGaugeRecord = "gauge";              ///< subject: identity
 inline constexpr const char* kStudyRecord = "gauge_study";        ///< subject: identity
 inline constexpr const char* kDispositionRecord = "disposition";  ///< subject: the part's number in the data file
+
+/// What was decided last about each part, of every process.
+[[nodiscard]] std::map<PartId, Disposition> dispositionsIn(RoomRecordReader& records);
 
 [[nodiscard]] std::string gaugeJson(const Gauge& gauge);
 [[nodiscard]] std::optional<Gauge> gaugeFromJson(const std::string& text);

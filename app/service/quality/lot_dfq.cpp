@@ -45,6 +45,8 @@ class Builder {
 
     dfq::File run(std::optional<PartId> only) {
         m_file.characteristics = static_cast<std::uint32_t>(m_quality.characteristics.size());
+        const auto part = only ? std::ranges::find(m_quality.parts, *only, &LotPart::id) : m_quality.parts.end();
+        m_only = part == m_quality.parts.end() ? nullptr : &*part;
         describe();
         std::uint32_t row = 0;
         for (const PartDetail& detail : m_history.parts) {
@@ -68,7 +70,8 @@ class Builder {
         const LotRow& lot = m_history.lot;
         entry(kPartNumber, 1, lot.partTypeName);
         entry(kPartName, 1, lot.partTypeName);
-        entry(kChangeState, 1, std::to_string(m_history.recipe.revision));
+        const bool own = m_only != nullptr && m_only->recipeRevision > 0;
+        entry(kChangeState, 1, std::to_string(own ? m_only->recipeRevision : m_history.recipe.revision));
         entry(kOrder, 1, lot.name);
         entry(kMachineNumber, 1, std::to_string(lot.machine));
         entry(kMachineName, 1, lot.machineName);
@@ -84,8 +87,11 @@ class Builder {
             if (characteristic.nominal) {
                 entry(kNominal, index, number(*characteristic.nominal));
             }
-            limit(characteristic, characteristic.tolerance.lower, kLower, kLowerAllowance, kLowerKind, index);
-            limit(characteristic, characteristic.tolerance.upper, kUpper, kUpperAllowance, kUpperKind, index);
+            // The file of one part says what that part was judged by.
+            const quality::Tolerance& tolerance =
+                m_only != nullptr ? m_only->judgement.values[index - 1].tolerance : characteristic.tolerance;
+            limit(characteristic, tolerance.lower, kLower, kLowerAllowance, kLowerKind, index);
+            limit(characteristic, tolerance.upper, kUpper, kUpperAllowance, kUpperKind, index);
             entry(kUnit, index, characteristic.unit);
             entry(kSubgroup, index, "1");
         }
@@ -238,6 +244,7 @@ class Builder {
     const LotHistory& m_history;
     const LotQuality& m_quality;
     DfqContent m_content;
+    const LotPart* m_only{nullptr};  ///< the file is of this part alone
     dfq::File m_file{};
     std::map<std::string, std::uint32_t> m_operators{};
     std::map<std::string, std::uint32_t> m_gauges{};

@@ -89,13 +89,58 @@ class Grouping {
     std::vector<std::vector<quality::Moments>> m_moments{};
 };
 
-void judgeParts(const LotHistory& history, const std::vector<boring::AnnouncedChange>& announced, LotQuality& quality) {
+/// What each part is judged by: the places are those of the lot's characteristics, the limits those of the recipe the
+/// part was made under.
+class Limits {
+ public:
+    Limits(const LotQuality& quality, const RecipeLimits& limits) : m_quality(quality), m_limits(limits) {}
+    [[nodiscard]] const std::vector<Characteristic>& of(const PartRow& part) {
+        if (part.process == ProcessId::Boring) {
+            return m_quality.characteristics;
+        }
+        const std::vector<FigureLimit>& limits = m_limits.of(part);
+        if (m_of != &limits) {
+            m_of = &limits;
+            m_known = withLimits(m_quality.characteristics, limits);
+        }
+        return m_known;
+    }
+
+ private:
+    const LotQuality& m_quality;
+    const RecipeLimits& m_limits;
+    const std::vector<FigureLimit>* m_of{nullptr};
+    std::vector<Characteristic> m_known{};
+};
+
+/// Of the parts to come, and then what only earlier ones were judged by.
+std::vector<Characteristic> figuresOf(const LotHistory& history, const RecipeLimits& limits) {
+    std::vector<FigureLimit> all = limits.inForce;
+    for (const PartDetail& detail : history.parts) {
+        for (const FigureLimit& limit : limits.of(detail.part)) {
+            if (std::ranges::find(all, limit.key, &FigureLimit::key) == all.end()) {
+                all.push_back(limit);
+            }
+        }
+    }
+    return withLimits(characteristicsOf(history.lot.process, {}, all), limits.inForce);
+}
+
+void judgeParts(const LotHistory& history, const std::vector<boring::AnnouncedChange>& announced,
+                const RecipeLimits& recipes, LotQuality& quality) {
+    Limits limits(quality, recipes);
     std::vector<quality::Moments> moments(quality.characteristics.size());
     Grouping groups(quality, announced);
     for (const PartDetail& detail : history.parts) {
         const PartRow& row = detail.part;
-        LotPart part{
-            row.number, row.id, row.serial, row.complete, row.endedUtc_ms, judgePart(row, quality.characteristics), {}};
+        LotPart part{row.number,
+                     row.id,
+                     row.serial,
+                     row.complete,
+                     row.endedUtc_ms,
+                     judgePart(row, limits.of(row)),
+                     {},
+                     recipes.revisionOf(row)};
         groups.take(row, part);
         for (std::size_t i = 0; i < moments.size(); ++i) {
             if (const auto& value = part.judgement.values[i].value; value && std::isfinite(*value)) {
@@ -276,20 +321,22 @@ Sentence sentenceOf(const LotQuality& quality) {
 
 }  // namespace
 
-LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>& limits,
+LotQuality analyseLot(const LotHistory& history, const RecipeLimits& limits,
                       const std::vector<boring::AnnouncedChange>& announced, const quality::ChartParams& params) {
     LotQuality quality;
     quality.lot = history.lot;
     quality.recipeRevision = history.recipe.revision;
-    quality.characteristics = characteristicsOf(history.lot.process, history.recipe.parametersJson, limits);
-    if (history.lot.process == ProcessId::Boring) {
+    const bool bores = history.lot.process == ProcessId::Boring;
+    quality.characteristics =
+        bores ? characteristicsOf(history.lot.process, history.recipe.parametersJson, {}) : figuresOf(history, limits);
+    if (bores) {
         chartBores(history, announced, quality);
     } else {
         chartFigure(history, quality);
     }
     runCharts(params, quality);
     quality.steady = isSteady(quality);
-    judgeParts(history, announced, quality);
+    judgeParts(history, announced, limits, quality);
     quality.sentence = sentenceOf(quality);
     return quality;
 }

@@ -16,7 +16,7 @@ namespace kerf {
 
 /// `announced`: changes of tool or material, as the Boring page took them. After one the charts begin anew, and what is
 /// expected of the next part is drawn from what the lot itself has shown (not from the lots before it).
-[[nodiscard]] LotQuality analyseLot(const LotHistory& history, const std::vector<FigureLimit>& limits,
+[[nodiscard]] LotQuality analyseLot(const LotHistory& history, const RecipeLimits& limits,
                                     const std::vector<boring::AnnouncedChange>& announced = {},
                                     const quality::ChartParams& params = {});
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -13,12 +12,15 @@
 
 namespace kerf {
 
-/// Limits that hold for the figures of a process: the newest set ones, or the standard ones. What cannot be read is no
-/// limit: such parts are not judged.
-[[nodiscard]] std::vector<FigureLimit> figureLimits(RoomRecordReader& records, ProcessId process);
+/// Limits of the figures of a process by the revisions of its recipes, which it worked by one after the other. A
+/// revision that says none has what was set for the process before recipes had limits, or the standard ones.
+[[nodiscard]] RecipeLimits recipeLimits(LotReader& lots, RoomRecordReader& records, ProcessId process);
 
-/// Judges parts of any lot with the recipe of the lot and the limits of its process; both are read once per lot. On the
-/// readers' thread.
+/// Room records of this kind say which part type a process works by from then on.
+inline constexpr const char* kPartTypeRecord = "part_type";
+
+/// Judges parts of any lot with the recipe they were made under; what is read of it is read once. On the readers'
+/// thread.
 class PartJudge {
  public:
     PartJudge(LotReader& lots, RoomRecordReader& records) : m_lots(lots), m_records(records) {}
@@ -27,14 +29,20 @@ class PartJudge {
     [[nodiscard]] PartJudgement judge(const PartRow& part) { return judgePart(part, characteristics(part)); }
     /// For tables written as CSV; this object must outlive it.
     [[nodiscard]] VerdictOf forExport();
-    /// Limits were changed.
-    void forget();
+    /// Limits were changed, or another part type chosen.
+    void forget() { m_byProcess.clear(); }
 
  private:
     LotReader& m_lots;
     RoomRecordReader& m_records;
     std::map<LotId, std::vector<Characteristic>> m_byLot{};
-    std::array<std::optional<std::vector<Characteristic>>, kProcessPlaces> m_byProcess{};
+    [[nodiscard]] const std::map<PartId, Disposition>& decisions();
+    std::optional<std::map<PartId, Disposition>> m_decisions{};
+    struct Process {
+        RecipeLimits limits{};
+        std::map<const std::vector<FigureLimit>*, std::vector<Characteristic>> known{};
+    };
+    std::map<ProcessId, Process> m_byProcess{};
 };
 
 }  // namespace kerf

@@ -55,10 +55,11 @@ Result<void> QualityWatch::lookAt(const std::string& path, LotId lot, const std:
         const bool judged = judgement.verdict != quality::Verdict::NotJudged;
         seen.exported = seen.exported || (known.first && judged);  // as far as anybody knows after a restart
         if (!folder.empty() && (judged || seen.exported) && !seen.written) {
-            const auto written = exportPart(*read, part, folder, pattern);
+            const auto written = exportPart(*read, part, folder, pattern, seen.file);
             if (written) {
                 seen.written = true;
                 seen.exported = true;
+                seen.file = *written;
             } else {
                 known.alarms.push_back(alarm(quality_alarm::kFileNotWritten, written.error()));
                 break;  // the next ones would fail too

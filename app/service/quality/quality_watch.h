@@ -43,6 +43,7 @@ class QualityWatch {
         std::size_t rows{0};   ///< accepted measurements: more of them mean other values
         bool written{false};   ///< its file holds these values
         bool exported{false};  ///< it has a file, which a void makes untrue too
+        std::string file{};    ///< where, when it was written since the start
     };
     /// What is known of a lot; travels to the worker and back.
     struct Known {

@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uint32_t kMostRecords = 100'000;
 constexpr std::uint32_t kMostAlarms = 1'000;
+constexpr const char* kItself = "Kerf";
+constexpr const char* kRulesChosen = "rules of the charts chosen";
 constexpr std::int64_t kBeforeFirstPart_ms = 3'600'000;  // what went wrong while the first part was cut
 
 std::int64_t now_ms() {
@@ -148,8 +150,8 @@ Result<QualityLot> readQualityLot(db::DatabaseReader& reader, LotId lot, std::ui
         announced = std::move(*changes);
     }
     QualityLot result{std::move(history), {}};
-    result.quality =
-        analyseLot(result.history, figureLimits(reader, result.history.lot.process), announced, chartParams(reader));
+    const ProcessId process = result.history.lot.process;
+    result.quality = analyseLot(result.history, recipeLimits(reader, reader, process), announced, chartParams(reader));
     if (const auto& parts = result.history.parts; !parts.empty()) {
         result.quality.olderParts = parts.size() == count && parts.front().part.number > 1;
         result.quality.newerParts = last && newestPart(reader, lot, result.history.lot.process) != parts.back().part.id;
@@ -187,7 +189,7 @@ Result<QualityLot> readFirstPart(db::DatabaseReader& reader, LotId lot) {
     }
     read->history.parts = {**detail};
     read->history.measurements = (*detail)->part.measurements;
-    read->quality = analyseLot(read->history, figureLimits(reader, read->history.lot.process));
+    read->quality = analyseLot(read->history, recipeLimits(reader, reader, read->history.lot.process));
     return read;
 }
 
@@ -251,16 +253,7 @@ void StoredQualityService::readRecords() {
         }
         std::ranges::sort(m_gauges, {}, &Gauge::identity);
     }
-    for (const ProcessId process : allProcesses()) {
-        const auto rows = m_links.records.roomRecords(process, kDispositionRecord, {}, kMostRecords);
-        for (const RoomRecordRow& row : rows ? *rows : std::vector<RoomRecordRow>{}) {
-            const auto json = nlohmann::json::parse(row.bodyJson, nullptr, false);
-            if (json.is_object() && json.contains("what")) {
-                m_dispositions.emplace(std::atoll(row.subject.c_str()),
-                                       Disposition{json.value("what", ""), row.author, row.createdUtc_ms});
-            }
-        }
-    }
+    m_dispositions = dispositionsIn(m_links.records);
 }
 
 void StoredQualityService::tell() {
@@ -348,9 +341,13 @@ std::function<VerdictOf()> StoredQualityService::openVerdicts() {
     };
 }
 
+std::string StoredQualityService::limitsPartType(ProcessId process) {
+    return m_links.recipe ? m_links.recipe(process).partType : std::string();
+}
+
 void StoredQualityService::setLimits(ProcessId process, const std::vector<FigureLimit>& limits,
-                                     const std::string& author, Done done) {
-    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits); !may) {
+                                     const std::string& author, const std::string& reason, Done done) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits, reason); !may) {
         done(may);
         return;
     }
@@ -359,15 +356,28 @@ void StoredQualityService::setLimits(ProcessId process, const std::vector<Figure
         done(tl::unexpected(valid.error()));
         return;
     }
-    store(
-        {process, kFigureLimits, {}, body, author, {}},
-        [this] {
-            m_judge.forget();
-            if (m_wanted) {
-                want(*m_wanted);
-            }
-        },
-        std::move(done));
+    const RecipeHeld held = m_links.recipe ? m_links.recipe(process) : RecipeHeld{};
+    if (held.partType.empty()) {
+        done(fail(KERF_TEXT("There is no part type yet whose recipe could hold limits.")));
+        return;
+    }
+    // What it works by becomes its first revision, when it has none yet.
+    m_links.writer.submit(EnsurePartType{process, held.partType, held.parametersJson, kItself}, {});
+    const std::string alone = nlohmann::ordered_json{{kFigureLimits, nlohmann::ordered_json::parse(body)}}.dump();
+    m_links.writer.submit(KeepRecipe{process, held.partType, alone, author, reason, {}},
+                          [this, process, done](const Result<Receipt>& stored) {
+                              if (stored) {
+                                  if (m_links.revised) {
+                                      m_links.revised(process, stored->id);
+                                  }
+                                  m_judge.forget();
+                                  if (m_wanted) {
+                                      want(*m_wanted);
+                                  }
+                                  tell();
+                              }
+                              done(stored ? Result<void>() : Result<void>(tl::unexpected(stored.error())));
+                          });
 }
 
 void StoredQualityService::saveGauge(const Gauge& gauge, const std::string& author, Done done) {
@@ -471,11 +481,11 @@ quality::RuleSet StoredQualityService::rules() {
 }
 
 void StoredQualityService::setRules(const quality::RuleSet& rules, const std::string& author, Done done) {
-    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits); !may) {
+    if (const auto may = permitted(m_links.rights, author, Deed::QualityLimits, kRulesChosen); !may) {
         done(may);
         return;
     }
-    m_links.writer.submit(ChangeSetting{kChartRules, rulesText(rules), author, {}},
+    m_links.writer.submit(ChangeSetting{kChartRules, rulesText(rules), author, kRulesChosen},
                           [this, done](const Result<Receipt>& stored) {
                               if (stored && m_wanted) {
                                   want(*m_wanted);

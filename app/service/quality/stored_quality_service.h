@@ -69,6 +69,10 @@ class StoredQualityService final : public QualityService {
         /// Asked on the GUI thread; what it returns runs on a worker.
         std::function<Report()> makeReport{};
         Rights rights{};
+        /// What a process without lots works by now; asked on the GUI thread.
+        std::function<RecipeHeld(ProcessId)> recipe{};
+        /// Limits have made a revision of it: what is begun from now on is cut with that one.
+        std::function<void(ProcessId, RecipeRevisionId)> revised{};
     };
     explicit StoredQualityService(Links links);
 
@@ -77,16 +81,17 @@ class StoredQualityService final : public QualityService {
     [[nodiscard]] Sentence problem() const override { return m_problem; }
     void show(LotId lot) override { want({lot, {}, kNewestParts}); }
     void showUpTo(LotId lot, PartId last) override { want({lot, last, kNewestParts}); }
-    [[nodiscard]] PartJudgement judge(const PartRow& part) override { return m_judge.judge(part); }
+    [[nodiscard]] PartJudgement judge(const PartRow& part) override { return judgeOf(part).judge(part); }
     [[nodiscard]] std::vector<Characteristic> characteristics(const PartRow& part) override {
-        return m_judge.characteristics(part);
+        return judgeOf(part).characteristics(part);
     }
     [[nodiscard]] std::function<VerdictOf()> openVerdicts() override;
     [[nodiscard]] std::vector<FigureLimit> limits(ProcessId process) override {
-        return figureLimits(m_links.records, process);
+        return recipeLimits(m_links.lots, m_links.records, process).inForce;
     }
+    [[nodiscard]] std::string limitsPartType(ProcessId process) override;
     void setLimits(ProcessId process, const std::vector<FigureLimit>& limits, const std::string& author,
-                   Done done) override;
+                   const std::string& reason, Done done) override;
     [[nodiscard]] const std::map<PartId, Disposition>& dispositions() const override { return m_dispositions; }
     void dispose(PartId part, const std::string& what, const std::string& author, Done done) override;
     [[nodiscard]] const std::vector<Gauge>& gauges() const override { return m_gauges; }
@@ -107,6 +112,14 @@ class StoredQualityService final : public QualityService {
         std::uint32_t count{kNewestParts};
         friend bool operator==(const Wish&, const Wish&) = default;
     };
+    /// A part newer than any before may have been made under a newer recipe.
+    [[nodiscard]] PartJudge& judgeOf(const PartRow& part) {
+        if (part.id > m_newestJudged) {
+            m_newestJudged = part.id;
+            m_judge.forget();
+        }
+        return m_judge;
+    }
     void want(const Wish& wish);
     void read(const Wish& wish);
     void tell();
@@ -116,6 +129,7 @@ class StoredQualityService final : public QualityService {
 
     Links m_links;
     PartJudge m_judge;
+    PartId m_newestJudged{0};
     std::shared_ptr<LotQuality> m_lot{};
     std::optional<Wish> m_wanted{};
     bool m_reading{false};

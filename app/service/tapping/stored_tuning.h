@@ -24,6 +24,7 @@ struct StoredTuning {
     /// again.
     std::optional<bool> leftOut{};
     std::string leftOutReason{}, leftOutAuthor{};
+    std::int64_t recipe{0};  ///< the revision it is stored as; 0: not yet
 };
 
 /// Who keeps a tuning and why; `restoredFrom`: the revision of its thread's recipe that comes back.

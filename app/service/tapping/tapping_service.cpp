@@ -204,13 +204,15 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
         m_view.leftOut = out->leftOutAuthor + ": " + out->leftOutReason;
     }
     showStored();
-    send(LoadTappingJob{jobFor(choice)});
+    std::optional<WorkOrder> order;
+    if (m_params.order) order = m_params.order(stored != nullptr ? stored->recipe : 0);
+    m_way.owe(LoadTappingJob{jobFor(choice), order});
     if (author != kItself) note(author, Deed::TappingJob, jobText(choice));
     if (m_engine.capabilities().servoGains.fitted) {
         LoadTapGains gains = gainsToLoad(m_exchange, m_inForce, m_engine.status().tapping.nextGains + 1);
         gains.accept = true;
         gains.production = true;
-        send(gains);
+        m_way.owe(gains);
     }
     m_seenTaps = m_engine.status().tapping.taps;
     return {};
@@ -231,8 +233,7 @@ Result<void> StoredTappingService::leaveOut(bool out, const std::string& author,
     word.leftOut = out;
     word.leftOutReason = reason;
     word.leftOutAuthor = author;
-    m_params.known.push_back(word);
-    keep(word, {author, reason, {}});
+    keep(word, {author, reason, {}}, true);
     return load(m_view.choice, author);
 }
 
@@ -249,20 +250,56 @@ void StoredTappingService::takeBack(const tapping::StoredTuning& tuning, std::ui
             fail(KERF_TEXT("This revision leaves a tuning out or takes it in; it has no settings of its own.")));
     }
     if (!m_params.store) return answer(fail(KERF_TEXT("Nothing is stored here.")));
-    m_params.store(tuning, {author, reason, revision},
-                   [this, tuning, author, done, alive = std::weak_ptr<bool>(m_alive)](const Result<void>& stored) {
-                       if (alive.expired()) return;
-                       Result<void> result = stored;
-                       if (stored) {
-                           m_params.known.push_back(tuning);
-                           if (m_view.revision > 0) result = load(m_view.choice, author);
-                       }
-                       if (done) done(result);
-                   });
+    m_way.keep(
+        storing(tuning, {author, reason, revision}),
+        [this, tuning, author](const Receipt& stored) {
+            m_params.known.push_back(tuning);
+            m_params.known.back().recipe = stored.id;
+            if (m_view.revision > 0) {
+                if (const auto loaded = load(m_view.choice, author); !loaded) refused(loaded.error());
+            }
+        },
+        done);
 }
 
-void StoredTappingService::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words) {
-    if (m_params.store) m_params.store(tuning, words, {});
+void StoredTappingService::keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, bool isWord) {
+    m_params.known.push_back(tuning);
+    m_params.known.back().recipe = isWord ? tuning.recipe : 0;
+    if (!m_params.store) return;
+    m_way.keep(storing(tuning, words),
+               [this, isWord, place = m_params.known.size() - 1](const Receipt& stored) {
+                   if (isWord) return;
+                   m_params.known[place].recipe = stored.id;
+                   useRecipe(stored.id);
+               },
+               {});
+}
+
+ChangeWay::Store StoredTappingService::storing(const tapping::StoredTuning& tuning,
+                                               const tapping::TuningWords& words) const {
+    return [this, tuning, words](StoreWriter::Done stored) {
+        m_params.store(tuning, words, [stored = std::move(stored)](const Result<std::int64_t>& revision) {
+            stored(revision ? Result<Receipt>(Receipt{*revision, 0}) : tl::unexpected(revision.error()));
+        });
+    };
+}
+
+void StoredTappingService::show() {
+    if (!m_way.problem().empty()) m_view.reason = m_way.problem();
+    ++m_view.revision;
+}
+
+void StoredTappingService::recipeRevised(std::int64_t revision) {
+    GainsSource how{};
+    const tapping::StoredTuning* held = newestFor(m_view.choice, how);
+    for (tapping::StoredTuning& known : m_params.known) {
+        known.recipe = &known == held ? revision : known.recipe;
+    }
+    useRecipe(revision);
+}
+
+void StoredTappingService::useRecipe(std::int64_t recipe) {
+    if (m_params.order) send(NameOrder{ProcessId::Tapping, m_params.order(recipe)});
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
@@ -284,6 +321,7 @@ Result<void> StoredTappingService::begin(const std::string& author, bool automat
     m_before = m_inForce;
     m_author = author;
     m_view.automatic = automatic;
+    m_way.forgetOwed();  // the session loads its own
     m_session = std::make_unique<TuningSession>(m_engine, m_exchange, setup, jobFor(choice), automatic);
     note(author, Deed::TappingTuning, "begun for " + jobText(choice));
     m_shownTrials = 0;
@@ -351,6 +389,7 @@ void StoredTappingService::setStoreProblem(const Sentence& why) {
 
 void StoredTappingService::poll() {
     const Status& status = m_engine.status();
+    m_way.poll();
     if (const auto why = settleCommands(status, m_sent)) {
         m_view.reason = *why;
         ++m_view.revision;
@@ -437,9 +476,8 @@ void StoredTappingService::decided(const std::string& author, bool rolledBack) {
     tuning.first = tapping::thinned(m_view.first, kCurvePoints);
     tuning.last = tapping::thinned(curveOf(keptTrial(trials).spindle_rev, keptTrial(trials).error_um), kCurvePoints);
     m_view.proof = tuning.proof;
-    m_params.known.push_back(tuning);
+    keep(tuning, {author, rolledBack ? "rolled back" : "accepted", {}}, false);
     showStored();
-    keep(tuning, {author, rolledBack ? "rolled back" : "accepted", {}});
 }
 
 void StoredTappingService::rebuild() {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/tapping/stored_tuning.h"
 #include "engine/api/engine_api.h"
@@ -25,10 +26,13 @@ class StoredTappingService final : public TappingService {
         double abortOverAllowed{10.0};  ///< abort limit over the allowed peak-to-peak: an untuned drive must pass
         int maxTaps{8};
         std::vector<tapping::StoredTuning> known{};  ///< oldest first
-        /// Keeps a tuning for ever, as a revision of its thread's recipe; `done` may be empty. May be empty itself.
-        std::function<void(const tapping::StoredTuning&, const tapping::TuningWords&, RecipeHistory::Done done)>
-            store{};
+        /// Keeps a tuning for ever, as a revision of its thread's recipe, whose number `done` is told. May be empty.
+        using Kept = std::function<void(const Result<std::int64_t>&)>;
+        std::function<void(const tapping::StoredTuning&, const tapping::TuningWords&, Kept done)> store{};
         RecipeHistory* recipes{nullptr};  ///< where they are; null: nowhere
+        LotService* lots{nullptr};        ///< null: taps are of no lot
+        /// That recipe is in force; gives whose work the next taps are. May be empty.
+        std::function<WorkOrder(std::int64_t recipe)> order{};
         Rights rights{};
         /// A change that is no tuning: author, key of the deed, what; for the audit log. May be empty.
         std::function<void(const std::string& author, const char* key, const std::string& what)> note{};
@@ -41,6 +45,11 @@ class StoredTappingService final : public TappingService {
     [[nodiscard]] Result<void> load(const TapChoice& choice, const std::string& author) override;
     [[nodiscard]] Result<void> begin(const std::string& author, bool automatic) override;
     [[nodiscard]] RecipeHistory* recipes() override { return m_params.recipes; }
+    /// Limits have made this revision of the thread's recipe; the tuning in force stands in it as it was.
+    void recipeRevised(std::int64_t revision);
+    [[nodiscard]] LotService* lots() override { return m_params.lots; }
+    /// The engine has taken the job that was loaded last.
+    [[nodiscard]] bool loaded(const Status& status) const { return m_jobs > 0 && status.tapping.job == m_jobs; }
     /// A tuning of before, revision `revision` of its thread's recipe, is in force again: stored first, then loaded
     /// where the present job is one that it serves. `done` is told of both.
     void takeBack(const tapping::StoredTuning& tuning, std::uint32_t revision, const std::string& author,
@@ -71,11 +80,17 @@ class StoredTappingService final : public TappingService {
     void refused(const Sentence& why);
     void note(const std::string& author, Deed deed, const std::string& what) const;
     void decided(const std::string& author, bool rolledBack);
-    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words);
+    /// One more that is known; once it is stored, it is what parts are cut with (unless it `isWord` about another).
+    void keep(const tapping::StoredTuning& tuning, const tapping::TuningWords& words, bool isWord);
+    [[nodiscard]] ChangeWay::Store storing(const tapping::StoredTuning& tuning,
+                                           const tapping::TuningWords& words) const;
+    void show();
+    void useRecipe(std::int64_t recipe);
 
     EngineApi& m_engine;
     TapExchange& m_exchange;
     Params m_params;
+    ChangeWay m_way{m_engine, [this] { show(); }};
     std::vector<TapThreadView> m_threads{};
     std::unique_ptr<TuningSession> m_session{};
     std::optional<tapping::TapSettings> m_own{};  ///< the machine's, before anything was tuned
@@ -88,7 +103,6 @@ class StoredTappingService final : public TappingService {
     std::vector<std::uint32_t> m_sent{};
     std::string m_author{};
     TappingServiceView m_view{};
-    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };
 
 }  // namespace kerf

@@ -49,9 +49,16 @@ std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text) {
 }
 
 std::string gapToJson(const ThermalGapRow& row) {
-    return json{{"utc_ms", row.utc_ms},   {"measured_um", row.measured_um},          {"predicted_um", row.predicted_um},
-                {"half_um", row.half_um}, {"prediction_known", row.predictionKnown}, {"by_part", row.byPart},
-                {"known", row.known}}
+    return json{{"utc_ms", row.utc_ms},
+                {"measured_um", row.measured_um},
+                {"predicted_um", row.predicted_um},
+                {"half_um", row.half_um},
+                {"prediction_known", row.predictionKnown},
+                {"by_part", row.byPart},
+                {"known", row.known},
+                {"left_um", row.left_um},
+                {"left_known", row.leftKnown},
+                {"allowed_um", row.allowed_um}}
         .dump();
 }
 
@@ -62,6 +69,9 @@ std::optional<ThermalGapRow> gapFromJson(const std::string& text) {
                           body.at("prediction_known").get<bool>()};
         row.byPart = body.value("by_part", false);
         row.known = body.value("known", row.known);
+        row.left_um = body.value("left_um", row.left_um);
+        row.leftKnown = body.value("left_known", false);
+        row.allowed_um = body.value("allowed_um", 0.0);
         return std::optional(row);
     });
 }

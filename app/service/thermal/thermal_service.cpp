@@ -94,7 +94,7 @@ bool StoredThermalService::builtInHeat() const {
 void StoredThermalService::load(RoomRecordReader& reader) {
     const auto newest = [&](const char* kind, std::uint32_t limit) {
         auto rows = reader.roomRecords(ProcessId::Thermal, kind, {}, limit);
-        if (!rows) m_view.storeProblem = rows.error();
+        if (!rows) m_way.setStoreProblem(rows.error());
         return rows ? std::move(*rows) : std::vector<RoomRecordRow>{};
     };
     for (const RoomRecordRow& row : newest(records::kLearnt, thermal::kMaxDayMeasurements)) {
@@ -120,26 +120,27 @@ void StoredThermalService::load(RoomRecordReader& reader) {
         m_keptZero = records::zeroFromJson(rows.front().bodyJson);
     }
     loadSetup();
-    if (m_keptZero) (void)send(LoadGapZero{*m_keptZero});
+    if (m_keptZero) m_way.owe(LoadGapZero{*m_keptZero});
 }
 
 void StoredThermalService::loadSetup() {
     const auto recipes = m_recipes.newest();
     if (!recipes) {
-        m_view.storeProblem = recipes.error();
+        m_way.setStoreProblem(recipes.error());
     } else if (!recipes->empty()) {
         if (const auto setup = records::setupFromJson(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
+            m_recipe = recipes->back().revision.id;
         } else {
-            m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
+            m_way.setStoreProblem(
+                Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
         }
     }
-    m_setupOwed = m_view.setup.revision > 0;
-    sendSetup();
+    if (m_view.setup.revision > 0) oweSetup();
 }
 
-void StoredThermalService::sendSetup() {
-    if (m_setupOwed) m_setupOwed = !send(LoadThermalSetup{m_view.setup}).has_value();
+void StoredThermalService::oweSetup() {
+    m_way.owe(LoadThermalSetup{m_view.setup, WorkOrder{0, m_recipe, 0}});
 }
 
 std::string StoredThermalService::recipeName() const {
@@ -150,7 +151,7 @@ std::string StoredThermalService::recipeName() const {
 void StoredThermalService::loadModels(RoomRecordReader& reader) {
     const auto rows = reader.roomRecords(ProcessId::Thermal, records::kModel, {}, kModelsRead);
     if (!rows) {
-        m_view.storeProblem = rows.error();
+        m_way.setStoreProblem(rows.error());
         return;
     }
     for (auto row = rows->rbegin(); row != rows->rend(); ++row) {
@@ -172,13 +173,11 @@ void StoredThermalService::keep(const char* kind, std::string body, const std::s
                          std::move(body),
                          author.empty() ? kAuthor : author,
                          std::move(reason)};
-    m_links.writer.submit(std::move(record), [this, alive = std::weak_ptr<bool>(m_alive),
-                                              stored = std::move(stored)](const Result<Receipt>& result) {
-        if (alive.expired()) return;
-        m_view.storeProblem = result ? Sentence{} : result.error();
-        if (result && stored) stored();
-        changed();
-    });
+    m_way.keep([&](StoreWriter::Done answer) { m_links.writer.submit(std::move(record), std::move(answer)); },
+               [stored = std::move(stored)](const Receipt&) {
+                   if (stored) stored();
+               },
+               {});
 }
 
 Result<void> StoredThermalService::makeLive(KeptModel model, const std::string& author, std::string reason) {
@@ -201,7 +200,7 @@ void StoredThermalService::install(KeptModel model) {
     const std::vector<std::string> names = channelNames();
     auto live = LiveModel::make(model.model, names, m_modelNumber + 1);
     if (!live) {
-        m_view.storeProblem = live.error();
+        m_way.setStoreProblem(live.error());
         return;
     }
     model.card.revision = ++m_modelNumber;
@@ -363,20 +362,18 @@ Result<void> StoredThermalService::accept(const ThermalSetup& setup, const std::
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
     if (const auto why = thermal::whyUnusable(next)) return tl::unexpected(*why);
-    m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kAuthor);
-    m_recipes.keep(
-        recipeName(), records::setupToJson(next), author, reason, restoredFrom,
-        [this, next, alive = std::weak_ptr<bool>(m_alive), done = std::move(done)](const Result<Receipt>& receipt) {
-            if (alive.expired()) return;
-            m_view.storeProblem = receipt ? Sentence{} : receipt.error();
-            if (receipt) {
-                m_view.setup = next;
-                m_setupOwed = true;
-                sendSetup();
-            }
-            changed();
-            if (done) done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
-        });
+    const auto store = [&](StoreWriter::Done stored) {
+        m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kAuthor);
+        m_recipes.keep(recipeName(), records::setupToJson(next), author, reason, restoredFrom, std::move(stored));
+    };
+    m_way.keep(
+        store,
+        [this, next](const Receipt& revision) {
+            m_view.setup = next;
+            m_recipe = revision.id;
+            oweSetup();
+        },
+        std::move(done));
     return {};
 }
 
@@ -393,6 +390,7 @@ Result<void> StoredThermalService::measureByPart(const std::array<std::optional<
     }
     if (const auto sent = send(part); !sent) return sent;
     m_partAuthor = author;
+    m_partDeviation_um = part.deviation_um;
     return {};
 }
 
@@ -471,7 +469,7 @@ thermal::ThermalHistory StoredThermalService::sessionDay() const {
 
 void StoredThermalService::poll() {
     m_links.exchange.collect();
-    sendSetup();
+    m_way.poll();
     takeMinutes();
     takeLearnt();
     takeGap(m_links.engine.status().thermal);
@@ -536,9 +534,16 @@ void StoredThermalService::takeMinute(const ThermalMinute& minute) {
 void StoredThermalService::takeGap(const ThermalStatus& status) {
     if (status.gap.phase == GapPhase::Done && status.gap.number != m_gapSeen) {
         m_gapSeen = status.gap.number;
-        const ThermalGapRow row{utcNow_ms(),        status.gap.measured_um,     status.gap.predicted_um,
-                                status.gap.half_um, status.gap.predictionKnown, status.gap.byPart,
-                                status.gap.known};
+        ThermalGapRow row{utcNow_ms(),        status.gap.measured_um,     status.gap.predicted_um,
+                          status.gap.half_um, status.gap.predictionKnown, status.gap.byPart,
+                          status.gap.known};
+        row.allowed_um = m_view.setup.allowed_um;
+        row.leftKnown = row.byPart || std::ranges::all_of(status.shifted_um, &Reading::good);
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+            row.left_um[axis] = row.byPart      ? m_partDeviation_um[axis]
+                                : row.leftKnown ? row.measured_um[axis] + status.shifted_um[axis].value
+                                                : 0.0;
+        }
         m_view.gaps.insert(m_view.gaps.begin(), row);
         m_view.gaps.resize(std::min(m_view.gaps.size(), kRowsShown));
         keep(records::kGap, records::gapToJson(row), row.byPart ? m_partAuthor : std::string(),

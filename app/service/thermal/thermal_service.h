@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
 #include "app/service/thermal/thermal_records.h"
@@ -74,7 +75,7 @@ class StoredThermalService final : public ThermalService {
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          RecipeHistory::Done done);
     [[nodiscard]] std::string recipeName() const;
-    void sendSetup();
+    void oweSetup();
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,
               std::function<void()> stored = {});
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
@@ -88,11 +89,16 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] thermal::ThermalHistory sessionDay() const;
     [[nodiscard]] Result<void> send(const decltype(Command::action)& action);
     [[nodiscard]] std::vector<std::string> channelNames() const;
-    void changed() { ++m_view.revision; }
+    void changed() {
+        m_view.storeProblem = m_way.problem();
+        ++m_view.revision;
+    }
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { changed(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
+    RecipeRevisionId m_recipe{0};  ///< of the setup; 0: none was kept
     ThermalServiceView m_view{};
     std::shared_ptr<std::vector<std::string>>
         m_trainingNotes{};  ///< what was left out of the days; written by the worker
@@ -108,11 +114,11 @@ class StoredThermalService final : public ThermalService {
     std::vector<ThermalShiftRow> m_unwritten{};
     std::int64_t m_lastWrite_ms{0};
     std::uint32_t m_gapSeen{0};
-    std::string m_partAuthor{};  ///< who measured the part the loop is being told of
+    std::string m_partAuthor{};                           ///< who measured the part the loop is being told of
+    std::array<double, kAxisCount> m_partDeviation_um{};  ///< and what he found
     std::uint32_t m_modelNumber{0};
     std::uint32_t m_reference{0};
     bool m_zeroSent{false};
-    bool m_setupOwed{false};  ///< the engine has yet to be told
     std::optional<std::array<double, kAxisCount>> m_keptZero{};
     std::vector<thermal_records::Learnt> m_recalled{};  ///< of this day, from before this start; oldest first
     bool m_firstModel{false};  ///< the training under way is that of the first start: goes live by itself

@@ -29,13 +29,6 @@ constexpr double kToneMoved_Hz = 0.5;
 constexpr double kMarginStep = 0.02;  // change of a process parameter or Kalman gain worth another computation
 constexpr double kSecondsPerMinute = 60.0;
 
-template <class Action>
-Command commandOf(const Action& action) {
-    Command command;
-    command.action = action;
-    return command;
-}
-
 bool near(double a, double b, double share) {
     return std::abs(a - b) <= share * std::max({std::abs(a), std::abs(b), 1e-9});
 }
@@ -65,16 +58,15 @@ StoredTurningService::StoredTurningService(const Links& links)
       m_recipes(m_links.writer, m_links.lots, ProcessId::Turning),
       m_history({m_recipes, [] { return std::string(kPartType); },
                  [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
-                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}) {
+                        Done done) { restoreRevision(revision, author, reason, std::move(done)); }}),
+      m_lots({m_links.writer, m_links.engine, m_links.lots, ProcessId::Turning, m_links.rights,
+              [] { return std::string(kPartType); }, [this] { return turningSetupJson(m_view.setup); },
+              [this] { return m_sentSetup == m_view.setup.revision && m_way.settled(); }, m_links.machineKind}) {
     m_view.setup.revision = 1;
     restore();
     recall();
     m_parts = m_links.writer.onPartStored([this](const StoredPart& stored) { partStored(stored); });
-    m_problems = m_links.writer.onProblemChanged([this] {
-        m_view.storeProblem = m_links.writer.problem();
-        changed();
-    });
-    if (m_view.storeProblem.empty()) m_view.storeProblem = m_links.writer.problem();
+    m_problems = m_links.writer.onProblemChanged([this] { changed(); });
     (void)followBlindTones(m_links.engine.status());
     changed();
 }
@@ -85,8 +77,10 @@ void StoredTurningService::restore() {
     if (const auto recipes = m_recipes.newest(); recipes && !recipes->empty()) {
         if (const auto setup = turningSetupFrom(recipes->back().revision.parametersJson)) {
             m_view.setup = *setup;
+            m_lots.use(recipes->back().revision.id);
         } else {
-            m_view.storeProblem = Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
+            m_way.setStoreProblem(
+                Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
         }
     }
     if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kController, {}, 1); rows && !rows->empty()) {
@@ -94,7 +88,7 @@ void StoredTurningService::restore() {
     }
     const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kPart, {}, kPartsShown);
     if (!rows) {
-        m_view.storeProblem = rows.error();
+        m_way.setStoreProblem(rows.error());
         return;
     }
     for (auto row = rows->rbegin(); row != rows->rend(); ++row) {
@@ -137,22 +131,13 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
     record.bodyJson = std::move(json);
     record.author = author;
     record.reason = reason;
-    m_links.writer.submit(record, answered(std::move(done), std::move(stored)));
-}
-
-StoreWriter::Done StoredTurningService::answered(Done done, std::function<void()> stored) const {
-    return [alive = std::weak_ptr<bool>(m_alive), done = std::move(done),
-            stored = std::move(stored)](const Result<Receipt>& receipt) {
-        if (alive.expired()) {
-            return;
-        }
-        if (receipt && stored) {
-            stored();
-        }
-        if (done) {
-            done(receipt ? Result<void>{} : Result<void>(tl::unexpected(receipt.error())));
-        }
-    };
+    m_way.keep([&](StoreWriter::Done answer) { m_links.writer.submit(record, std::move(answer)); },
+               [stored = std::move(stored)](const Receipt&) {
+                   if (stored) {
+                       stored();
+                   }
+               },
+               std::move(done));
 }
 
 void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,
@@ -172,32 +157,33 @@ void StoredTurningService::restoreRevision(const RecipeRevision& revision, const
 
 void StoredTurningService::accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
                                   std::optional<std::uint32_t> restoredFrom, Done done) {
+    TurningSetup next = setup;
+    next.revision = m_view.setup.revision + 1;
+    const auto store = [&](StoreWriter::Done stored) {
+        m_recipes.begin(kPartType, turningSetupJson(m_view.setup), kAuthor);
+        m_recipes.keep(kPartType, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason,
+                       restoredFrom, std::move(stored));
+    };
+    m_way.change(
+        mayAccept(setup, author, reason), store,
+        [this, next](const Receipt& revision) {
+            m_view.setup = next;
+            m_lots.use(revision.id);
+            recall();
+            (void)followBlindTones(m_links.engine.status());
+            send();
+        },
+        std::move(done));
+}
+
+Result<void> StoredTurningService::mayAccept(const TurningSetup& setup, const std::string& author,
+                                             const std::string& reason) const {
     if (const auto why = turning::whyUnusable(setup)) {
-        if (done) {
-            done(tl::unexpected(*why));
-        }
-        return;
+        return tl::unexpected(*why);
     }
     const bool limits = setup.trimAuthority_um > m_view.setup.trimAuthority_um;
     const bool far = raisedFar(m_view.setup.trimAuthority_um, setup.trimAuthority_um);
-    const Deed deed = limits ? Deed::TurningLimits : Deed::TurningSetup;
-    if (const auto may = permittedLimit(m_links.rights, author, deed, reason, far); !may) {
-        if (done) {
-            done(may);
-        }
-        return;
-    }
-    TurningSetup next = setup;
-    next.revision = m_view.setup.revision + 1;
-    m_recipes.begin(kPartType, turningSetupJson(m_view.setup), kAuthor);
-    m_recipes.keep(kPartType, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason, restoredFrom,
-                   answered(std::move(done), [this, next] {
-                       m_view.setup = next;
-                       recall();
-                       (void)followBlindTones(m_links.engine.status());
-                       send();
-                       changed();
-                   }));
+    return permittedLimit(m_links.rights, author, limits ? Deed::TurningLimits : Deed::TurningSetup, reason, far);
 }
 
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
@@ -211,22 +197,24 @@ void StoredTurningService::setController(TurningController controller, const std
           [this, controller] {
               m_view.controller = controller;
               send();
-              changed();
           });
 }
 
 void StoredTurningService::send() {
-    if (m_sentSetup != m_view.setup.revision && m_links.engine.send(commandOf(LoadTurningSetup{m_view.setup}))) {
-        m_sentSetup = m_view.setup.revision;  // else its ring is full: poll() tries again
+    if (m_sentSetup != m_view.setup.revision) {
+        m_way.owe(LoadTurningSetup{m_view.setup, m_lots.withLoad()});
+        m_sentSetup = m_view.setup.revision;
     }
-    if (m_sentController != m_view.controller &&
-        m_links.engine.send(commandOf(SetTurningController{m_view.controller}))) {
+    if (m_sentController != m_view.controller) {
+        m_way.owe(SetTurningController{m_view.controller});
         m_sentController = m_view.controller;
     }
 }
 
 void StoredTurningService::poll() {
     send();
+    m_way.poll();
+    m_lots.send();
     const Status& status = m_links.engine.status();
     const bool surface = takeSurface();
     const bool margins = followMargins(status);
@@ -498,6 +486,7 @@ std::unique_ptr<Subscription> StoredTurningService::onChanged(std::function<void
 }
 
 void StoredTurningService::changed() {
+    m_view.storeProblem = m_way.problem().empty() ? m_links.writer.problem() : m_way.problem();
     const TurningSetup& setup = m_view.setup;
     m_view.overlap = turning::overlapFactor(setup.toolRadius_um, setup.depth_um, setup.feed_umPerRev).value_or(0.0);
     ++m_view.revision;

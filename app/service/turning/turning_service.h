@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "app/service/change_way.h"
+#include "app/service/lot_book.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
 #include "db/api/room_records.h"
@@ -32,6 +34,7 @@ class StoredTurningService final : public TurningService {
         RoomRecordReader& reader;
         LotReader& lots;
         Rights rights{};
+        std::string machineKind{"simulator"};  ///< as --machine names it
     };
     static constexpr const char* kPartType = "Face";
 
@@ -48,6 +51,9 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] Result<double> overlap(double toolRadius_um, double depth_um, double feed_umPerRev) const override;
     void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
+    [[nodiscard]] LotService* lots() override { return &m_lots; }
+    /// Limits have made this revision of the setup.
+    void recipeRevised(RecipeRevisionId revision) { m_lots.use(revision); }
     void setController(TurningController controller, const std::string& author, Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
@@ -84,7 +90,8 @@ class StoredTurningService final : public TurningService {
                 std::optional<std::uint32_t> restoredFrom, Done done);
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
-    [[nodiscard]] StoreWriter::Done answered(Done done, std::function<void()> stored) const;
+    [[nodiscard]] Result<void> mayAccept(const TurningSetup& setup, const std::string& author,
+                                         const std::string& reason) const;
     void store(const char* kind, std::string subject, std::string json, const std::string& author,
                const std::string& reason, Done done, std::function<void()> stored);
     void send();
@@ -99,8 +106,10 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] static TurningMargins computeMargins(const MarginBasis& basis);
 
     Links m_links;
+    ChangeWay m_way{m_links.engine, [this] { changed(); }};
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
+    LotBook m_lots;
     TurningServiceView m_view{};
     std::uint32_t m_sentSetup{0};
     std::optional<TurningController> m_sentController{};
@@ -111,7 +120,6 @@ class StoredTurningService final : public TurningService {
     std::vector<double> m_blindTones_Hz{};
     double m_blindSpeed_rpm{0.0};
     Listeners<> m_listeners{};
-    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
     std::unique_ptr<Subscription> m_parts{};
     std::unique_ptr<Subscription> m_problems{};
 };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <optional>
 
 #include "engine/core/command_list.h"
 #include "engine/core/process.h"
+#include "engine/core/work_order.h"
 #include "engine/process/boring/boring_types.h"
 
 /// What pages and services may ask of the boring loop.
@@ -14,14 +15,9 @@ namespace kerf {
 struct LoadBoringSchedule {
     static constexpr ProcessId kProcess = ProcessId::Boring;
     BoringSchedule schedule{};
+    std::optional<WorkOrder> order{};  ///< whose parts are cut with it; empty: as named before
 };
 
-/// Whose parts the next ones are, when a lot has been chosen and no schedule of it accepted yet.
-struct NameBoringLot {
-    static constexpr ProcessId kProcess = ProcessId::Boring;
-    std::int64_t lot{0};
-};
-
-using BoringCommands = CommandList<LoadBoringSchedule, NameBoringLot>;
+using BoringCommands = CommandList<LoadBoringSchedule>;
 
 }  // namespace kerf

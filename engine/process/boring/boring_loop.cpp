@@ -35,13 +35,7 @@ CommandResult BoringLoop::handle(const Command& command) noexcept {
             return CommandResult::refused(
                 Sentence(KERF_TEXT("The feed schedule has a value outside its range; the last one stays.")));
         }
-        const std::int64_t lot = load->schedule.lot != 0 ? load->schedule.lot : m_next.lot;
         m_next = load->schedule;
-        m_next.lot = lot;
-        return CommandResult::ok();
-    }
-    if (const auto* name = std::get_if<NameBoringLot>(&command.action)) {
-        m_next.lot = name->lot;
         return CommandResult::ok();
     }
     if (std::holds_alternative<StartPart>(command.action)) {
@@ -195,12 +189,8 @@ bool BoringLoop::standsStill(const MachineInputs& inputs) noexcept {
 }
 
 void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
-    m_part = PartRecord{};
-    m_part.process = ProcessId::Boring;
-    m_part.partSequence = inputs.partSequence;
-    m_part.begin_ns = inputs.time_ns;
+    m_part = beginRecord(inputs);
     m_part.schedule = m_next;
-    m_part.lot = m_next.lot;
     m_offScheduleSince_ns = -1;
     m_lookedAt_ns = inputs.time_ns;
     m_unseen_mm = 0.0;
@@ -209,9 +199,7 @@ void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
 }
 
 void BoringLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
-    m_part.complete = complete;
-    m_part.end_ns = inputs.time_ns;
-    events.finishPart(m_part);
+    finishRecord(m_part, inputs.time_ns, complete, events);
     m_status.partsCut += complete ? 1U : 0U;
 }
 

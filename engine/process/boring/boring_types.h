@@ -30,7 +30,6 @@ struct BoringSchedule {
     double overhangFrom_mm{40.0};
     double overhangTo_mm{310.0};
     double spindleSpeed_rpm{400.0};
-    std::int64_t lot{0};  ///< whose parts are cut with it; 0: not said
 
     [[nodiscard]] double unclampedFeed_mmPerRev(double overhang_mm) const noexcept {
         if (constantFeed_mmPerRev > 0.0) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/command_list.h"
 #include "engine/core/process.h"
+#include "engine/core/work_order.h"
 #include "engine/process/milling/milling_types.h"
 
 /// What pages and services may ask of the milling loop.
@@ -14,6 +16,7 @@ namespace kerf {
 struct LoadMillingSetup {
     static constexpr ProcessId kProcess = ProcessId::Milling;
     MillingSetup setup{};
+    std::optional<WorkOrder> order{};  ///< whose parts are milled with it; empty: as named before
 };
 
 /// Blank profile for the preview law; refused while a part is being cut. An empty one takes it away.

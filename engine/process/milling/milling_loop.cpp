@@ -231,10 +231,7 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
 
 void MillingLoop::beginPart(const MachineInputs& inputs, const Capabilities& capabilities) noexcept {
     m_zero.begin(milling::zeroParams(capabilities, m_setup));
-    m_part = PartRecord{};
-    m_part.process = ProcessId::Milling;
-    m_part.partSequence = inputs.partSequence;
-    m_part.begin_ns = inputs.time_ns;
+    m_part = beginRecord(inputs);
     m_paused = true;
     m_limitedSince_ns = -1;
     m_spindleWas = false;
@@ -261,20 +258,20 @@ void MillingLoop::beginPart(const MachineInputs& inputs, const Capabilities& cap
 }
 
 void MillingLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
-    m_part.complete = complete;
-    m_part.end_ns = inputs.time_ns;
     m_part.milling = m_record.cut();
     m_part.forceMean_N = m_part.milling.meanForce_N;
     m_part.forcePeak_N = m_part.milling.peakForce_N;
-    events.finishPart(m_part);
+    if (complete && m_part.milling.stiffnessMean != 0.0) {
+        m_wear.addPart(m_part.milling.stiffnessMean);
+    }
+    m_wear.save(m_part.millingTool);
+    m_part.millingTool.kxLogWeight = m_controller.kxLogWeights();
+    finishRecord(m_part, inputs.time_ns, complete, events);
     m_zero.end(complete);
     const double moved_N = m_zero.moved_N().value_or(0.0);
     events.set(milling_alarm::kZeroDrifted, std::abs(moved_N) > m_zero.trust_N(),
                Sentence(KERF_TEXT("The zero has moved by %1 N in the last cut."), SentenceArg(moved_N, 1)));
     m_status.partsCut += complete ? 1U : 0U;
-    if (complete && m_part.milling.stiffnessMean != 0.0) {
-        m_wear.addPart(m_part.milling.stiffnessMean);
-    }
 }
 
 void MillingLoop::takeSamples(const MachineInputs& inputs) noexcept {

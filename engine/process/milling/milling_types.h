@@ -121,7 +121,7 @@ struct MillingStatus {
     double wearPerPart{0.0};       ///< trend
     std::uint32_t partsWithTool{0};
     double wearWarning{0.0};      ///< threshold of `wear`
-    MillingToolState tool{};      ///< to be stored after each part
+    MillingToolState tool{};      ///< part records bring it along
     double savedTime_s{0.0};      ///< this cut: against the planned feed; advising: what control would save
     double overReference_s{0.0};  ///< this cut: time with more than 110 % of the reference
     double peakForce_N{0.0};      ///< this cut: highest averaged force, and where

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/command_list.h"
 #include "engine/core/process.h"
+#include "engine/core/work_order.h"
 #include "engine/process/tapping/tapping_types.h"
 
 /// What pages and services may ask of the tapping loop.
@@ -14,6 +16,7 @@ namespace kerf {
 struct LoadTappingJob {
     static constexpr ProcessId kProcess = ProcessId::Tapping;
     TappingJob job{};
+    std::optional<WorkOrder> order{};  ///< whose taps are made with it; empty: as named before
 };
 
 /// Gains and trim for the next taps.

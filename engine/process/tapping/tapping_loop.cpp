@@ -328,6 +328,7 @@ void TappingLoop::startProgram(const MachineInputs& inputs, LoopOutputs& outputs
         m_deepest_mm = 0.0;
         m_recording = true;
         m_tapBegin_ns = inputs.time_ns;
+        beginOrder();
         m_lastSequence = inputs.partSequence;
         m_status.phase = TapPhase::Tapping;
         return;
@@ -528,17 +529,15 @@ void TappingLoop::restoreAccepted() noexcept {
     m_restoreWanted = true;
 }
 
-void TappingLoop::finishPart(TapOutcome outcome, EventSink& events) const noexcept {
+void TappingLoop::finishPart(TapOutcome outcome, EventSink& events) noexcept {
     PartRecord part;
     part.process = ProcessId::Tapping;
     part.partSequence = m_lastSequence;
-    part.complete = outcome != TapOutcome::Aborted;
     part.begin_ns = m_tapBegin_ns;
-    part.end_ns = m_now_ns;
     part.tap.job = m_job;
     part.tap.figures = m_status.last;
     part.tap.withinTolerance = outcome == TapOutcome::Counted && m_status.last.engagedPp_um <= m_job.allowedPp_um;
-    events.finishPart(part);
+    finishRecord(part, m_now_ns, outcome != TapOutcome::Aborted, events);
 }
 
 void TappingLoop::stopInHole(EventSink& events) noexcept {

@@ -54,7 +54,7 @@ class TappingLoop final : public ProcessLoop {
     void abortInSync(LoopOutputs& outputs) noexcept;
     void endTap(TapOutcome outcome, EventSink& events) noexcept;
     void restoreAccepted() noexcept;
-    void finishPart(TapOutcome outcome, EventSink& events) const noexcept;
+    void finishPart(TapOutcome outcome, EventSink& events) noexcept;
     void stopInHole(EventSink& events) noexcept;
     void followStop(const StopSlot& stop) noexcept;
     [[nodiscard]] Sentence inHole() const noexcept;

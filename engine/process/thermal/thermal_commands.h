@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/command_list.h"
 #include "engine/core/process.h"
+#include "engine/core/work_order.h"
 #include "engine/process/thermal/thermal_types.h"
 
 /// What pages and services may ask of the thermal loop.
@@ -15,6 +17,7 @@ namespace kerf {
 struct LoadThermalSetup {
     static constexpr ProcessId kProcess = ProcessId::Thermal;
     ThermalSetup setup{};
+    std::optional<WorkOrder> order{};  ///< whose recipe it is; thermal makes no parts; empty: as named before
 };
 
 /// Count temperatures and drift from now on. The shift stays unless `clearShift` says the origin has been set

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/command_list.h"
 #include "engine/core/process.h"
+#include "engine/core/work_order.h"
 #include "engine/process/turning/turning_types.h"
 
 /// What pages and services may ask of the turning loop.
@@ -14,6 +16,7 @@ namespace kerf {
 struct LoadTurningSetup {
     static constexpr ProcessId kProcess = ProcessId::Turning;
     TurningSetup setup{};
+    std::optional<WorkOrder> order{};  ///< whose parts are turned with it; empty: as named before
 };
 
 /// Another law, bumpless, also while cutting.

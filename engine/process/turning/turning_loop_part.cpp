@@ -27,10 +27,7 @@ void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_status.forceTarget_N = m_process.dcGain() * m_setup.depth_um;
     m_status.overlap =
         turning::overlapFactor(m_setup.toolRadius_um, m_setup.depth_um, m_setup.feed_umPerRev).value_or(0.0);
-    m_part = PartRecord{};
-    m_part.process = ProcessId::Turning;
-    m_part.partSequence = inputs.partSequence;
-    m_part.begin_ns = inputs.time_ns;
+    m_part = beginRecord(inputs);
     m_part.turning.setup = m_setup;
     m_health.begin();
     m_surface = turning::SurfaceRecord{};
@@ -42,8 +39,6 @@ void TurningLoop::beginPart(const MachineInputs& inputs) noexcept {
 }
 
 void TurningLoop::endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept {
-    m_part.complete = complete;
-    m_part.end_ns = inputs.time_ns;
     m_part.forceMean_N = m_cutSamples > 0 ? m_forceSum_N / static_cast<double>(m_cutSamples) : 0.0;
     m_part.forcePeak_N = m_status.forcePeak_N;
     TurningRecord& record = m_part.turning;
@@ -57,7 +52,7 @@ void TurningLoop::endPart(const MachineInputs& inputs, bool complete, EventSink&
     record.lawProcess = m_status.lawProcess;
     record.forceTarget_N = m_status.forceTarget_N;
     m_trace.endPart();
-    events.finishPart(m_part);
+    finishRecord(m_part, inputs.time_ns, complete, events);
     for (const AlarmCode code : {turning_alarm::kForceSaturated, turning_alarm::kToolChipped,
                                  turning_alarm::kMeanForceOff, turning_alarm::kTrimAtLimit, turning_alarm::kBlindTone,
                                  turning_alarm::kForceLost, turning_alarm::kZeroUnknown}) {

@@ -36,8 +36,7 @@ class DeburringPage final : public ui::Page {
         auto* rows = new QVBoxLayout(this);
         rows->addWidget(m_state);
         rows->addWidget(m_start);
-        connect(m_start, &QPushButton::clicked, this,
-                [this] { this->context().client.sendAction(StartPart{kDeburring}); });
+        connect(m_start, &QPushButton::clicked, this, [this] { this->context().client.startPart(kDeburring); });
         connect(&context.client, &ui::EngineClient::statusChanged, this, [this](const Status& status) {
             const LoopStatus& loop = status.loops[static_cast<std::size_t>(kDeburring)];
             m_state->setText(ui::stateName(loop.state) + QStringLiteral(": ") +
@@ -98,19 +97,14 @@ LoopVerdict DeburringLoop::step(const MachineInputs& inputs, const Capabilities&
     }
     const ProgramTurn turn = m_program.follow(inputs);
     if (turn.begins) {
-        m_part = PartRecord{};
-        m_part.process = kDeburring;
-        m_part.partSequence = inputs.partSequence;
-        m_part.begin_ns = inputs.time_ns;
+        m_part = beginRecord(inputs);
         m_sum_N = 0.0;
         m_samples = 0;
         m_scale = 1.0;
     }
     if (turn.ends) {
-        m_part.complete = turn.finished;
-        m_part.end_ns = inputs.time_ns;
         m_part.forceMean_N = m_samples > 0 ? m_sum_N / m_samples : 0.0;
-        events.finishPart(m_part);
+        finishRecord(m_part, inputs.time_ns, turn.finished, events);
     }
     if (!turn.running || inputs.fastCount == 0) {
         return {m_mode == LoopMode::Control ? LoopState::Controlling : LoopState::Advising,

@@ -80,6 +80,18 @@ class TestQualityCapability : public QObject {
         QVERIFY(!capability(standardised(30), {}, true).ppk);
     }
     void aMeanOutsideIsNegative() { QVERIFY(capability(standardised(30), {1.0, 2.0}, true).ppk->value < 0.0); }
+    void aSmallSpreadOnALargeValueKeepsItsDigits() {
+        Moments near;
+        Moments far;
+        constexpr double kStep = 1.0 / 16384.0;  // distances from 2^20 without rounding
+        for (int i = 0; i < 1000; ++i) {
+            const double value = kStep * ((i * 37) % 101);
+            near.add(value);
+            far.add(1048576.0 + value);
+        }
+        QCOMPARE(far.mean(), 1048576.0 + near.mean());
+        QVERIFY(std::abs(far.deviation() / near.deviation() - 1.0) < 1e-14);
+    }
     void verdicts() {
         const Tolerance bore{49.985, 50.015, ReworkSide::Below};
         QVERIFY(judge(50.0, bore) == Verdict::Good);

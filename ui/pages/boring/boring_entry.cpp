@@ -32,6 +32,10 @@ KeyFigure boringFigure(const Services& services, const Status& status) {
         figure.value = view.nextPrediction.front()->diameter_mm;
         figure.half95 = view.nextPrediction.front()->half95_mm;
     }
+    if (view.upperTolerance_mm > view.lowerTolerance_mm) {
+        figure.lower = view.lowerTolerance_mm;
+        figure.upper = view.upperTolerance_mm;
+    }
     for (const BorePartView& part : view.parts) {
         if (const BoreMeasurementView* measured = measurementAt(part, 0)) {
             figure.course.push_back(measured->diameter_mm);

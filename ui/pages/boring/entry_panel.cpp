@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/boring/entry_panel.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
@@ -116,19 +115,10 @@ void EntryPanel::setGaugeNote(const QString& note) {
     m_gaugeDue->setVisible(!note.isEmpty());
 }
 
-void EntryPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void EntryPanel::retranslate() {
     setTitle(tr("Enter the bore"));
     m_gauge->setText(tr("Gauge"));
     m_undo->setText(tr("Undo last"));
-    // The style's least width hides that of the text from the layout.
-    m_undo->setMinimumWidth(qMax(m_look.metrics().touch(), m_undo->minimumSizeHint().width()));
     m_correct->setText(tr("Correct"));
     showChannels();
     m_again->setText(tr("Measure again"));

@@ -77,9 +77,6 @@ class EntryPanel : public Card {
     void channelsRequested();
     void channelLearnt();
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     struct Target {
         PartId part{0};
@@ -89,7 +86,7 @@ class EntryPanel : public Card {
     /// What is said under the field. Kept as a function, so that it can be said again in another language or unit.
     using Words = std::function<QString()>;
 
-    void retranslate();
+    void retranslate() override;
     void showTarget();
     void say(Words words, bool wrong = false);
     void showWords();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/boring/estimate_panel.h"
 
-#include <QEvent>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -198,13 +197,6 @@ void EstimatePanel::setView(const BoringServiceView& view) {
         retranslate();
     }
     m_strips->setView(view);
-}
-
-void EstimatePanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void EstimatePanel::retranslate() {

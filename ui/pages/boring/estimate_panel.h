@@ -47,11 +47,8 @@ class EstimatePanel : public Card {
     explicit EstimatePanel(Look& look, QWidget* parent = nullptr);
     void setView(const BoringServiceView& view);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
 
     Look& m_look;
     EstimateStrips* m_strips;

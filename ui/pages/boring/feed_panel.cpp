@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/boring/feed_panel.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <algorithm>
 
@@ -45,13 +44,6 @@ FeedPanel::FeedPanel(Look& look, QWidget* parent)
     body()->addWidget(m_chart, 1);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void FeedPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void FeedPanel::retranslate() {

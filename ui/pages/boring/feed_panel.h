@@ -27,12 +27,9 @@ class FeedPanel : public Card {
 
     [[nodiscard]] Chart* chart() const { return m_chart; }
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     static constexpr std::size_t kBins = 96;
-    void retranslate();
+    void retranslate() override;
     void showSchedule();
     void showLive(const BoringStatus& boring);
 

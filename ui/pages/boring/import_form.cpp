@@ -206,6 +206,9 @@ void ImportForm::take() {
     }
     m_busy = true;
     refresh();
+    if (m_sheet) {
+        m_sheet->sent();
+    }
     m_service.importBores(*m_read, m_context.session.author(), !m_would.questions.empty(),
                           [form = QPointer<ImportForm>(this)](const Result<void>& result) {
                               if (ImportForm* const there = form.data(); there != nullptr) {
@@ -225,7 +228,7 @@ void ImportForm::answered(const Result<void>& result) {
     m_context.notify(tr("%1 diameters taken over from %2.")
                          .arg(QString::number(m_would.rows.size()), QString::fromStdString(m_read->file)));
     if (m_sheet) {
-        m_sheet->close();
+        m_sheet->taken();
     }
 }
 

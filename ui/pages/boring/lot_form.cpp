@@ -505,6 +505,7 @@ void LotForm::change(const QString& done, std::function<void(const PageContext&,
     m_context.withRole(Role::Setter, [self, context = m_context, done, act = std::move(act)] {
         if (LotForm* form = self.data()) {
             form->m_pending = true;
+            if (form->m_sheet) form->m_sheet->sent();
         }
         act(context, [self, context, done](const Result<void>& result) {
             if (LotForm* form = self.data()) {
@@ -520,8 +521,8 @@ void LotForm::answered(const Result<void>& result, const QString& done) {
     m_pending = false;
     if (result) {
         m_context.notify(done);
-        if (m_sheet) {
-            m_sheet->close();
+        if (m_sheet && !m_sheet->taken()) {
+            reconsider();
         }
         return;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/boring/next_part_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -59,13 +58,6 @@ NextPartPanel::NextPartPanel(Look& look, QWidget* parent)
     m_accept->setPredicate([this] { return whyNotAccept(); });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void NextPartPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void NextPartPanel::retranslate() {

@@ -42,11 +42,8 @@ class NextPartPanel : public Card {
     void lotsRequested();
     void changeRequested();
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showNext();
     void showLoop();
     [[nodiscard]] QString whyNotAccept() const;

@@ -364,6 +364,7 @@ void RecipeForm::save() {
                           });
         return;
     }
+    if (m_sheet) m_sheet->sent();
     m_lots.addPartType(m_name->text().trimmed().toStdString(), *now, author, [self](const Result<PartTypeId>& made) {
         RecipeForm* form = self.data();
         if (form == nullptr) {
@@ -375,7 +376,8 @@ void RecipeForm::save() {
         }
         const PageContext context = form->m_context;
         context.notify(tr("The part type is there."));
-        if (context.sheets.isOpen(form->m_sheet)) {
+        form->m_pending = false;
+        if (context.sheets.isOpen(form->m_sheet) && form->m_sheet->taken()) {
             LotForm::open(context)->choosePartType(*made);
         }
     });

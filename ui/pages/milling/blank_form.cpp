@@ -219,13 +219,14 @@ void MillingBlankForm::use() {
         return;
     }
     const QPointer<MillingBlankForm> self(this);
+    m_sheet->sent();
     m_service.saveBlank(*blank, m_source, m_author(), [self](const Result<void>& result) {
         MillingBlankForm* form = self.data();
         if (form == nullptr) {
             return;
         }
         if (result) {
-            form->m_sheet->close();
+            form->m_sheet->taken();
         } else {
             form->m_message->setText(sentenceText(result.error(), form->look().units()));
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/milling/control_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <tuple>
@@ -107,13 +106,6 @@ void MillingControlPanel::setSession(OperatorSession& session) {
     allowOnly(m_teach, session, Deed::MillingLaw);
     m_modes->setSession(session);
     connect(m_modes, &ModeButtons::permissionChanged, this, &MillingControlPanel::showLoop);
-}
-
-void MillingControlPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MillingControlPanel::retranslate() {

@@ -35,11 +35,8 @@ class MillingControlPanel : public Card {
     void releaseRequested();
     void modeRequested(kerf::LoopMode mode);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showLoop();
     void showNumbers();
     [[nodiscard]] QString whyNotLaw(MillingLaw law) const;

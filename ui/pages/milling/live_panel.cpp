@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/milling/live_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -73,13 +72,6 @@ MillingLivePanel::MillingLivePanel(Look& look, QWidget* parent)
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void MillingLivePanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MillingLivePanel::retranslate() {

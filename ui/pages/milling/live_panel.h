@@ -31,11 +31,8 @@ class MillingLivePanel : public Card {
     [[nodiscard]] LivePlot* forceChart() const { return m_force; }
     [[nodiscard]] LivePlot* feedChart() const { return m_feed; }
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showSignal(const MillingStatus& milling);
     void showLimits(double reference_N, double overload_N);
 

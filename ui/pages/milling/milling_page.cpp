@@ -5,6 +5,8 @@
 #include <QPointer>
 #include <algorithm>
 
+#include "ui/dialogs/limits_sheet.h"
+#include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
@@ -39,6 +41,7 @@ void MillingPage::build() {
     m_control = new MillingControlPanel(look(), this);
     m_note = makeLabel(TextRole::Body, this, true);
     m_note->setObjectName(QStringLiteral("millingNote"));
+    addLotLine(context(), m_service->lots(), m_wall->header());
     m_wall->header()->addWidget(new LastVerdict(context(), ProcessId::Milling, m_wall));
     m_left = new QVBoxLayout;
     m_lower = new QHBoxLayout;
@@ -64,6 +67,8 @@ void MillingPage::build() {
                                      fields, [&key](const MillingField& field) { return key == field.spec.key; });
                                  return found == fields.end() ? nullptr : &found->spec;
                              });
+            offerLimitsSheet(context(), ProcessId::Milling);
+            offerLotSheet(context(), m_service->lots());
         });
     });
     m_blank = add("millingBlank", [this, author] {
@@ -96,8 +101,7 @@ void MillingPage::build() {
     connect(m_control, &MillingControlPanel::teachRequested, this, [this, &client] {
         context().withPermission(Deed::MillingLaw, [&client] { client.sendAction(TeachMillingReference{}); });
     });
-    connect(m_control, &MillingControlPanel::startRequested, this,
-            [&client] { client.sendAction(StartPart{ProcessId::Milling}); });
+    connect(m_control, &MillingControlPanel::startRequested, this, [&client] { client.startPart(ProcessId::Milling); });
     connect(m_control, &MillingControlPanel::releaseRequested, this, [this] {
         // The stop that is shown now: one that comes while somebody signs on is looked at anew.
         const Status status = context().client.status();

@@ -219,6 +219,7 @@ void MillingSetupForm::save() {
     if (!setup) {
         return;
     }
+    m_sheet->sent();
     if (name() == m_service.view().partType) {
         m_service.saveSetup(*setup, m_author(), reason(), whenDone(&MillingSetupForm::finish));
         return;
@@ -236,6 +237,7 @@ void MillingSetupForm::chosen(const Result<void>& result) {
 }
 
 void MillingSetupForm::openType() {
+    m_sheet->sent();
     m_service.choosePartType(name(), m_author(), whenDone(&MillingSetupForm::finish));
 }
 
@@ -250,7 +252,7 @@ MillingService::Done MillingSetupForm::whenDone(void (MillingSetupForm::*then)(c
 
 void MillingSetupForm::finish(const Result<void>& result) {
     if (result) {
-        m_sheet->close();
+        m_sheet->taken();
     } else {
         m_message->setText(sentenceText(result.error(), look().units()));
     }

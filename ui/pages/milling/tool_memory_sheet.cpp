@@ -78,7 +78,7 @@ struct ToolLine {
     QPointer<QLabel> message{};
 };
 
-const MillingToolView* findTool(const MillingService& service, std::uint32_t since) {
+const MillingToolView* findTool(const MillingService& service, std::int64_t since) {
     const auto& tools = service.view().memory.tools;
     const auto found = std::ranges::find(tools, since, &MillingToolView::since);
     return found != tools.end() ? &*found : nullptr;
@@ -89,7 +89,7 @@ void showTool(const ToolLine& line, const MillingToolView& tool, Wording wording
     line.button->setText(tool.leftOut ? ToolMemory::tr("Take in again") : ToolMemory::tr("Leave out"));
 }
 
-void answered(const PageContext& context, const MillingService& service, const ToolLine& line, std::uint32_t since,
+void answered(const PageContext& context, const MillingService& service, const ToolLine& line, std::int64_t since,
               const QString& reason, const Result<void>& done) {
     if (!line.sheet) {
         context.notify(done ? ToolMemory::tr("What tools before count for is kept.")
@@ -108,7 +108,7 @@ void answered(const PageContext& context, const MillingService& service, const T
     }
 }
 
-void leaveOut(const PageContext& context, MillingService& service, const ToolLine& line, std::uint32_t since) {
+void leaveOut(const PageContext& context, MillingService& service, const ToolLine& line, std::int64_t since) {
     const QString reason = line.reason->text();
     context.withRole(Role::Setter, [context, &service, line, since, reason] {
         const MillingToolView* tool = findTool(service, since);

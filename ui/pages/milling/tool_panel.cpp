@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/milling/tool_panel.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <algorithm>
 #include <cmath>
@@ -43,13 +42,6 @@ MillingToolPanel::MillingToolPanel(Look& look, QWidget* parent)
     body()->addWidget(m_chart, 1);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void MillingToolPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MillingToolPanel::retranslate() {

@@ -23,11 +23,8 @@ class MillingToolPanel : public Card {
 
     [[nodiscard]] Chart* chart() const { return m_chart; }
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showTrend();
     void showWords();
 

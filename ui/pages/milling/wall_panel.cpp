@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/milling/wall_panel.h"
 
-#include <QEvent>
 #include <algorithm>
 
 #include "ui/pages/milling/milling_texts.h"
@@ -33,13 +32,6 @@ MillingWallPanel::MillingWallPanel(Look& look, QWidget* parent)
     body()->addWidget(m_note);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void MillingWallPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MillingWallPanel::retranslate() {

@@ -27,13 +27,10 @@ class MillingWallPanel : public Card {
 
     [[nodiscard]] Chart* chart() const { return m_chart; }
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     static constexpr std::size_t kBins = 160;
     using Bins = std::array<std::optional<float>, kBins>;  ///< deviation along the path; empty: not cut yet
-    void retranslate();
+    void retranslate() override;
     void showCurves();
     void fitHeight();
     void showNote();

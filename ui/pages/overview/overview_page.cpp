@@ -68,6 +68,13 @@ void LoopCard::show(const LoopStatus& loop, const KeyFigure& figure) {
     } else {
         m_number->setNothing();
     }
+    const auto limit = [&](const std::optional<double>& value) -> std::optional<Sparkline::Limit> {
+        if (!value) {
+            return std::nullopt;
+        }
+        return Sparkline::Limit{*value, m_look.units().number(*value, figure.unit, figure.decimals)};
+    };
+    m_course->setLimits(limit(figure.lower), limit(figure.upper));
 }
 
 void LoopCard::sample(const KeyFigure& figure) {
@@ -187,7 +194,7 @@ void OverviewPage::buildMachine() {
     buttons->addWidget(m_start);
     buttons->addWidget(m_release);
     m_machine->body()->addLayout(buttons);
-    connect(m_start, &QPushButton::clicked, this, [this] { context().client.sendAction(StartPart{mainProcess()}); });
+    connect(m_start, &QPushButton::clicked, this, [this] { context().client.startPart(mainProcess()); });
     connect(m_release, &QPushButton::clicked, this, [this] { release(); });
 }
 
@@ -284,7 +291,9 @@ QString OverviewPage::machineSentence() const {
 }
 
 void OverviewPage::onStatus(const Status& status) {
-    if (m_sinceSample.elapsed() < kSamplePeriod_ms) {
+    // The first status with loops in it is the page's content: it is not waited for.
+    const bool empty = std::ranges::none_of(m_arranged, [](bool fitted) { return fitted; });
+    if (!empty && m_sinceSample.elapsed() < kSamplePeriod_ms) {
         return;
     }
     m_sinceSample.restart();

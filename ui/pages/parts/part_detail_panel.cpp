@@ -2,7 +2,6 @@
 #include "ui/pages/parts/part_detail_panel.h"
 
 #include <QDateTime>
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScroller>
@@ -96,20 +95,12 @@ PartDetailPanel::PartDetailPanel(Look& look, std::function<QString()> whyNoChang
     retranslate();
 }
 
-void PartDetailPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
-}
-
 void PartDetailPanel::retranslate() {
     m_chart->setXAxis(tr("overhang"), "mm");
     m_chart->setYAxis(tr("feed"), "mm/rev");
     m_feedTitle->setText(tr("feed, %1", "unit").arg(m_look.units().of("mm/rev").symbol));
     m_chart->setCurveLabel(m_schedule, tr("schedule"));
     m_chart->setCurveLabel(m_cut, tr("cut"));
-    m_chart->setEmptyText(tr("The feed of the part appears here when one is chosen."));
     m_correct->setText(tr("Correct"));
     m_void->setText(tr("Take out"));
     m_serial->setText(tr("Serial"));
@@ -135,6 +126,8 @@ void PartDetailPanel::showProblem(const Sentence& problem) {
 void PartDetailPanel::showPart() {
     std::vector<QPointF> wanted;
     std::vector<QPointF> cut;
+    m_chart->setEmptyText(m_part ? tr("No course of the feed is kept for this part.")
+                                 : tr("The feed of the part appears here when one is chosen."));
     if (!m_part) {
         setTitle(tr("No part chosen"));
         m_facts->setText(m_problem.empty() ? tr("Touch a row of the table.") : sentenceText(m_problem, m_look.units()));

@@ -23,7 +23,7 @@ class PartDetailPanel : public Card {
     void showProblem(const Sentence& problem);
     /// Who says whether a part is in its tolerance.
     void setJudge(std::function<PartJudgement(const PartRow&)> judge) { m_judge = std::move(judge); }
-    void retranslate();
+    void retranslate() override;
     /// Whether serial numbers and reports can be made here.
     void setFileActions(bool serial, bool report);
     [[nodiscard]] const std::optional<PartDetail>& part() const { return m_part; }
@@ -33,9 +33,6 @@ class PartDetailPanel : public Card {
     void voidRequested(const kerf::MeasurementRow& row);
     void serialRequested();
     void reportRequested();
-
- protected:
-    void changeEvent(QEvent* event) override;
 
  private:
     void showPart();

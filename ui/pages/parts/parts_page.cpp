@@ -283,27 +283,21 @@ void PartsPage::askSerial() {
     edit->selectAll();
     sheet->body()->addWidget(edit);
     sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    QPushButton* accept = sheet->addButton(
-        tr("Save"),
-        [this, sheet, edit, id = part.id] {
-            saveSerial(id, edit->text().simplified());
-            sheet->close();
-        },
-        false);
+    QPushButton* accept = sheet->addButton(tr("Save"), std::function<void()>(), false);
+    connect(accept, &QPushButton::clicked, sheet, [this, sheet, accept, edit, id = part.id] {
+        const auto told = [self = QPointer<PartsPage>(this)](const Result<void>& stored) {
+            if (PartsPage* page = self.data()) {
+                page->context().notify(stored ? tr("The serial number is stored.")
+                                              : sentenceText(stored.error(), page->look().units()));
+                page->update();
+            }
+        };
+        context().services.setSerial(id, edit->text().simplified(), context().session.name(),
+                                     sheet->whenStored(accept, told));
+    });
     accept->setObjectName(QStringLiteral("serialSave"));
     connect(edit, &QLineEdit::returnPressed, accept, &QPushButton::click);
     edit->setFocus();
-}
-
-void PartsPage::saveSerial(PartId part, const QString& serial) {
-    const auto told = [self = QPointer<PartsPage>(this)](const Result<void>& stored) {
-        if (PartsPage* page = self.data()) {
-            page->context().notify(stored ? tr("The serial number is stored.")
-                                          : sentenceText(stored.error(), page->look().units()));
-            page->update();
-        }
-    };
-    context().services.setSerial(part, serial, context().session.name(), told);
 }
 
 void PartsPage::writeReport(PartId part, const QString& file) {

@@ -43,7 +43,6 @@ class PartsPage : public Page {
     void afterReading();
     void fitColumns();
     void askSerial();
-    void saveSerial(PartId part, const QString& serial);
     void openReport();
     void writeReport(PartId part, const QString& file);
     void showCount();

@@ -205,11 +205,12 @@ void GaugeSheets::openGauge(const Gauge& gauge) {
         changed.ring_mm = *size;
         changed.dueUtc_ms = day.isValid() ? day.endOfDay().toMSecsSinceEpoch() : 0;
         m_context.withPermission(Deed::QualityGauge, [this, changed, why = QPointer<QLabel>(why), open] {
+            if (open) open->sent();
             m_service.saveGauge(changed, m_context.session.name().toStdString(),
                                 [this, why, open](const Result<void>& done) {
                                     if (!done && why) {
                                         why->setText(sentenceText(done.error(), m_context.look.units()));
-                                    } else if (done && m_context.sheets.isOpen(open)) {
+                                    } else if (done && m_context.sheets.isOpen(open) && open->taken()) {
                                         openRegister();
                                     }
                                 });
@@ -330,11 +331,12 @@ void GaugeSheets::openStudy(const Gauge& gauge, bool crossed) {
                     return;
                 }
                 study->tolerance_mm = *width;
+                if (open) open->sent();
                 m_service.saveStudy(*study, m_context.session.name().toStdString(),
                                     [this, prompt, open](const Result<void>& done) {
                                         if (!done && prompt) {
                                             prompt->setText(sentenceText(done.error(), m_context.look.units()));
-                                        } else if (done && m_context.sheets.isOpen(open)) {
+                                        } else if (done && m_context.sheets.isOpen(open) && open->taken()) {
                                             openRegister();
                                         }
                                     });

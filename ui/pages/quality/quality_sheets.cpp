@@ -2,12 +2,10 @@
 #include "ui/pages/quality/quality_sheets.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPointer>
 #include <QStandardPaths>
 #include <QTimer>
@@ -15,25 +13,13 @@
 #include <array>
 #include <memory>
 
-#include "engine/api/part_results.h"
+#include "ui/dialogs/limits_sheet.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
 namespace {
-
-/// Empty text: no limit. False: no number.
-bool takeLimit(const QString& text, std::optional<double>& limit) {
-    limit.reset();
-    const QString plain = text.trimmed().replace(u',', u'.');
-    if (plain.isEmpty()) {
-        return true;
-    }
-    bool good = false;
-    limit = QLocale::c().toDouble(plain, &good);
-    return good;
-}
 
 /// "Nelson 1: one beyond 3σ"
 QString ruleName(quality::Rule rule) {
@@ -43,10 +29,6 @@ QString ruleName(quality::Rule rule) {
     return key.startsWith(QLatin1String("nelson"))    ? QStringLiteral("Nelson %1: %2").arg(number).arg(text)
            : key.startsWith(QLatin1String("western")) ? QStringLiteral("Western Electric %1: %2").arg(number).arg(text)
                                                       : text;
-}
-
-QString limitText(const std::optional<double>& limit) {
-    return limit ? QLocale::c().toString(*limit, 'g', 12) : QString();
 }
 
 }  // namespace
@@ -131,12 +113,13 @@ void QualitySheets::openAutomaticFiles() {
     const auto save = [this, folder, pattern, why, open = QPointer<Sheet>(sheet)] {
         const DfqFiles files{folder->text().trimmed().toStdString(), pattern->text().trimmed().toStdString()};
         m_context.withPermission(Deed::QualityFiles, [this, files, why = QPointer<QLabel>(why), open] {
+            if (open) open->sent();
             m_service.setDfqFiles(files, m_context.session.name().toStdString(),
                                   [this, why, open](const Result<void>& stored) {
                                       if (!stored && why) {
                                           why->setText(sentenceText(stored.error(), m_context.look.units()));
                                       } else if (stored && open) {
-                                          open->close();
+                                          open->taken();
                                       }
                                   });
         });
@@ -146,66 +129,7 @@ void QualitySheets::openAutomaticFiles() {
 }
 
 void QualitySheets::openLimits(ProcessId process) {
-    Sheet* sheet = m_context.sheets.open(
-        tr("Limits: %1").arg(processName(process)),
-        tr("A figure outside its limits makes the part scrap. In the stored unit; an empty field is no limit."));
-    auto* form = new QFormLayout;
-    auto* figure = new QComboBox(sheet);
-    auto* lower = new QLineEdit(sheet);
-    auto* upper = new QLineEdit(sheet);
-    auto* why = makeLabel(TextRole::Body, sheet, true);
-    figure->setObjectName(QStringLiteral("limitFigure"));
-    lower->setObjectName(QStringLiteral("limitLower"));
-    upper->setObjectName(QStringLiteral("limitUpper"));
-    why->setObjectName(QStringLiteral("limitWhy"));
-    for (const auto& [spec, read] : partResultRows(process)) {
-        QString label = engineText(spec.label);
-        if (spec.unit[0] != '\0') {
-            label += QStringLiteral(" [%1]").arg(QString::fromUtf8(spec.unit));
-        }
-        figure->addItem(label, QString::fromLatin1(spec.key));
-    }
-    form->addRow(tr("Figure"), figure);
-    form->addRow(tr("Lower limit"), lower);
-    form->addRow(tr("Upper limit"), upper);
-    sheet->body()->addLayout(form);
-    sheet->body()->addWidget(why);
-    const auto show = [this, process, figure, lower, upper] {
-        const std::vector<FigureLimit> limits = m_service.limits(process);
-        const auto found = std::ranges::find(limits, figure->currentData().toString().toStdString(), &FigureLimit::key);
-        lower->setText(found == limits.end() ? QString() : limitText(found->tolerance.lower));
-        upper->setText(found == limits.end() ? QString() : limitText(found->tolerance.upper));
-    };
-    connect(figure, &QComboBox::currentIndexChanged, sheet, show);
-    show();
-    sheet->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
-    const auto save = [this, process, figure, lower, upper, why] {
-        FigureLimit limit{figure->currentData().toString().toStdString(), {}};
-        if (!takeLimit(lower->text(), limit.tolerance.lower) || !takeLimit(upper->text(), limit.tolerance.upper)) {
-            why->setText(tr("A limit is a number, or empty."));
-            return;
-        }
-        std::vector<FigureLimit> limits;
-        if (limit.tolerance.given()) {
-            limits.push_back(limit);
-        }
-        for (const FigureLimit& other : m_service.limits(process)) {
-            if (other.key != limit.key) {
-                limits.push_back(other);
-            }
-        }
-        m_context.withPermission(Deed::QualityLimits, [this, process, limits, why = QPointer<QLabel>(why)] {
-            m_service.setLimits(process, limits, m_context.session.name().toStdString(),
-                                [this, why](const Result<void>& stored) {
-                                    if (why) {
-                                        why->setText(stored ? tr("The limits are stored and hold from now on.")
-                                                            : sentenceText(stored.error(), m_context.look.units()));
-                                    }
-                                });
-        });
-    };
-    sheet->addButton(tr("Save"), save, false)->setObjectName(QStringLiteral("limitSave"));
-    QTimer::singleShot(0, figure, qOverload<>(&QWidget::setFocus));
+    openLimitsSheet(m_context, process);
 }
 
 void QualitySheets::openRules() {

@@ -9,7 +9,7 @@ namespace kerf::ui {
 /// Reports and files of a lot, and the limits of figures, as sheets over the page.
 ///
 /// Object names: fileName, fileLotReport, fileFirstArticle, fileDfq; dfqFolder, dfqPattern, dfqSave, dfqWhy;
-/// limitFigure, limitLower, limitUpper, limitSave, limitWhy
+/// those of the limits are ui/dialogs/limits_sheet.h's
 class QualitySheets : public QObject {
     Q_OBJECT
  public:

@@ -308,19 +308,22 @@ void ShiftPage::write(bool handover) {
         text->setFocus();
         sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
         QPushButton* save =
-            sheet->addButton(handover ? tr("Sign and hand over") : tr("Keep the note"), [this, text, handover] {
-                const std::string words = text->text().trimmed().toStdString();
-                const auto done = [page = QPointer<ShiftPage>(this), handover](const Result<void>& result) {
+            sheet->addButton(handover ? tr("Sign and hand over") : tr("Keep the note"), std::function<void()>(), false);
+        connect(save, &QPushButton::clicked, sheet, [this, sheet, save, text, handover] {
+            const std::string words = text->text().trimmed().toStdString();
+            if (!handover && words.empty()) {
+                sheet->close();
+                return;
+            }
+            const auto done =
+                sheet->whenStored(save, [page = QPointer<ShiftPage>(this), handover](const Result<void>& result) {
                     if (ShiftPage* self = page.data()) {
                         self->told(result, handover ? tr("The shift is handed over.") : tr("The note is kept."));
                     }
-                };
-                if (handover) {
-                    m_service->handOver(words, context().session.author(), done);
-                } else if (!words.empty()) {
-                    m_service->note(words, context().session.author(), done);
-                }
-            });
+                });
+            handover ? m_service->handOver(words, context().session.author(), done)
+                     : m_service->note(words, context().session.author(), done);
+        });
         save->setObjectName(QStringLiteral("shiftSave"));
         connect(text, &QLineEdit::returnPressed, save, &QPushButton::click);
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/tapping/gains_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QPainter>
 #include <QPushButton>
@@ -131,13 +130,6 @@ void GainsPanel::setSession(OperatorSession& session) {
     m_modes->setSession(session);
     connect(m_modes, &ModeButtons::permissionChanged, this, &GainsPanel::showLoop);
     showLoop();
-}
-
-void GainsPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void GainsPanel::retranslate() {

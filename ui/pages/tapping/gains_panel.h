@@ -45,13 +45,10 @@ class GainsPanel : public Card {
  signals:
     void modeRequested(kerf::LoopMode mode);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     static constexpr std::size_t kRows = 5;
     static constexpr std::size_t kColumns = 3;
-    void retranslate();
+    void retranslate() override;
     void showView();
     void showLoop();
 

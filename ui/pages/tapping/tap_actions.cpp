@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/tapping/tap_actions.h"
 
-#include <QEvent>
 #include <QGridLayout>
 
 #include "ui/link/texts.h"
@@ -58,13 +57,6 @@ ActionButton* TapActions::add(const char* name, int row, int column, int columns
     button->setPredicate(std::move(whyNot));
     m_grid->addWidget(button, row, column, 1, columns);
     return button;
-}
-
-void TapActions::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void TapActions::retranslate() {

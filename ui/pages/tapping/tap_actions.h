@@ -37,12 +37,9 @@ class TapActions : public Card {
     void abortRequested();
     void recoveryRequested();
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     ActionButton* add(const char* name, int row, int column, int columns, ActionButton::WhyNot whyNot);
-    void retranslate();
+    void retranslate() override;
     void reconsider();
     [[nodiscard]] QString whyNoMove() const;
     [[nodiscard]] QString whyNoTune() const;

@@ -30,6 +30,9 @@ KeyFigure tappingFigure(const Services& services, const Status& status) {
         }
         if (figure.course.size() < 2) {
             figure.course.clear();
+            if (view.thread.allowedPp_um > 0.0) {
+                figure.upper = view.thread.allowedPp_um;
+            }
             for (const TapTrialView& trial : view.trials) {
                 figure.course.push_back(trial.figures.engagedPp_um);
             }

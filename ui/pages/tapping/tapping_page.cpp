@@ -4,7 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 
+#include "ui/dialogs/limits_sheet.h"
+#include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
 #include "ui/link/texts.h"
@@ -17,8 +21,21 @@
 
 namespace kerf::ui {
 namespace {
-constexpr int kTextPeriod_ms = 200;
+
+/// What a kept tuning's values are called where revisions are compared.
+const ParamSpec* tuningSpec(const std::string& key) {
+    static const std::array kSpecs{
+        ParamSpec{"settings.spindle_kp_perS", KERF_TEXT("Follow gain of the spindle"), "1/s", 0.0, 0.0, 0.0, 2, ""},
+        ParamSpec{"settings.z_kp_perS", KERF_TEXT("Follow gain of Z"), "1/s", 0.0, 0.0, 0.0, 2, ""},
+        ParamSpec{"settings.z_velocity_ff", KERF_TEXT("Speed feed-forward of Z"), "", 0.0, 0.0, 0.0, 4, ""},
+        ParamSpec{"settings.z_accel_ff", KERF_TEXT("Acceleration feed-forward of Z"), "", 0.0, 0.0, 0.0, 3, ""},
+        ParamSpec{"proof.last.engaged_pp_um", KERF_TEXT("Error p-p in the work"), "um", 0.0, 0.0, 0.0, 1, ""}};
+    const auto found = std::ranges::find_if(kSpecs, [&key](const ParamSpec& spec) { return key == spec.key; });
+    return found == kSpecs.end() ? nullptr : &*found;
 }
+
+constexpr int kTextPeriod_ms = 200;
+}  // namespace
 
 TappingPage::TappingPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.tappingService) {
@@ -58,6 +75,7 @@ void TappingPage::build() {
         column->addWidget(bars, 1);
         m_bars->addLayout(column, 1);
     }
+    addLotLine(context(), m_service->lots(), m_barCard->header());
     m_barCard->header()->addWidget(new LastVerdict(context(), ProcessId::Tapping, m_barCard));
     m_barCard->body()->addLayout(m_bars, 1);
 
@@ -92,7 +110,9 @@ void TappingPage::connectActions() {
     connect(m_actions, &TapActions::jobRequested, this, [this] {
         context().withPermission(Deed::TappingJob, [this] {
             JobForm::open(context().sheets, look(), *m_service, [this] { return context().session.author(); });
-            offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning);
+            offerRecipeSheet(context(), m_service->recipes(), Deed::TappingTuning, tuningSpec);
+            offerLimitsSheet(context(), ProcessId::Tapping);
+            offerLotSheet(context(), m_service->lots());
         });
     });
     connect(m_actions, &TapActions::tuneRequested, this, [this] {
@@ -100,8 +120,7 @@ void TappingPage::connectActions() {
             tell(m_service->begin(context().session.author(), m_service->view().automatic));
         });
     });
-    connect(m_actions, &TapActions::tapRequested, this,
-            [this] { context().client.sendAction(StartPart{ProcessId::Tapping}); });
+    connect(m_actions, &TapActions::tapRequested, this, [this] { context().client.startPart(ProcessId::Tapping); });
     connect(m_actions, &TapActions::oneMoreRequested, this, [this] {
         context().withPermission(Deed::TappingTuning, [this] { m_service->oneMore(context().session.author()); });
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/thermal/offset_panel.h"
 
-#include <QEvent>
 #include <QLabel>
 
 #include "ui/link/texts.h"
@@ -53,13 +52,6 @@ void OffsetPanel::setSession(OperatorSession& session) {
     m_modes->setSession(session);
     connect(m_modes, &ModeButtons::permissionChanged, this, [this] { show(m_status, m_loop); });
     show(m_status, m_loop);
-}
-
-void OffsetPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void OffsetPanel::retranslate() {

@@ -26,11 +26,8 @@ class OffsetPanel : public Card {
  signals:
     void modeRequested(kerf::LoopMode mode);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void show(const ThermalStatus& status, const LoopStatus& loop);
 
     Look& m_look;

@@ -259,7 +259,7 @@ void ThermalPage::warmUp() {
         tr("Warm up the spindle?"),
         tr("The spindle turns at %1 for %2. Take care that nothing is in its way.")
             .arg(look().units().withUnit(setup.warmUpSpeed_rpm, "rpm", 0), minutesText(setup.warmUp_min)),
-        tr("Not now"), tr("Start the spindle"), [this] { context().client.sendAction(StartPart{ProcessId::Thermal}); });
+        tr("Not now"), tr("Start the spindle"), [this] { context().client.startPart(ProcessId::Thermal); });
 }
 
 }  // namespace kerf::ui

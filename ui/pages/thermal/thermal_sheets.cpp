@@ -239,7 +239,8 @@ void ThermalSheets::openMeasure() {
     QLabel* steps = makeLabel(TextRole::Body, sheet, true);
     steps->setObjectName(QStringLiteral("thermalSteps"));
     QTableWidget* table = makeThermalTable(
-        look, "thermalGapTable", {tr("axis"), tr("measured"), tr("predicted"), tr("difference"), tr("verdict")}, sheet);
+        look, "thermalGapTable",
+        {tr("axis"), tr("measured"), tr("predicted"), tr("difference"), tr("verdict"), tr("left in a part")}, sheet);
     table->setMinimumHeight(4 * look.metrics().touch() * 2 / 3);
     ActionButton* byPart = named(look, "thermalByPart", tr("By a measured part"));
     byPart->setPredicate([this]() -> QString {
@@ -305,6 +306,7 @@ void ThermalSheets::openMeasure() {
         const ThermalStatus& s = m_status.thermal;
         const UnitSystem& units = m_context.look.units();
         const ThermalSessionView& view = m_service.view().session;
+        const auto& gaps = m_service.view().gaps;
         session->setText(view.recording ? tr("End the session") : tr("Record a session"));
         for (ActionButton* button : {byPart, reference, session, adopt, measure})
             button->reconsider();
@@ -345,7 +347,8 @@ void ThermalSheets::openMeasure() {
                          known ? units.withUnit(difference_um, "um", kDriftDecimals) : QStringLiteral("–"),
                          !known                                           ? QStringLiteral("–")
                          : std::abs(difference_um) <= s.gap.half_um[axis] ? tr("inside the interval")
-                                                                          : tr("outside the interval")});
+                                                                          : tr("outside the interval"),
+                         measured && !gaps.empty() ? leftText(gaps.front(), axis, units) : QStringLiteral("–")});
         }
     });
 }
@@ -356,9 +359,9 @@ void ThermalSheets::openHistory() {
     QTableWidget* shifts =
         makeThermalTable(m_context.look, "thermalShiftTable",
                          {tr("time"), tr("shift X / Y / Z, %1").arg(unit), tr("drift X / Y / Z")}, sheet);
-    QTableWidget* gaps =
-        makeThermalTable(m_context.look, "thermalGapHistory",
-                         {tr("time"), tr("measured X / Y / Z, %1").arg(unit), tr("predicted X / Y / Z")}, sheet);
+    QTableWidget* gaps = makeThermalTable(
+        m_context.look, "thermalGapHistory",
+        {tr("time"), tr("measured X / Y / Z, %1").arg(unit), tr("predicted X / Y / Z"), tr("left in a part")}, sheet);
     shifts->setMinimumHeight(4 * m_context.look.metrics().touch());
     gaps->setMinimumHeight(3 * m_context.look.metrics().touch());
     sheet->body()->addWidget(shifts, 2);
@@ -377,13 +380,13 @@ void ThermalSheets::openHistory() {
         row = 0;
         for (const ThermalGapRow& one : m_service.view().gaps) {
             if (row >= kShownRows) break;
-            setTableRow(
-                gaps, row++,
-                {one.byPart ? tr("%1, part").arg(timeOf(one.utc_ms)) : timeOf(one.utc_ms),
-                 threeText(one.measured_um, units, kDriftDecimals),
-                 one.predictionKnown ? threeText(one.predicted_um, units, kDriftDecimals) : QStringLiteral("–")});
+            setTableRow(gaps, row++,
+                        {one.byPart ? tr("%1, part").arg(timeOf(one.utc_ms)) : timeOf(one.utc_ms),
+                         threeText(one.measured_um, units, kDriftDecimals),
+                         one.predictionKnown ? threeText(one.predicted_um, units, kDriftDecimals) : QStringLiteral("–"),
+                         leftText(one, units)});
         }
-        if (row == 0) setTableRow(gaps, row++, {{}, tr("Each measurement of the origin appears here."), {}});
+        if (row == 0) setTableRow(gaps, row++, {{}, tr("Each measurement of the origin appears here."), {}, {}});
         gaps->setRowCount(row);
     });
 }
@@ -460,9 +463,11 @@ void ThermalSheets::openLimits() {
         ParamSpec{"thermal.allowed_um", KERF_TEXT("Error the part allows"), "um", 0.1, 100.0, 4.0, 1, ""},
         ParamSpec{"thermal.period_min", KERF_TEXT("Time between two shifts"), "min", 0.1, 60.0, 1.0, 1, ""},
         ParamSpec{"thermal.max_shift_um", KERF_TEXT("Largest shift"), "um", 1.0, 200.0, 100.0, 0, ""},
-        ParamSpec{"thermal.max_step_um", KERF_TEXT("Largest shift in a minute"), "um", 1.0, 60.0, 15.0, 0, ""},
-        ParamSpec{"thermal.warm_up_rpm", KERF_TEXT("Warm-up speed"), "rpm", 100.0, 30'000.0, 3000.0, 0, ""},
+        ParamSpec{"thermal.max_step_um_per_min", KERF_TEXT("Largest shift in a minute"), "um", 1.0, 60.0, 15.0, 0, ""},
+        ParamSpec{"thermal.warm_up_speed_rpm", KERF_TEXT("Warm-up speed"), "rpm", 100.0, 30'000.0, 3000.0, 0, ""},
         ParamSpec{"thermal.warm_up_min", KERF_TEXT("Warm-up time"), "min", 1.0, 120.0, 20.0, 0, ""}};
+    static const ParamSpec kBetween{
+        "thermal.between_parts", KERF_TEXT("Shift only between parts"), "", 0.0, 1.0, 0.0, 0, ""};
     static constexpr std::array kNames{"thermalAllowed", "thermalPeriod",    "thermalMaxShift",
                                        "thermalMaxStep", "thermalWarmSpeed", "thermalWarmMinutes"};
     Sheet* sheet = open(tr("Limits and warm-up"), {});
@@ -519,7 +524,13 @@ void ThermalSheets::openLimits() {
                        return m_service.changeSetup(next, author, why);
                    });
     });
-    offerRecipeSheet(m_context, m_service.recipes(), Deed::ThermalLimits);
+    offerRecipeSheet(
+        m_context, m_service.recipes(), Deed::ThermalLimits, [](const std::string& key) -> const ParamSpec* {
+            const std::string whole = "thermal." + key;
+            const auto found =
+                std::ranges::find_if(kSpecs, [&whole](const ParamSpec& spec) { return whole == spec.key; });
+            return found != kSpecs.end() ? &*found : whole == kBetween.key ? &kBetween : nullptr;
+        });
 }
 
 }  // namespace kerf::ui

@@ -68,6 +68,41 @@ QString threeText(std::span<const double, kAxisCount> values_um, const UnitSyste
     return parts.join(QStringLiteral(" / "));
 }
 
+namespace {
+
+QString verdictWords(quality::Verdict verdict, const ThermalGapRow& row, const UnitSystem& units) {
+    const QString band = QStringLiteral("±") + units.withUnit(row.allowed_um, "um", kDriftDecimals);
+    return verdict == quality::Verdict::NotJudged ? ThermalTexts::tr("not judged")
+           : verdict == quality::Verdict::Good    ? ThermalTexts::tr("good, within %1").arg(band)
+                                                  : ThermalTexts::tr("out of %1").arg(band);
+}
+
+}  // namespace
+
+QString leftText(const ThermalGapRow& row, std::size_t axis, const UnitSystem& units) {
+    const quality::Verdict verdict = row.verdict(axis);
+    const QString words = verdictWords(verdict, row, units);
+    return verdict == quality::Verdict::NotJudged
+               ? words
+               : units.number(row.left_um[axis], "um", kDriftDecimals) + QStringLiteral(", ") + words;
+}
+
+QString leftText(const ThermalGapRow& row, const UnitSystem& units) {
+    // The worst of the axes that were measured.
+    std::optional<quality::Verdict> worst;
+    QStringList values;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const quality::Verdict verdict = row.verdict(axis);
+        const bool judged = verdict != quality::Verdict::NotJudged;
+        values << (judged ? units.number(row.left_um[axis], "um", kDriftDecimals) : QStringLiteral("–"));
+        if (judged) {
+            worst = quality::worse(worst.value_or(verdict), verdict);
+        }
+    }
+    const QString words = verdictWords(worst.value_or(quality::Verdict::NotJudged), row, units);
+    return worst ? values.join(QStringLiteral(" / ")) + QStringLiteral(", ") + words : words;
+}
+
 QString warmUpText(const ThermalStatus& status, const UnitSystem& units) {
     const QString band = QStringLiteral("±") + units.withUnit(status.allowed_um, "um", kDriftDecimals);
     switch (status.warmUp) {

@@ -20,6 +20,9 @@ inline constexpr std::array<const char*, kAxisCount> kThermalAxes{"X", "Y", "Z"}
 [[nodiscard]] QString coupleStateName(CoupleState state);
 [[nodiscard]] QString modelKindName(const std::string& kind, Wording wording);
 [[nodiscard]] QString minutesText(double minutes);
+/// What a measurement leaves in a part, with its verdict: of an axis, of all three.
+[[nodiscard]] QString leftText(const ThermalGapRow& row, std::size_t axis, const UnitSystem& units);
+[[nodiscard]] QString leftText(const ThermalGapRow& row, const UnitSystem& units);
 /// "0.2 / 0.5 / 1.4": one figure per axis in the shown unit.
 [[nodiscard]] QString threeText(std::span<const double, kAxisCount> values_um, const UnitSystem& units, int decimals);
 /// "ready for ±4.0 µm in 12 min", or what stands in the way.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/turning/comparison_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -41,13 +40,6 @@ ComparisonPanel::ComparisonPanel(Look& look, QWidget* parent)
     connect(m_archive, &QPushButton::clicked, this, &ComparisonPanel::archiveWanted);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void ComparisonPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void ComparisonPanel::retranslate() {

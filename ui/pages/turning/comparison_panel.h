@@ -22,13 +22,10 @@ class ComparisonPanel : public Card {
  signals:
     void archiveWanted();
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
     static constexpr std::size_t kRows = 3;
     static constexpr std::size_t kColumns = 4;
-    void retranslate();
+    void retranslate() override;
     void show();
 
     Look& m_look;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/turning/margin_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -92,13 +91,6 @@ MarginPanel::MarginPanel(Look& look, QWidget* parent)
     body()->addLayout(trim);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void MarginPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void MarginPanel::retranslate() {

@@ -35,11 +35,8 @@ class MarginPanel : public Card {
     void setView(const TurningServiceView& view);
     void setStatus(const Status& status);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showMargins();
 
     Look& m_look;

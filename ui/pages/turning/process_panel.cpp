@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/turning/process_panel.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <algorithm>
@@ -59,13 +58,6 @@ ProcessPanel::ProcessPanel(Look& look, QWidget* parent)
     body()->addStretch(1);
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void ProcessPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void ProcessPanel::retranslate() {

@@ -20,11 +20,8 @@ class ProcessPanel : public Card {
     explicit ProcessPanel(Look& look, QWidget* parent = nullptr);
     void setStatus(const Status& status);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void show(const TurningStatus& turning);
     [[nodiscard]] QString excitationText(const TurningIdentification& found) const;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/turning/surface_panel.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -62,13 +61,6 @@ SurfacePanel::SurfacePanel(Look& look, QWidget* parent)
     });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void SurfacePanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void SurfacePanel::retranslate() {

@@ -27,11 +27,8 @@ class SurfacePanel : public Card {
     /// The operator wants the suggested spindle speed for the next part.
     void speedWanted(double speed_rpm);
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showBlind();
     [[nodiscard]] QString blindText() const;
 

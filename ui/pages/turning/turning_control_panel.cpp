@@ -2,7 +2,6 @@
 #include "ui/pages/turning/turning_control_panel.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -72,13 +71,6 @@ TurningControlPanel::TurningControlPanel(Look& look, const EngineApi& engine, QW
     m_start->setPredicate([this] { return whyNotStart(); });
     connect(&look, &Look::changed, this, [this] { retranslate(); });
     retranslate();
-}
-
-void TurningControlPanel::changeEvent(QEvent* event) {
-    Card::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
 }
 
 void TurningControlPanel::retranslate() {

@@ -36,11 +36,8 @@ class TurningControlPanel : public Card {
     void startRequested();
     void setupRequested();
 
- protected:
-    void changeEvent(QEvent* event) override;
-
  private:
-    void retranslate();
+    void retranslate() override;
     void showLoop();
     [[nodiscard]] QString whyNotStart() const;
 

@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/dialogs/limits_sheet.h"
+#include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/texts.h"
 #include "ui/pages/turning/comparison_panel.h"
@@ -46,6 +48,7 @@ void TurningPage::build() {
     m_process = new ProcessPanel(look(), this);
     m_margins = new MarginPanel(look(), this);
     m_comparison = new ComparisonPanel(look(), this);
+    addLotLine(context(), m_service->lots(), m_surface->header());
     m_surface->header()->addWidget(new LastVerdict(context(), ProcessId::Turning, m_surface));
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -67,7 +70,7 @@ void TurningPage::build() {
         });
     });
     connect(m_control, &TurningControlPanel::startRequested, this,
-            [this] { context().client.sendAction(StartPart{ProcessId::Turning}); });
+            [this] { context().client.startPart(ProcessId::Turning); });
     connect(m_control, &TurningControlPanel::controllerRequested, this, [this](TurningController controller) {
         context().withPermission(Deed::TurningLaw, [this, controller] { setController(controller); });
     });
@@ -151,6 +154,8 @@ void TurningPage::openSetup(const TurningSetup& setup) {
             const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
             return found == specs.end() ? nullptr : &*found;
         });
+    offerLimitsSheet(context(), ProcessId::Turning);
+    offerLotSheet(context(), m_service->lots());
 }
 
 void TurningPage::setController(TurningController controller) {
@@ -168,10 +173,21 @@ void TurningPage::setController(TurningController controller) {
     });
 }
 
-KeyFigure turningFigure(const Services&, const Status& status) {
+/// Of the part under the tool or of the last one; its course is that of the last parts.
+KeyFigure turningFigure(const Services& services, const Status& status) {
     KeyFigure figure{TurningPage::tr("Predicted surface, RMS"), "um", kSurfaceDecimals, {}, {}, false, {}};
     if (status.turning.stage == TurningStage::Cutting) {
         figure.value = status.turning.surfaceRms_um;
+    }
+    if (services.turningService != nullptr) {
+        for (const TurningPartView& part : services.turningService->view().parts) {
+            if (part.complete) {
+                figure.course.push_back(part.record.surfaceRms_um);
+            }
+        }
+    }
+    if (!figure.value && !figure.course.empty()) {
+        figure.value = figure.course.back();
     }
     figure.limited = status.loops[static_cast<std::size_t>(ProcessId::Turning)].state == LoopState::Limited;
     return figure;

@@ -208,6 +208,9 @@ void TurningSetupForm::reconsider() {
 
 void TurningSetupForm::apply() {
     m_pending = true;
+    if (m_sheet) {
+        m_sheet->sent();
+    }
     const QPointer<TurningSetupForm> self(this);
     m_service.loadSetup(typed(), m_author(), m_reason->text().trimmed().toStdString(),
                         [self](const Result<void>& result) {
@@ -231,7 +234,7 @@ void TurningSetupForm::answered(const Result<void>& result) {
         m_onDone(tr("The next part is cut with the new setup."));
     }
     if (m_sheet) {
-        m_sheet->close();
+        m_sheet->taken();
     }
 }
 

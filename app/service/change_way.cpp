@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/service/change_way.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+constexpr int kPatience_polls = 20;  // after which a refused command is tried again, whatever the machine does
+}  // namespace
+
+bool Handover::poll(EngineApi& engine) {
+    const Status status = engine.status();
+    const bool wasTaken = m_taken;
+    const Sentence before = m_refusal;
+    if (m_number) {
+        lookForAnswer(status);
+    }
+    if (!m_taken && !m_number && mayTry(status)) {
+        Command command;
+        command.action = m_action;
+        m_number = engine.send(command);  // none: its ring is full
+    }
+    return m_taken != wasTaken || m_refusal.english() != before.english();
+}
+
+void Handover::lookForAnswer(const Status& status) {
+    std::uint32_t oldest = 0;
+    for (const CommandResult& result : status.recentCommands) {  // newest first
+        if (result.number == 0) {
+            break;
+        }
+        oldest = result.number;
+        if (result.number != *m_number) {
+            continue;
+        }
+        m_number.reset();
+        m_taken = result.done;
+        m_refusal = result.done ? Sentence() : result.reason;
+        m_refusedAt = {status.program, status.partSequence, status.link};
+        m_waited = 0;
+        return;
+    }
+    if (oldest > *m_number) {  // lost among later ones: what came of it nobody can say
+        m_number.reset();
+    }
+}
+
+bool Handover::mayTry(const Status& status) {
+    const Moment now{status.program, status.partSequence, status.link};
+    return m_refusal.empty() || now != m_refusedAt || ++m_waited >= kPatience_polls;
+}
+
+void ChangeWay::change(const Result<void>& may, const Store& store, std::function<void(const Receipt&)> then,
+                       Done done) {
+    if (!may) {
+        if (done) {
+            done(may);
+        }
+        return;
+    }
+    ++m_busy;
+    store([this, then = std::move(then), done = std::move(done),
+           alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
+        if (alive.expired()) {
+            return;
+        }
+        --m_busy;
+        m_storeProblem = receipt ? Sentence() : receipt.error();
+        if (receipt && then) {
+            then(*receipt);
+        }
+        m_show();
+        if (done) {
+            done(receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
+        }
+    });
+}
+
+void ChangeWay::owe(const Handover::Action& action) {
+    std::erase_if(m_owed, [&action](const Handover& one) { return one.isOf(action); });
+    m_owed.emplace_back(action);
+    (void)m_owed.back().poll(m_engine);
+}
+
+void ChangeWay::poll() {
+    bool news = false;
+    for (Handover& one : m_owed) {
+        news = one.poll(m_engine) || news;
+    }
+    std::erase_if(m_owed, [](const Handover& one) { return one.taken(); });
+    if (news) {
+        m_show();
+    }
+}
+
+const Sentence& ChangeWay::problem() const noexcept {
+    if (!m_storeProblem.empty()) {
+        return m_storeProblem;
+    }
+    static const Sentence kNone{};
+    const auto refused = std::ranges::find_if(m_owed, [](const Handover& one) { return !one.refusal().empty(); });
+    return refused == m_owed.end() ? kNone : refused->refusal();
+}
+
+}  // namespace kerf

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "app/service/boring/boring_lots.h"
+#include "app/service/milling/milling_service.h"
+#include "app/service/tapping/tapping_service.h"
+#include "app/service/thermal/thermal_service.h"
+#include "app/service/turning/turning_service.h"
+#include "db/writer_thread.h"
+#include "engine/process/tapping/drive_params.h"
+#include "engine/process/tapping/trial_machine.h"
+#include "tests/db/db_test_support.h"
+#include "tests/support/fake_engine.h"
+
+using namespace kerf;
+
+namespace {
+
+using Done = std::function<void(const Result<void>&)>;
+
+/// All five services on one data file and one engine that a test answers for.
+struct Shop {
+    Shop() : writer(scratch.path(), &ring, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
+        if (!writer.start()) {
+            qFatal("no writer");
+        }
+        reader = std::move(*db::DatabaseReader::open(scratch.path()));
+        engine.caps.servoGains.fitted = true;
+        engine.fake.cycle = 1;
+        StoredBoringService::Links links{writer, engine, {}, [] { return LoopMode::Control; }};
+        const BoringLotRequest first{
+            "VB-1", "simulator", "Sleeve 50", BoringRecipe{}, "1", 30, boring::EstimatorKind::Kalman, "Kerf"};
+        boring = std::make_unique<StoredBoringLots>(links, *reader, first);
+        (void)wait([&](const Done& done) { boring->start(done); });
+        milling = std::make_unique<StoredMillingService>(
+            StoredMillingService::Links{writer, engine, [] { return std::string("Lee"); }, {}, {}}, *reader, *reader,
+            *reader);
+        turning = std::make_unique<StoredTurningService>(
+            StoredTurningService::Links{writer, engine, *turningExchange, *reader, *reader, {}});
+        StoredThermalService::Links heat{engine, writer, *thermalExchange};
+        heat.dayFolder = scratch.path() + "-days";
+        thermal = std::make_unique<StoredThermalService>(heat, *reader, *reader);
+        StoredTappingService::Params taps;
+        taps.store = [this](const tapping::StoredTuning& tuning, const tapping::TuningWords& words,
+                            const StoredTappingService::Params::Kept& done) {
+            writer.submit(KeepRecipe{ProcessId::Tapping, tuning.choice.thread, "{}", words.author, words.reason, {}},
+                          [done](const Result<Receipt>& kept) {
+                              done(kept ? Result<std::int64_t>(kept->id) : tl::unexpected(kept.error()));
+                          });
+        };
+        tapping = std::make_unique<StoredTappingService>(engine, *tapExchange, std::move(taps));
+        (void)tapping->load(TapChoice{}, "Lee");
+        for (int i = 0; i < 3; ++i) {
+            poll();
+        }
+    }
+    ~Shop() {
+        tapping.reset();
+        thermal.reset();
+        turning.reset();
+        milling.reset();
+        boring.reset();
+        reader.reset();
+        writer.stop();
+    }
+    void poll() {
+        boring->poll();
+        milling->poll();
+        turning->poll();
+        thermal->poll();
+        tapping->poll();
+    }
+    Result<void> wait(const std::function<void(const Done&)>& call) {
+        std::optional<Result<void>> result;
+        call([&](const Result<void>& answer) { result = answer; });
+        if (!QTest::qWaitFor([&] { return result.has_value(); })) {
+            return fail("no answer");
+        }
+        return *result;
+    }
+    /// A part of the lot is bored; its bore waits.
+    void bore() {
+        PartRecord record;
+        record.partSequence = ++bored;
+        record.begin_ns = bored * 60'000'000'000LL;
+        record.end_ns = record.begin_ns + 40'000'000'000LL;
+        record.schedule = boring->service().view().nextSchedule;
+        record.order.lot = reader->activeLot(ProcessId::Boring)->value();
+        const std::size_t before = boring->service().view().parts.size();
+        QVERIFY(ring.tryPush(record));
+        QVERIFY(QTest::qWaitFor([&] { return boring->service().view().parts.size() > before; }));
+    }
+    Result<void> measure(double deviation_mm) {
+        const BoringServiceView& view = boring->service().view();
+        BoreEntry entry;
+        entry.part = view.awaiting.value_or(0);
+        entry.depth = view.awaitingDepth;
+        entry.diameter_mm = view.targetDiameter_mm + deviation_mm;
+        entry.author = "Kim";
+        entry.confirmed = true;
+        return wait([&](const Done& done) { boring->service().enter(entry, done); });
+    }
+
+    test::ScratchDatabase scratch;
+    test::FakeEngine engine;
+    SpscRing<PartRecord> ring{64};
+    db::WriterThread writer;
+    std::unique_ptr<db::DatabaseReader> reader;
+    std::unique_ptr<TurningExchange> turningExchange{std::make_unique<TurningExchange>()};
+    std::unique_ptr<ThermalExchange> thermalExchange{std::make_unique<ThermalExchange>()};
+    std::unique_ptr<TapExchange> tapExchange{std::make_unique<TapExchange>()};
+    std::unique_ptr<StoredBoringLots> boring;
+    std::unique_ptr<StoredMillingService> milling;
+    std::unique_ptr<StoredTurningService> turning;
+    std::unique_ptr<StoredThermalService> thermal;
+    std::unique_ptr<StoredTappingService> tapping;
+    std::uint32_t bored{0};
+};
+
+/// What one process calls a change, and what it says of it.
+struct OneOfFive {
+    std::function<Result<void>(int nth)> change;  ///< another one each time
+    std::function<Result<void>()> wrong;          ///< of values that cannot be
+    std::function<bool(const Command&)> isLoad;   ///< the command that the change ends in
+    std::function<Sentence()> problem;
+};
+
+template <class Load>
+bool is(const Command& command) {
+    return std::holds_alternative<Load>(command.action);
+}
+
+OneOfFive processOf(Shop& shop, const QString& name) {
+    if (name == QStringLiteral("boring")) {
+        return {[&shop](int nth) {
+                    shop.bore();
+                    return shop.measure(0.02 + 0.004 * nth);
+                },
+                [&shop] { return shop.measure(-60.0); }, is<LoadBoringSchedule>,
+                [&shop] { return shop.boring->service().view().storeProblem; }};
+    }
+    if (name == QStringLiteral("milling")) {
+        const auto save = [&shop](double reference_N) {
+            MillingSetup setup = shop.milling->view().setup;
+            setup.reference_N = reference_N;
+            return shop.wait([&](const Done& done) { shop.milling->saveSetup(setup, "Lee", "drawing", done); });
+        };
+        return {[save](int nth) { return save(300.0 + nth); }, [save] { return save(-1.0); }, is<LoadMillingSetup>,
+                [&shop] { return shop.milling->view().problem; }};
+    }
+    if (name == QStringLiteral("turning")) {
+        const auto save = [&shop](double depth_um) {
+            TurningSetup setup = shop.turning->view().setup;
+            setup.depth_um = depth_um;
+            return shop.wait([&](const Done& done) { shop.turning->loadSetup(setup, "Lee", "drawing", done); });
+        };
+        return {[save](int nth) { return save(4.0 + 0.1 * nth); }, [save] { return save(-1.0); }, is<LoadTurningSetup>,
+                [&shop] { return shop.turning->view().storeProblem; }};
+    }
+    if (name == QStringLiteral("thermal")) {
+        const auto save = [&shop](double allowed_um) {
+            ThermalSetup setup = shop.thermal->view().setup;
+            setup.allowed_um = allowed_um;
+            if (const auto begun = shop.thermal->changeSetup(setup, "Lee", "drawing"); !begun) {
+                return begun;
+            }
+            // It answers at once, so what the disk says stands in the view: a later answer comes behind it.
+            const auto behind = shop.wait([&](const Done& done) {
+                shop.writer.submit(AddAudit{"Kerf", "settled", "test", 0, {}, {}, {}},
+                                   [done](const Result<Receipt>& r) {
+                                       done(r ? Result<void>() : Result<void>(tl::unexpected(r.error())));
+                                   });
+            });
+            const Sentence& why = shop.thermal->view().storeProblem;
+            return behind && !why.empty() ? Result<void>(tl::unexpected(why)) : behind;
+        };
+        return {[save](int nth) { return save(5.0 + 0.5 * nth); }, [save] { return save(-1.0); }, is<LoadThermalSetup>,
+                [&shop] { return shop.thermal->view().storeProblem; }};
+    }
+    const auto restore = [&shop](double speed_rpm) {
+        tapping::StoredTuning tuning;
+        tuning.choice = shop.tapping->view().choice;
+        tuning.settings = tapping::settingsOf(tapping::middlingDrive());
+        tuning.settings.zKp_perS += 0.1 * speed_rpm;
+        return shop.wait([&](const Done& done) { shop.tapping->takeBack(tuning, 1, "Lee", "it was better", done); });
+    };
+    const auto wrong = [&shop] {
+        TapChoice choice = shop.tapping->view().choice;
+        choice.speed_rpm = -1.0;
+        return shop.tapping->load(choice, "Lee");
+    };
+    return {[restore](int nth) { return restore(nth); }, wrong, is<LoadTapGains>,
+            [&shop] { return shop.tapping->view().reason; }};
+}
+
+}  // namespace
+
+/// One way of a change in every process: may it be, kept, sent, taken, shown; whoever says no is heard.
+class TestChangeWay : public QObject {
+    Q_OBJECT
+    static void five() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"boring", "milling", "turning", "thermal", "tapping"}) {
+            QTest::newRow(name) << QString::fromUtf8(name);
+        }
+    }
+    static std::size_t loads(const Shop& shop, const OneOfFive& process) {
+        return static_cast<std::size_t>(std::ranges::count_if(shop.engine.commands, process.isLoad));
+    }
+
+ private slots:
+    void aChangeIsKeptThenTaken_data() { five(); }
+    void aChangeIsKeptThenTaken() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        const std::size_t before = loads(shop, process);
+        QVERIFY(process.change(1));
+        QCOMPARE(loads(shop, process), before + 1);
+        for (int i = 0; i < 30; ++i) {
+            shop.poll();
+        }
+        QCOMPARE(loads(shop, process), before + 1);  // it was taken: nobody asks twice
+        QVERIFY2(process.problem().empty(), process.problem().english().c_str());
+    }
+    void whatCannotBeReachesNeitherDiskNorEngine_data() { five(); }
+    void whatCannotBeReachesNeitherDiskNorEngine() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        const std::size_t before = loads(shop, process);
+        const auto revisions = shop.reader->recipes(1)->size();
+        const auto refused = process.wrong();
+        QVERIFY(!refused && !refused.error().empty());
+        shop.poll();
+        QCOMPARE(loads(shop, process), before);
+        QCOMPARE(shop.reader->recipes(1)->size(), revisions);
+    }
+    void whatTheDiskRefusesTheEngineNeverHears_data() { five(); }
+    void whatTheDiskRefusesTheEngineNeverHears() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        if (name == QStringLiteral("boring")) {
+            shop.bore();
+        }
+        const std::size_t before = loads(shop, process);
+        {
+            const db::Connection other(shop.scratch.path(), db::Access::Write);
+            for (const char* table : {"recipe_revisions", "measurements"}) {
+                const QString sql = QStringLiteral(
+                    "CREATE TRIGGER no_more_%1 BEFORE INSERT ON %1 BEGIN SELECT RAISE(ABORT, 'no'); END");
+                QVERIFY(test::tryExecute(other.database(), sql.arg(QLatin1String(table)).toUtf8()));
+            }
+        }
+        const auto refused = name == QStringLiteral("boring") ? shop.measure(0.02) : process.change(1);
+        QVERIFY(!refused);
+        shop.poll();
+        QCOMPARE(loads(shop, process), before);
+        QVERIFY(!process.problem().empty());
+    }
+    void whatTheEngineRefusesIsToldAndTriedAgain_data() { five(); }
+    void whatTheEngineRefusesIsToldAndTriedAgain() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        const std::size_t before = loads(shop, process);
+        QVERIFY(process.change(1));
+        shop.poll();
+        QCOMPARE(process.problem().english(), std::string("A part is being cut."));
+        const std::size_t once = loads(shop, process);
+        QCOMPARE(once, before + 1);
+        shop.poll();
+        QCOMPARE(loads(shop, process), once);  // nothing has moved on: no use in asking
+        shop.engine.refuseWith = {};
+        ++shop.engine.fake.partSequence;
+        shop.poll();
+        QCOMPARE(loads(shop, process), once + 1);
+        shop.poll();
+        shop.poll();
+        QCOMPARE(loads(shop, process), once + 1);
+        if (name != QStringLiteral("tapping")) {  // its reason stands until the next thing is said
+            QVERIFY2(process.problem().empty(), process.problem().english().c_str());
+        }
+    }
+    void aLostEchoIsAskedForAgainALateOneOfOthersIsNone_data() { five(); }
+    void aLostEchoIsAskedForAgainALateOneOfOthersIsNone() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        const std::size_t before = loads(shop, process);
+        shop.engine.answer = false;
+        QVERIFY(process.change(1));
+        QCOMPARE(loads(shop, process), before + 1);
+        // An answer to an order of before comes late, and is a no.
+        CommandResult late = CommandResult::refused(Sentence("not this one"));
+        late.number = 1;
+        shop.engine.fake.recentCommands[0] = late;
+        shop.poll();
+        QCOMPARE(loads(shop, process), before + 1);
+        QVERIFY(process.problem().english() != "not this one");
+        // So many others are answered that this one's echo has gone by.
+        shop.engine.answer = true;
+        for (std::size_t i = 0; i < shop.engine.fake.recentCommands.size(); ++i) {
+            Command other;
+            other.action = SetSimulationSpeed{1.0};
+            QVERIFY(shop.engine.send(other));
+        }
+        shop.poll();
+        QCOMPARE(loads(shop, process), before + 2);
+        shop.poll();
+        shop.poll();
+        QCOMPARE(loads(shop, process), before + 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestChangeWay)
+#include "tst_change_way.moc"
