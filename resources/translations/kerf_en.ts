@@ -2439,6 +2439,38 @@
             <source>lot selected</source>
             <translation>lot selected</translation>
         </message>
+        <message>
+            <source>Account removed</source>
+            <translation>Account removed</translation>
+        </message>
+        <message>
+            <source>Second person:</source>
+            <translation>Second person:</translation>
+        </message>
+        <message>
+            <source>operator</source>
+            <translation>operator</translation>
+        </message>
+        <message>
+            <source>setter</source>
+            <translation>setter</translation>
+        </message>
+        <message>
+            <source>process engineer</source>
+            <translation>process engineer</translation>
+        </message>
+        <message>
+            <source>no PIN</source>
+            <translation>no PIN</translation>
+        </message>
+        <message>
+            <source>PIN</source>
+            <translation>PIN</translation>
+        </message>
+        <message>
+            <source>new PIN</source>
+            <translation>new PIN</translation>
+        </message>
     </context>
     <context>
         <name>ShiftReport</name>

@@ -2437,6 +2437,38 @@
             <source>lot selected</source>
             <translation>로트 선택</translation>
         </message>
+        <message>
+            <source>Account removed</source>
+            <translation>계정 삭제</translation>
+        </message>
+        <message>
+            <source>Second person:</source>
+            <translation>두 번째 사람:</translation>
+        </message>
+        <message>
+            <source>operator</source>
+            <translation>작업자</translation>
+        </message>
+        <message>
+            <source>setter</source>
+            <translation>셋업 담당자</translation>
+        </message>
+        <message>
+            <source>process engineer</source>
+            <translation>공정 엔지니어</translation>
+        </message>
+        <message>
+            <source>no PIN</source>
+            <translation>PIN 없음</translation>
+        </message>
+        <message>
+            <source>PIN</source>
+            <translation>PIN</translation>
+        </message>
+        <message>
+            <source>new PIN</source>
+            <translation>새 PIN</translation>
+        </message>
     </context>
     <context>
         <name>ShiftReport</name>

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <memory>
 
+#include "engine/machine/simulated/simulated_machine.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
 #include "ui/widgets/value_field.h"
@@ -165,7 +166,13 @@ class TestConsoleSheets : public QObject {
     }
     void walkAlarms() {
         window().showPage("alarms");
+        InjectedFaults faults;
+        faults.emergencyStop = true;
+        m_bench->console().simulator()->machine().inject(faults);
+        QTRY_VERIFY(m_bench->find<QTableView>("alarmTable") != nullptr &&
+                    m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
         look(QStringLiteral("alarms_now"));
+        m_bench->console().simulator()->machine().inject({});
         press("alarmsHistory");
         QTRY_VERIFY(m_bench->find<QTableView>("alarmTable") != nullptr &&
                     m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
@@ -202,6 +209,7 @@ class TestConsoleSheets : public QObject {
         press("shiftEarlier");
         look(QStringLiteral("shift_before"));
         press("shiftPdf");
+        look(QStringLiteral("shift_pdf"));
         pressOwnFolder(QStringLiteral("shiftFolder"));
         QTRY_COMPARE_WITH_TIMEOUT(filesOf(QStringLiteral("*.pdf")).size(), 1, 20'000);
     }

@@ -61,6 +61,7 @@ QString deedText(const std::string& action) {
     } kDeeds[] = {
         {"account changed", QT_TRANSLATE_NOOP("Shift", "Account changed")},
         {"account made", QT_TRANSLATE_NOOP("Shift", "Account made")},
+        {"account removed", QT_TRANSLATE_NOOP("Shift", "Account removed")},
         {"alarm acknowledged", QT_TRANSLATE_NOOP("Shift", "Alarm acknowledged")},
         {"corrected", QT_TRANSLATE_NOOP("Shift", "Diameter corrected")},
         {"lot closed", QT_TRANSLATE_NOOP("Shift", "Lot closed")},
@@ -82,6 +83,7 @@ QString deedText(const std::string& action) {
         {"PIN set", QT_TRANSLATE_NOOP("Shift", "PIN set:")},
         {"first process engineer made", QT_TRANSLATE_NOOP("Shift", "First process engineer made")},
         {"role set", QT_TRANSLATE_NOOP("Shift", "Role set:")},
+        {"second person", QT_TRANSLATE_NOOP("Shift", "Second person:")},
         {"voided", QT_TRANSLATE_NOOP("Shift", "Diameter taken out")},
     };
     for (const auto& deed : kDeeds) {
@@ -102,6 +104,44 @@ QString deedText(const std::string& action) {
 QString shortened(const std::string& text) {
     const QString whole = QString::fromStdString(text);
     return whole.size() > kLongestValue ? whole.left(kLongestValue) + QStringLiteral("…") : whole;
+}
+
+/// "setter, no PIN" in words of the shop.
+QString accountText(const std::string& stored) {
+    static constexpr struct {
+        const char* stored;
+        const char* words;
+    } kWords[] = {
+        {"operator", QT_TRANSLATE_NOOP("Shift", "operator")},
+        {"setter", QT_TRANSLATE_NOOP("Shift", "setter")},
+        {"engineer", QT_TRANSLATE_NOOP("Shift", "process engineer")},
+        {"no PIN", QT_TRANSLATE_NOOP("Shift", "no PIN")},
+        {"PIN", QT_TRANSLATE_NOOP("Shift", "PIN")},
+        {"new PIN", QT_TRANSLATE_NOOP("Shift", "new PIN")},
+    };
+    QStringList words = QString::fromStdString(stored).split(QStringLiteral(", "));
+    for (QString& word : words) {
+        for (const auto& known : kWords) {
+            if (word == QLatin1String(known.stored)) {
+                word = Shift::tr(known.words);
+                break;
+            }
+        }
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+/// Whose account, and what became of it.
+QString accountChange(const ShiftChange& change) {
+    QStringList words{deedText(change.action), QString::fromStdString(change.object).section(u' ', 1)};
+    words.back() += u':';
+    if (!change.oldValue.empty()) {
+        words << accountText(change.oldValue);
+    }
+    if (!change.newValue.empty()) {
+        words << (change.oldValue.empty() ? QString() : QStringLiteral("→ ")) + accountText(change.newValue);
+    }
+    return words.join(u' ');
 }
 
 /// A lot made the one that parts go into: the setting's key and row number are for programs.
@@ -183,6 +223,9 @@ QString shiftSavingText(const ShiftSaving& saving) {
 QString changeText(const ShiftChange& change) {
     if (const auto selected = lotSelection(change)) {
         return *selected;
+    }
+    if (change.object.starts_with("account ")) {
+        return accountChange(change);
     }
     QStringList words{deedText(change.action)};
     if (change.object == "setting" || change.object.starts_with("setting ") || change.object.starts_with("loop.")) {

@@ -12,6 +12,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QResizeEvent>
+#include <QScrollBar>
 #include <cstring>
 
 #include "ui/dialogs/first_engineer_sheet.h"
@@ -190,10 +191,11 @@ void MainWindow::buildFrame() {
     auto* leftColumn = new QVBoxLayout(left);
     leftColumn->setContentsMargins(0, 0, 0, 0);
     m_navigation = new Navigation(m_frameLook, m_pages, left);
-    auto* places = new ScrollBox(left);
-    places->setContent(m_navigation);
-    leftColumn->addWidget(places);
+    m_places = new ScrollBox(left);
+    m_places->setContent(m_navigation);
+    leftColumn->addWidget(m_places);
     m_left = left;
+    connect(m_places->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] { fitPlaces(); });
     grid->addWidget(left, 2, 0);
 
     auto* work = new QWidget(central);
@@ -417,8 +419,14 @@ void MainWindow::fitFrame() {
         bar->layout()->setContentsMargins(2 * medium, medium / 2, 2 * medium, medium / 2);
         bar->layout()->setSpacing(m_frameLook.metrics().touchGap());
     }
-    m_left->setFixedWidth(m_frameLook.metrics().navWidth());
+    fitPlaces();
     setMinimumSize(qRound(dots * 640), qRound(dots * 480));
+}
+
+// Where the pages do not all stand below each other (the held band takes its place), the bar stands beside their names.
+void MainWindow::fitPlaces() {
+    const QScrollBar* bar = m_places->verticalScrollBar();
+    m_left->setFixedWidth(m_frameLook.metrics().navWidth() + (bar->maximum() > 0 ? bar->sizeHint().width() : 0));
 }
 
 void MainWindow::refresh() {

@@ -20,6 +20,7 @@ class HeldBand;
 class HoldAllButton;
 class MachineStrip;
 class Navigation;
+class ScrollBox;
 class TouchKeyboard;
 
 /// The frame around every page: header, navigation, page area, bottom line with HOLD ALL.
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
     void buildFrame();
     void buildHeldBand(QGridLayout* grid);
     void refresh();
+    void fitPlaces();
     void fitFrame();
     void onStatus(const Status& status);
     void showAlarm();
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
     HoldAllButton* m_holdAll{nullptr};
     QWidget* m_bottom{nullptr};
     QWidget* m_left{nullptr};
+    ScrollBox* m_places{nullptr};  ///< the pages, in m_left
     TouchKeyboard* m_keyboard{nullptr};
     HeldBand* m_heldBand{nullptr};
     MachineStrip* m_strip{nullptr};
