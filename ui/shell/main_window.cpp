@@ -195,7 +195,9 @@ void MainWindow::buildFrame() {
     m_places->setContent(m_navigation);
     leftColumn->addWidget(m_places);
     m_left = left;
-    connect(m_places->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] { fitPlaces(); });
+    // Later: the range changes in the midst of the list's own fitting.
+    connect(m_places->verticalScrollBar(), &QScrollBar::rangeChanged, this, &MainWindow::fitPlaces,
+            Qt::QueuedConnection);
     grid->addWidget(left, 2, 0);
 
     auto* work = new QWidget(central);
@@ -426,7 +428,11 @@ void MainWindow::fitFrame() {
 // Where the pages do not all stand below each other (the held band takes its place), the bar stands beside their names.
 void MainWindow::fitPlaces() {
     const QScrollBar* bar = m_places->verticalScrollBar();
-    m_left->setFixedWidth(m_frameLook.metrics().navWidth() + (bar->maximum() > 0 ? bar->sizeHint().width() : 0));
+    const int width = m_frameLook.metrics().navWidth() + (bar->maximum() > 0 ? bar->sizeHint().width() : 0);
+    if (width != m_left->width()) {
+        m_left->setFixedWidth(width);
+        QCoreApplication::postEvent(m_navigation, new QEvent(QEvent::LayoutRequest));  // then the list takes its place
+    }
 }
 
 void MainWindow::refresh() {
