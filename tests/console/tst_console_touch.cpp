@@ -70,8 +70,16 @@ class TestConsoleTouch : public QObject {
     void pressNow(const QString& name) {
         for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
             if (button->isVisibleTo(window()) && button->isEnabled()) {
+                const QPointer<QAbstractButton> pressed(button);
                 QTest::mouseClick(button, Qt::LeftButton);
                 settle();
+                // A save on its way rests its button: once taken it closes the sheet, and nobody touches before.
+                (void)QTest::qWaitFor(
+                    [&] {
+                        const QAbstractButton* held = pressed.data();
+                        return held == nullptr || held->isHidden() || held->isEnabled();
+                    },
+                    1000);
                 return;
             }
         }
