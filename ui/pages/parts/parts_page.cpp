@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
+#include <QScrollBar>
 #include <QScroller>
 #include <QSignalBlocker>
 #include <QStandardPaths>
@@ -238,12 +239,16 @@ void PartsPage::fitColumns() {
         m_table->setColumnHidden(column, false);
     }
     m_table->resizeColumnsToContents();
+    // The bar that the rows will need may not be there yet.
+    const bool scrolls = m_table->verticalHeader()->length() > m_table->viewport()->height();
+    const int bar = scrolls ? m_table->verticalScrollBar()->sizeHint().width() : 0;
+    const int room = m_table->maximumViewportSize().width() - bar;
     int width = 0;
     for (int column = 0; column < PartsModel::ColumnCount; ++column) {
         width += m_table->columnWidth(column);
     }
     for (const int column : kExpendable) {
-        if (width <= m_table->viewport()->width()) {
+        if (width <= room) {
             break;
         }
         width -= m_table->columnWidth(column);
@@ -256,7 +261,7 @@ void PartsPage::fitColumns() {
             shown.push_back(column);
         }
     }
-    const int spare = m_table->viewport()->width() - width;
+    const int spare = room - width;
     for (const int column : shown) {
         m_table->setColumnWidth(column,
                                 m_table->columnWidth(column) + std::max(0, spare / static_cast<int>(shown.size())));
