@@ -8,6 +8,7 @@
 
 #include "db/readers/database_reader.h"
 #include "tests/support/console_bench.h"
+#include "tests/support/touch.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/touch_keyboard.h"
 #include "ui/widgets/keypad.h"
@@ -70,16 +71,8 @@ class TestConsoleTouch : public QObject {
     void pressNow(const QString& name) {
         for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
             if (button->isVisibleTo(window()) && button->isEnabled()) {
-                const QPointer<QAbstractButton> pressed(button);
-                QTest::mouseClick(button, Qt::LeftButton);
+                test::touchAndWait(button);
                 settle();
-                // A save on its way rests its button: once taken it closes the sheet, and nobody touches before.
-                (void)QTest::qWaitFor(
-                    [&] {
-                        const QAbstractButton* held = pressed.data();
-                        return held == nullptr || held->isHidden() || held->isEnabled();
-                    },
-                    1000);
                 return;
             }
         }

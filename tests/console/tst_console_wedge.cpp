@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/support/console_bench.h"
+#include "tests/support/touch.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/gauge_wedge.h"
 
@@ -59,7 +60,7 @@ class TestConsoleWedge : public QObject {
     void pressNow(const QString& name) {
         for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
             if (button->isVisibleTo(window()) && button->isEnabled()) {
-                QTest::mouseClick(button, Qt::LeftButton);
+                test::touchAndWait(button);
                 settle();
                 return;
             }

@@ -505,6 +505,7 @@ void LotForm::change(const QString& done, std::function<void(const PageContext&,
     m_context.withRole(Role::Setter, [self, context = m_context, done, act = std::move(act)] {
         if (LotForm* form = self.data()) {
             form->m_pending = true;
+            form->reconsider();
             if (form->m_sheet) form->m_sheet->sent();
         }
         act(context, [self, context, done](const Result<void>& result) {
