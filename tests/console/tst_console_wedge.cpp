@@ -8,7 +8,7 @@
 #include <set>
 
 #include "tests/support/console_bench.h"
-#include "tests/support/touch.h"
+#include "tests/support/console_walk.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/entry/gauge_wedge.h"
 
@@ -31,52 +31,15 @@ class TestConsoleWedge : public QObject {
     static constexpr int kDeepest = 4;
     static constexpr int kFocusPerPlace = 8;
 
-    [[nodiscard]] ui::MainWindow* window() { return m_bench.console().window(); }
-    [[nodiscard]] ui::SheetHost* host() { return &window()->sheets(); }
+    test::ConsoleWalk m_walk{m_bench};
+
+    [[nodiscard]] ui::MainWindow* window() { return m_walk.window(); }
+    [[nodiscard]] ui::SheetHost* host() { return m_walk.host(); }
+    static void settle() { test::ConsoleWalk::settle(); }
+    [[nodiscard]] QStringList buttonsIn(const QWidget* place) { return m_walk.buttonsIn(place); }
+    void pressNow(const QString& name) { m_walk.pressNow(name); }
+    void goTo(const QString& page, const QStringList& path) { m_walk.goTo(page, path); }
     [[nodiscard]] ui::GaugeWedge* wedge() { return window()->findChild<ui::GaugeWedge*>(); }
-    static void settle() {
-        for (int i = 0; i < 2; ++i) {
-            QCoreApplication::sendPostedEvents();
-            QCoreApplication::processEvents();
-        }
-    }
-    [[nodiscard]] static bool leftAlone(const QString& name) {
-        static const QStringList kBegins{"nav_", "key", "touch", "holdAll", "band", "help", "qt_", "theme", "scale"};
-        static const QStringList kNames{"quit",      "restart",  "millingStart",    "tappingStart", "turningStart",
-                                        "startPart", "language", "languageEnglish", "signOff",      "languageKorean"};
-        return name.isEmpty() || kNames.contains(name) ||
-               std::ranges::any_of(kBegins, [&](const QString& begin) { return name.startsWith(begin); });
-    }
-    [[nodiscard]] QStringList buttonsIn(const QWidget* place) {
-        QStringList names;
-        for (const auto* button : place->findChildren<QAbstractButton*>()) {
-            if (button->isVisibleTo(window()) && button->isEnabled() && !button->isCheckable() &&
-                !leftAlone(button->objectName()) && !names.contains(button->objectName())) {
-                names << button->objectName();
-            }
-        }
-        return names;
-    }
-    void pressNow(const QString& name) {
-        for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
-            if (button->isVisibleTo(window()) && button->isEnabled()) {
-                test::touchAndWait(button);
-                settle();
-                return;
-            }
-        }
-    }
-    void goTo(const QString& page, const QStringList& path) {
-        if (ui::Sheet* sheet = host()->current()) {
-            sheet->close();
-        }
-        (void)window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer);
-        window()->showPage(page.toLatin1().constData());
-        settle();
-        for (const QString& name : path) {
-            pressNow(name);
-        }
-    }
 
     // ── keys
     int pace(bool radio) {

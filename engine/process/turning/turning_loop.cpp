@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/cycle/event_sink.h"
-#include "engine/process/turning/overlap.h"
 #include "engine/process/turning/turning_alarms.h"
 #include "engine/process/turning/turning_setup.h"
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QPointer>
+#include <QTest>
+#include <algorithm>
+
+#include "tests/support/console_bench.h"
+#include "ui/dialogs/sheet.h"
+
+namespace kerf::test {
+
+/// Goes over the pages of a console and the sheets behind their buttons, by touch.
+class ConsoleWalk {
+ public:
+    explicit ConsoleWalk(ConsoleBench& bench) : m_bench(bench) {}
+
+    [[nodiscard]] ui::MainWindow* window() { return m_bench.console().window(); }
+    [[nodiscard]] ui::SheetHost* host() { return &window()->sheets(); }
+    static void settle() {
+        for (int i = 0; i < 2; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+    }
+    /// Of the buttons in it those that may open something.
+    [[nodiscard]] QStringList buttonsIn(const QWidget* place) {
+        QStringList names;
+        for (const auto* button : place->findChildren<QAbstractButton*>()) {
+            if (button->isVisibleTo(window()) && button->isEnabled() && !button->isCheckable() &&
+                !leftAlone(button->objectName()) && !names.contains(button->objectName())) {
+                names << button->objectName();
+            }
+        }
+        return names;
+    }
+    /// A save on its way rests its button, and once taken it closes the sheet: who has touched one looks what came of
+    /// it before touching anything else.
+    void pressNow(const QString& name) {
+        for (auto* button : window()->findChildren<QAbstractButton*>(name)) {
+            if (button->isVisibleTo(window()) && button->isEnabled()) {
+                const QPointer<QAbstractButton> touched(button);
+                QTest::mouseClick(button, Qt::LeftButton);
+                (void)QTest::qWaitFor(
+                    [&] {
+                        const QAbstractButton* still = touched.data();
+                        return still == nullptr || still->isHidden() || still->isEnabled();
+                    },
+                    1000);
+                settle();
+                return;
+            }
+        }
+    }
+    /// Page and buttons, from a page without a sheet, with the engineer who began.
+    void goTo(const QString& page, const QStringList& path) {
+        if (ui::Sheet* sheet = host()->current()) {
+            sheet->close();
+        }
+        (void)window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer);
+        window()->showPage(page.toLatin1().constData());
+        settle();
+        for (const QString& name : path) {
+            pressNow(name);
+        }
+    }
+
+ private:
+    /// What starts or ends something outside the pages, leads away, changes whose walk this is and how it looks, or
+    /// only types. Choices open nothing either (buttonsIn).
+    [[nodiscard]] static bool leftAlone(const QString& name) {
+        static const QStringList kBegins{"nav_", "key", "touch", "holdAll", "band", "help", "qt_", "theme", "scale"};
+        static const QStringList kNames{"quit",      "restart",  "millingStart",    "tappingStart", "turningStart",
+                                        "startPart", "language", "languageEnglish", "signOff",      "languageKorean"};
+        return name.isEmpty() || kNames.contains(name) ||
+               std::ranges::any_of(kBegins, [&](const QString& begin) { return name.startsWith(begin); });
+    }
+
+    ConsoleBench& m_bench;
+};
+
+}  // namespace kerf::test
