@@ -528,8 +528,7 @@ void StoredMillingService::poll() {
         (void)send(m_links.engine, RestoreMillingTool{m_tool.tool});
         m_toolOwed = false;
     }
-    if (!m_way.settled() || now.setup != m_setup.revision ||
-        (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
+    if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
     m_setup.law = now.law;
