@@ -531,6 +531,7 @@ void StoredMillingService::poll() {
     if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
+    m_way.forgetOwed();  // it is loaded: sent once more it would undo what was changed since
     m_setup.law = now.law;
     m_setup.reference_N = now.reference_N;
     m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
