@@ -496,10 +496,6 @@
             <translation>Parts since start</translation>
         </message>
         <message>
-            <source>Parts begun since this console was started, whatever process made them.</source>
-            <translation>Parts begun since this console was started, whatever process made them.</translation>
-        </message>
-        <message>
             <source>Accept</source>
             <translation>Accept</translation>
         </message>
@@ -1186,6 +1182,10 @@
         <message>
             <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
             <translation>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</translation>
+        </message>
+        <message>
+            <source>Parts finished since this console was started, whatever process made them; an air tap makes none.</source>
+            <translation>Parts finished since this console was started, whatever process made them; an air tap makes none.</translation>
         </message>
     </context>
     <context>

@@ -496,10 +496,6 @@
             <translation>시작 이후 공작물</translation>
         </message>
         <message>
-            <source>Parts begun since this console was started, whatever process made them.</source>
-            <translation>이 콘솔을 켠 뒤 시작한 공작물 수로, 어느 공정이든 셉니다.</translation>
-        </message>
-        <message>
             <source>Accept</source>
             <translation>수락</translation>
         </message>
@@ -1186,6 +1182,10 @@
         <message>
             <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
             <translation>켜져 있는 관리도 규칙입니다. 화면, 보고서, 알람에 적용됩니다. 규칙마다 가끔 잘못 울리므로 조금만 켜십시오.</translation>
+        </message>
+        <message>
+            <source>Parts finished since this console was started, whatever process made them; an air tap makes none.</source>
+            <translation>이 콘솔을 시작한 뒤 완성된 공작물 수입니다. 공정은 가리지 않으며, 에어 탭은 세지 않습니다.</translation>
         </message>
     </context>
     <context>

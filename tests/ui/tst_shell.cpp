@@ -135,6 +135,20 @@ class TestShell : public QObject {
         bench.window->client().tick();
         QCOMPARE(bench.engine.samples.size(), 10'000 - EngineClient::kSamplesPerTick);
     }
+    void overviewCountsThePartsOfEveryProcess() {
+        ShellBench bench;
+        bench.window->resize(1280, 800);
+        bench.window->show();
+        bench.engine.fake.boring.partsCut = 3;
+        bench.engine.fake.milling.partsCut = 4;
+        bench.engine.fake.turning.partsCut = 5;
+        bench.engine.fake.tapping.partsCut = 6;
+        bench.window->showPage("overview");
+        auto* counter = bench.window->findChild<NumberDisplay*>(QStringLiteral("partCounter"));
+        QVERIFY(counter != nullptr);
+        bench.window->client().tick();
+        QTRY_COMPARE(counter->text(), QStringLiteral("18"));
+    }
     void aRefusedCommandIsToldOnTheBottomLine() {
         ShellBench bench;
         bench.window->resize(1280, 800);

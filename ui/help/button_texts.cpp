@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
-
+#include "ui/help/help_context.h"
 #include "ui/help/help_texts.h"
 
 namespace kerf::ui {
 namespace {
-
-struct Help {
-    Q_DECLARE_TR_FUNCTIONS(Help)
-};
 
 HelpText about(const char* key, const QString& title, const QString& words) {
     return {key, title, words, QString()};
@@ -37,7 +32,8 @@ std::vector<HelpText> buttonTexts() {
         about("feedRate", Help::tr("Feed"),
               Help::tr("How fast the axis moves now, as the control reports it. Grey: not fresh.")),
         about("partCounter", Help::tr("Parts since start"),
-              Help::tr("Parts begun since this console was started, whatever process made them.")),
+              Help::tr(
+                  "Parts finished since this console was started, whatever process made them; an air tap makes none.")),
         about("boringAccept", Help::tr("Accept"),
               Help::tr("In advise mode: the schedule shown is what the next part shall be cut with. It is written down "
                        "with the name. In control every schedule is used by itself. Its bores are expected within the "

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/help_texts.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/help/help_context.h"
+
 namespace kerf::ui {
-namespace {
-
-struct Help {
-    Q_DECLARE_TR_FUNCTIONS(Help)
-};
-
-}  // namespace
 
 // Shop words first; the formula comes with a second touch.
 std::vector<HelpText> helpTexts() {

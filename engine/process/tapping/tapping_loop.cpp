@@ -537,7 +537,9 @@ void TappingLoop::finishPart(TapOutcome outcome, EventSink& events) noexcept {
     part.tap.job = m_job;
     part.tap.figures = m_status.last;
     part.tap.withinTolerance = outcome == TapOutcome::Counted && m_status.last.engagedPp_um <= m_job.allowedPp_um;
-    finishRecord(part, m_now_ns, outcome != TapOutcome::Aborted, events);
+    const bool complete = outcome != TapOutcome::Aborted;
+    m_status.partsCut += complete ? 1U : 0U;
+    finishRecord(part, m_now_ns, complete, events);
 }
 
 void TappingLoop::stopInHole(EventSink& events) noexcept {

@@ -72,7 +72,8 @@ struct TappingStatus {
     TapPhase phase{TapPhase::Idle};
     TapKind kind{TapKind::Air};  ///< of the running tap, else of the last one
     TapOutcome outcome{TapOutcome::None};
-    std::uint32_t taps{0};  ///< ended since the engine started; a new record is there when it rises
+    std::uint32_t taps{0};      ///< ended since the engine started; a new record is there when it rises
+    std::uint32_t partsCut{0};  ///< holes tapped since the engine started: air taps and aborted ones do not count
     std::uint32_t job{0};
     bool airTapPassed{false};        ///< of this job
     std::uint32_t nextGains{0};      ///< revisions

@@ -361,12 +361,14 @@ class TestTappingLoop : public QObject {
         QVERIFY(!part.tap.withinTolerance);  // the untuned drive: 520 µm
         QCOMPARE(part.tap.figures.saec_mm, bench.tapping().last.saec_mm);
         QVERIFY(!partResults(part).empty());
+        QCOMPARE(bench.tapping().partsCut, 1U);
         QVERIFY(bench.runInto(10.0));
         QVERIFY(bench.execute(AbortTap{}).done);
         QVERIFY(bench.runToIdle());
         QVERIFY(bench.engine->partRecords().tryPop(part));
         QVERIFY(!part.complete);
         QVERIFY(!bench.engine->partRecords().tryPop(part));  // neither the air tap nor anything twice
+        QCOMPARE(bench.tapping().partsCut, 1U);
     }
 
     void advisingLeavesTheMachinesGains() {

@@ -155,6 +155,12 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
     const auto free = [&words](const QRectF& box) {
         return std::ranges::none_of(words, [&box](const QRectF& other) { return other.intersects(box); });
     };
+    const auto write = [&](const QRectF& box, const QString& word) {
+        painter->fillRect(box, look().color(Token::Panel));  // readable where a curve passes behind it
+        painter->setPen(look().color(Token::Text));
+        painter->drawText(box, Qt::AlignCenter, word);
+        words.push_back(box);
+    };
     for (const double part : std::views::reverse(m_changes)) {
         const double x = at(part, m_view.targetDiameter_mm).x();
         painter->setPen(look().pen(Token::Dim, Stroke::Thin, Qt::DotLine));
@@ -168,10 +174,7 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const double left = x + 2.0 * r + width > plot.right() ? x - 2.0 * r - width : x + 2.0 * r;
         const QRectF box(left, plot.top(), width, metrics.height());
         if (free(box)) {
-            painter->fillRect(box, look().color(Token::Panel));
-            painter->setPen(look().color(Token::Text));
-            painter->drawText(box, Qt::AlignLeft, word);
-            words.push_back(box);
+            write(box, word);
         }
     }
     for (const Beyond& beyond : std::views::reverse(m_beyond)) {
@@ -185,9 +188,7 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const QRectF box(left ? x - 2.0 * r - side : std::min(x + 2.0 * r, plot.right() - side),
                          below ? plot.bottom() - metrics.height() : plot.top(), side, metrics.height());
         if (free(box)) {
-            painter->setPen(look().color(Token::Text));
-            painter->drawText(box, Qt::AlignCenter, value);
-            words.push_back(box);
+            write(box, value);
         }
     }
     for (const Bad& bad : std::views::reverse(m_bad)) {
@@ -206,9 +207,7 @@ void BoreChart::drawForeground(QPainter* painter, const QRectF& rect) {
         for (int line = 0; line < 3; ++line) {
             const QRectF box(x, beside + line * step, width, metrics.height());
             if (plot.contains(box) && free(box)) {
-                painter->setPen(look().color(Token::Text));
-                painter->drawText(box, Qt::AlignLeft, word);
-                words.push_back(box);
+                write(box, word);
                 break;
             }
         }

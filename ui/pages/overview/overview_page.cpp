@@ -321,7 +321,8 @@ void OverviewPage::onStatus(const Status& status) {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         m_position[axis]->setReading(status.position_mm[axis], status.machineTime_ns);
     }
-    m_parts->setValue(static_cast<double>(status.boring.partsCut + status.milling.partsCut + status.turning.partsCut));
+    m_parts->setValue(static_cast<double>(status.boring.partsCut + status.milling.partsCut + status.turning.partsCut +
+                                          status.tapping.partsCut));
     m_start->reconsider();
     m_release->setText(context().client.status().held || !stopped() ? tr("Release hold") : tr("Release stop"));
     m_release->reconsider();
