@@ -39,6 +39,14 @@ target_compile_options(kerf_pch_headless PRIVATE ${KERF_QUICK_CODE})
 target_compile_options(kerf_pch_test PRIVATE ${KERF_QUICK_CODE})
 target_compile_options(kerf_pch_gui_test PRIVATE ${KERF_QUICK_CODE})
 
+# Several files of a target compiled as one: most of a file's time goes into what it includes. The loops stay apart: short
+# files with heavy mathematics.
+function(kerf_unity target)
+  if(KERF_UNITY AND CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/(app|db|ui)(/|$)")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${KERF_UNITY})
+  endif()
+endfunction()
+
 # kerf_library(name SOURCES … LINK … [QT]): one static library per folder, sources listed.
 function(kerf_library name)
   cmake_parse_arguments(ARG "QT" "" "SOURCES;LINK" ${ARGN})
@@ -47,6 +55,7 @@ function(kerf_library name)
   if(ARG_QT)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
   endif()
+  kerf_unity(${name})
   if(name MATCHES "^kerf_ui")
     target_link_libraries(${name} PUBLIC Qt6::Widgets Qt6::Charts)
     kerf_precompile(${name} ui)

@@ -18,6 +18,9 @@ inline constexpr std::array<int, 12> kAttributeOrder{20, 21, -3, 2, 4, 5, 6, 7, 
 
 using LineFields = std::vector<std::vector<std::string_view>>;  ///< by characteristic
 
+[[nodiscard]] constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char at);
 /// A characteristic without a single field that says something.

@@ -16,10 +16,6 @@ namespace {
 constexpr int kFirstYear = 1950;
 constexpr int kLastYear = 2100;
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/files/dfq.h"
+#include "app/files/dfq_line.h"
 #include "app/files/text_encoding.h"
 
 namespace kerf::dfq {
@@ -99,10 +100,6 @@ std::string fromUtf16(std::string_view bytes, bool littleEndian) {
 }
 
 constexpr double kFinestSecond = 1e9;  // parts of a second that are told apart
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// A whole number of one to four digits at the front of `text`, taken off it.
 std::optional<int> takeNumber(std::string_view& text) {

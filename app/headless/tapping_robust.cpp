@@ -8,6 +8,7 @@
 
 #include "app/files/output.h"
 #include "app/headless/robust_table.h"
+#include "app/headless/tapping_table.h"
 #include "engine/process/tapping/thread_table.h"
 #include "engine/process/tapping/trial_machine.h"
 
@@ -15,9 +16,6 @@ namespace kerf::headless {
 namespace {
 
 using namespace tapping;
-
-constexpr TrialScatter kShopFloor{2.0, 4096.0, 1.0, 0.2, 0.1};
-constexpr int kMaxTaps = 8;
 
 struct TapOutcome {
     Tuning tuning{};

@@ -22,9 +22,6 @@ struct Scenario {
     TrialScatter scatter{};
 };
 
-constexpr TrialScatter kShopFloor{2.0, 4096.0, 1.0, 0.2, 0.1};
-constexpr int kMaxTaps = 8;
-
 Tuning run(const Scenario& scenario, TunerKind kind, std::uint64_t seed) {
     TunerSetup setup;
     setup.kind = kind;

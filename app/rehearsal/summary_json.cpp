@@ -7,7 +7,7 @@
 namespace kerf::rehearsal {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const char* kindKey(StopKind kind) {
     switch (kind) {
@@ -27,36 +27,37 @@ const char* kindKey(StopKind kind) {
 
 }  // namespace
 
-Json summaryJson(const Scenario& scenario, const Summary& summary) {
-    Json json;
+OrderedJson summaryJson(const Scenario& scenario, const Summary& summary) {
+    OrderedJson json;
     json["process"] = processKey(scenario.process);
     json["machine"] = machineKey(scenario.machine);
     json["duration_s"] = scenario.duration_s;
     json["cycles"] = summary.cycles;
-    json["states_first_s"] = Json::object();
+    json["states_first_s"] = OrderedJson::object();
     for (const ProcessId id : allProcesses()) {
-        Json& states = json["states_first_s"][processKey(id)] = Json::object();
+        OrderedJson& states = json["states_first_s"][processKey(id)] = OrderedJson::object();
         for (const auto& [state, t_s] : summary.states[static_cast<std::size_t>(id)]) {
             states[stateKey(state)] = t_s;
         }
     }
-    json["alarms"] = Json::array();
+    json["alarms"] = OrderedJson::array();
     for (const auto& [code, t_s] : summary.alarms) {
         const auto title = summary.titles.find(code);
         json["alarms"].push_back(
             {{"code", code}, {"first_s", t_s}, {"title", title == summary.titles.end() ? "" : title->second}});
     }
-    json["stops"] = Json::array();
+    json["stops"] = OrderedJson::array();
     for (const StopSeen& stop : summary.stops) {
-        json["stops"].push_back({{"process", processKey(stop.process)},
-                                 {"number", stop.number},
-                                 {"kind", kindKey(stop.kind)},
-                                 {"cause", stop.cause},
-                                 {"reason", stop.reason},
-                                 {"first_s", stop.at_s},
-                                 {"released_s", stop.released_s ? Json(*stop.released_s) : Json(nullptr)}});
+        json["stops"].push_back(
+            {{"process", processKey(stop.process)},
+             {"number", stop.number},
+             {"kind", kindKey(stop.kind)},
+             {"cause", stop.cause},
+             {"reason", stop.reason},
+             {"first_s", stop.at_s},
+             {"released_s", stop.released_s ? OrderedJson(*stop.released_s) : OrderedJson(nullptr)}});
     }
-    json["commands"] = Json::array();
+    json["commands"] = OrderedJson::array();
     for (const CommandSeen& command : summary.commands) {
         json["commands"].push_back(
             {{"at_s", command.at_s}, {"do", command.deed}, {"done", command.done}, {"reason", command.reason}});

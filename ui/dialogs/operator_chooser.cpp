@@ -21,7 +21,6 @@ struct OperatorChooser {
 };
 constexpr int kMostButtons = 8;
 constexpr int kColumns = 2;
-constexpr std::array kRoles{Role::Operator, Role::Setter, Role::Engineer};
 
 QString demonstrationNote(const OperatorSession& session) {
     const bool open = session.settings().demonstration && session.whyNoRoles().isEmpty() && !session.signedOn();

@@ -24,7 +24,6 @@ struct People {
     Q_DECLARE_TR_FUNCTIONS(People)
 };
 
-constexpr std::array kRoles{Role::Operator, Role::Setter, Role::Engineer};
 constexpr std::array kRoleObjects{"personOperator", "personSetter", "personEngineer"};
 constexpr std::array kMinutes{SignOnSettings::kNever, 5, 15, 60};
 

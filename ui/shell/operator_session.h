@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ namespace kerf::ui {
 
 /// What somebody is trusted with (ui/services/permissions.h).
 using Role = Trust;
+inline constexpr std::array kRoles{Role::Operator, Role::Setter, Role::Engineer};
 
 /// A person known at this machine.
 struct OperatorAccount {

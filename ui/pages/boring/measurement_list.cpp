@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 namespace {
-enum Role { PartRole = Qt::UserRole, DepthRole, MeasurementRole };
+enum ItemRole { PartRole = Qt::UserRole, DepthRole, MeasurementRole };
 }
 
 MeasurementList::MeasurementList(Look& look, const BoringService& service, QWidget* parent)

@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 namespace {
-constexpr int kChartPeriod_ms = 50;
+constexpr int kWallPeriod_ms = 50;
 constexpr double kSettled_mm = 10.0;    // after entry, as waviness is judged
 constexpr double kLeastHalf_um = 30.0;  // of the scale
 }  // namespace
@@ -76,7 +76,7 @@ void MillingWallPanel::setStatus(const Status& status) {
         m_past = m_bins;
         m_bins = Bins{};
     }
-    if (m_sinceChart.isValid() && m_sinceChart.elapsed() < kChartPeriod_ms && !begins) {
+    if (m_sinceChart.isValid() && m_sinceChart.elapsed() < kWallPeriod_ms && !begins) {
         return;
     }
     m_sinceChart.start();

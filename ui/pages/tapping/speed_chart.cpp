@@ -10,7 +10,7 @@
 
 namespace kerf::ui {
 namespace {
-constexpr double kAir = 0.15;  ///< of the shortest and longest hole
+constexpr double kSideAir = 0.15;  ///< of the shortest and longest hole
 }
 
 SpeedChart::SpeedChart(Look& look, QWidget* parent)
@@ -49,7 +49,7 @@ void SpeedChart::setView(const TappingServiceView& view) {
     const bool near = m_allowed_um < 3.0 * high_um;
     setLimits(near ? std::vector<Limit>{{m_allowed_um, tr("allowed"), Token::Limit, false}} : std::vector<Limit>{});
     setYRange(0.0, 1.3 * (near ? std::max(high_um, m_allowed_um) : std::max(high_um, 1.0)));
-    setXRange((1.0 - kAir) * m_points.front().hole_s, (1.0 + 2.0 * kAir) * m_points.back().hole_s);
+    setXRange((1.0 - kSideAir) * m_points.front().hole_s, (1.0 + 2.0 * kSideAir) * m_points.back().hole_s);
 }
 
 QPointF SpeedChart::at(const TapSpeedPoint& point) const {

@@ -14,7 +14,7 @@
 
 namespace kerf::ui {
 namespace {
-constexpr std::int64_t kPeriod_ns = 200'000'000;
+constexpr std::int64_t kMarginPeriod_ns = 200'000'000;
 constexpr double kShownGain = 99.0;
 }  // namespace
 
@@ -134,7 +134,7 @@ void MarginPanel::showMargins() {
 }
 
 void MarginPanel::setStatus(const Status& status) {
-    if (std::abs(status.machineTime_ns - m_shown_ns) < kPeriod_ns) {
+    if (std::abs(status.machineTime_ns - m_shown_ns) < kMarginPeriod_ns) {
         return;
     }
     m_shown_ns = status.machineTime_ns;

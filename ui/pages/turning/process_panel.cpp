@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDecimals = 4;
 constexpr double kEnough = 3.0;
-constexpr std::int64_t kPeriod_ns = 200'000'000;
+constexpr std::int64_t kProcessPeriod_ns = 200'000'000;
 constexpr std::array<const char*, 3> kUnits{"", "N/um", "N/um"};
 
 }  // namespace
@@ -77,7 +77,7 @@ void ProcessPanel::retranslate() {
 }
 
 void ProcessPanel::setStatus(const Status& status) {
-    if (std::abs(status.machineTime_ns - m_shown_ns) < kPeriod_ns) {
+    if (std::abs(status.machineTime_ns - m_shown_ns) < kProcessPeriod_ns) {
         return;
     }
     m_shown_ns = status.machineTime_ns;
