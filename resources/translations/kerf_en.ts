@@ -9555,6 +9555,10 @@
                 <numerusform>%n steps imported; look at the profile, then save.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>The step that is typed is not added yet.</source>
+            <translation>The step that is typed is not added yet.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingControlPanel</name>

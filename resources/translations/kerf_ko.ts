@@ -9545,6 +9545,10 @@
                 <numerusform>%n단을 가져왔습니다. 형상을 확인한 뒤 저장하십시오.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>The step that is typed is not added yet.</source>
+            <translation>입력한 단이 아직 추가되지 않았습니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::MillingControlPanel</name>

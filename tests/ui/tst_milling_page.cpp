@@ -314,6 +314,19 @@ class TestMillingPage : public QObject {
         QVERIFY(m_bench->press("millingBlankRemove"));
         QVERIFY(use->isEnabled());
     }
+    void aStepThatIsTypedIsNotLost() {
+        show();
+        QVERIFY(m_bench->press("millingBlank"));
+        step("0", "1");
+        auto* use = m_bench->find<ActionButton>("millingBlankUse");
+        QVERIFY(use->isEnabled());
+        auto* begin = m_bench->find<ValueField>("millingBlankBegin")->edit();
+        QTest::keyClicks(begin, QStringLiteral("4"));
+        QVERIFY(!use->isEnabled());
+        QVERIFY2(use->reason().contains(QStringLiteral("not added")), qPrintable(use->reason()));
+        QTest::keyClick(begin, Qt::Key_Backspace);
+        QVERIFY(use->isEnabled());
+    }
     void theLogShowsTheLastCuts() {
         show();
         QVERIFY(!m_bench->press("millingLog"));

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QPointer>
 #include <algorithm>
+#include <array>
 
 #include "ui/link/texts.h"
 #include "ui/widgets/label.h"
@@ -86,7 +87,10 @@ void MillingBlankForm::build() {
     m_stepRow->addWidget(m_remove, 0, Qt::AlignBottom);
     for (ValueField* field : {m_begin, m_height, m_end}) {
         field->edit()->installEventFilter(this);
-        connect(field, &ValueField::edited, this, [this] { m_message->clear(); });
+        connect(field, &ValueField::edited, this, [this] {
+            m_message->clear();
+            m_use->reconsider();
+        });
     }
     connect(m_height, &ValueField::committed, this, [this] { addStep(); });
     connect(m_end, &ValueField::edited, this, [this] { showProfile(); });
@@ -205,6 +209,11 @@ void MillingBlankForm::showProfile() {
 }
 
 QString MillingBlankForm::whyNotUse() const {
+    const bool typed = std::ranges::any_of(std::array{m_begin, m_height},
+                                           [](auto* field) { return !field->edit()->text().isEmpty(); });
+    if (typed) {
+        return tr("The step that is typed is not added yet.");
+    }
     const std::optional<double> end_mm = m_end->value();
     if (!end_mm) {
         return m_end->whyInvalid();
