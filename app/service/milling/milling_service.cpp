@@ -160,10 +160,10 @@ void StoredMillingService::beginFromMemory() {
     m_tool.tool = {};
     if (found.lnKx) {
         m_tool.tool.kxLogWeight = found.kxLogWeight;
-        m_toolOwed = true;
+        m_toolOwed = ToolOwed::Kept;
     } else if (m_begun) {  // it had begun from tools that are left out now
-        (void)send(m_links.engine, NewMillingTool{});
-        m_toolOwed = false;
+        m_toolOwed = ToolOwed::Fresh;
+        tellTool();
     }
     m_begun = found.lnKx.has_value();
 }
@@ -248,7 +248,7 @@ void StoredMillingService::restoreTool(RoomRecordReader& records, PartReader& pa
         m_cuts.push_back(cut);
     }
     wear.save(m_tool.tool);
-    m_toolOwed = m_tool.learnt;  // a tool that has not cut yet: beginFromMemory()
+    m_toolOwed = m_tool.learnt ? ToolOwed::Kept : ToolOwed::Nothing;  // a tool that has not cut yet: beginFromMemory()
     if (m_links.toolChanged && m_tool.tool.parts > 0) {
         m_links.toolChanged(m_tool.tool.parts);
     }
@@ -433,7 +433,8 @@ void StoredMillingService::newTool(const std::string& author, Done done) {
     fresh.lastPart = m_tool.lastPart;
     store("tool", {}, millingToolJson(fresh), author, "new tool", std::move(done), [this, fresh] {
         m_tool = fresh;
-        (void)send(m_links.engine, NewMillingTool{});
+        m_toolOwed = ToolOwed::Fresh;
+        tellTool();
         beginFromMemory();
         if (m_links.toolChanged) {
             m_links.toolChanged(0);
@@ -498,8 +499,10 @@ void StoredMillingService::use(const std::string& partType) {
         m_setup.law = MillingLaw::Model;
     }
     useRecipe();
-    m_way.owe(LoadMillingBlank{m_blank});
-    m_way.owe(LoadMillingSetup{m_setup, m_lots.withLoad()});
+    m_way.owe(LoadMillingBlank{m_blank},
+              [wanted = m_revision](const Status& status) { return status.milling.blank == wanted; });
+    m_way.owe(LoadMillingSetup{m_setup, m_lots.withLoad()},
+              [wanted = m_revision](const Status& status) { return status.milling.setup == wanted; });
     beginFromMemory();  // a tool of another kind may belong to this part type
     rebuild();
 }
@@ -516,7 +519,14 @@ void StoredMillingService::recipeRevised(RecipeRevisionId revision) {
 }
 
 bool StoredMillingService::settled() {
-    return m_links.engine.status().milling.setup == m_setup.revision;
+    return m_way.settled() && m_links.engine.status().milling.setup == m_setup.revision;
+}
+
+void StoredMillingService::tellTool() {
+    const bool told = m_toolOwed == ToolOwed::Kept    ? send(m_links.engine, RestoreMillingTool{m_tool.tool})
+                      : m_toolOwed == ToolOwed::Fresh ? send(m_links.engine, NewMillingTool{})
+                                                      : true;
+    m_toolOwed = told ? ToolOwed::Nothing : m_toolOwed;  // else the ring is full: with the next poll
 }
 
 void StoredMillingService::poll() {
@@ -524,14 +534,12 @@ void StoredMillingService::poll() {
     m_lots.send();
     const Status& status = m_links.engine.status();
     const MillingStatus& now = status.milling;
-    if (m_toolOwed && !now.cutting) {
-        (void)send(m_links.engine, RestoreMillingTool{m_tool.tool});
-        m_toolOwed = false;
+    if (!now.cutting) {
+        tellTool();
     }
     if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
-    m_way.forgetOwed();  // it is loaded: sent once more it would undo what was changed since
     m_setup.law = now.law;
     m_setup.reference_N = now.reference_N;
     m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);

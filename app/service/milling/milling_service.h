@@ -82,10 +82,12 @@ class StoredMillingService final : public MillingService {
         double toolRadius_mm{0.0};
         std::uint8_t flutes{0};
     };
+    enum class ToolOwed : std::uint8_t { Nothing, Fresh, Kept };
     void restore(RoomRecordReader& records, PartReader& parts);
     void restorePartTypes(RoomRecordReader& records);
     void restoreTool(RoomRecordReader& records, PartReader& parts);
     void restorePast(RoomRecordReader& records);
+    void tellTool();
     /// A tool that has not cut yet begins from the tools before it.
     void beginFromMemory();
     [[nodiscard]] milling::ToolMemory memory() const;
@@ -123,7 +125,7 @@ class StoredMillingService final : public MillingService {
     MillingBlank m_blank{};
     MillingToolRecord m_tool{};
     bool m_begun{false};                                 ///< the tool in the spindle began from memory
-    bool m_toolOwed{false};                              ///< the engine has yet to be told
+    ToolOwed m_toolOwed{ToolOwed::Nothing};              ///< what the engine has yet to be told
     std::map<std::int64_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
     std::map<std::int64_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
     std::deque<MillingCutView> m_cuts;

@@ -120,7 +120,9 @@ void StoredThermalService::load(RoomRecordReader& reader) {
         m_keptZero = records::zeroFromJson(rows.front().bodyJson);
     }
     loadSetup();
-    if (m_keptZero) m_way.owe(LoadGapZero{*m_keptZero});
+    if (m_keptZero) {  // any zero that is known is this one, or has been measured since
+        m_way.owe(LoadGapZero{*m_keptZero}, [](const Status& status) { return status.thermal.gapZeroKnown; });
+    }
 }
 
 void StoredThermalService::loadSetup() {
@@ -140,7 +142,8 @@ void StoredThermalService::loadSetup() {
 }
 
 void StoredThermalService::oweSetup() {
-    m_way.owe(LoadThermalSetup{m_view.setup, WorkOrder{0, m_recipe, 0}});
+    m_way.owe(LoadThermalSetup{m_view.setup, WorkOrder{0, m_recipe, 0}},
+              [wanted = m_view.setup.revision](const Status& status) { return status.thermal.setup == wanted; });
 }
 
 std::string StoredThermalService::recipeName() const {

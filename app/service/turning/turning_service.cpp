@@ -202,11 +202,14 @@ void StoredTurningService::setController(TurningController controller, const std
 
 void StoredTurningService::send() {
     if (m_sentSetup != m_view.setup.revision) {
-        m_way.owe(LoadTurningSetup{m_view.setup, m_lots.withLoad()});
+        m_way.owe(
+            LoadTurningSetup{m_view.setup, m_lots.withLoad()},
+            [wanted = m_view.setup.revision](const Status& status) { return status.turning.nextSetup == wanted; });
         m_sentSetup = m_view.setup.revision;
     }
     if (m_sentController != m_view.controller) {
-        m_way.owe(SetTurningController{m_view.controller});
+        m_way.owe(SetTurningController{m_view.controller},
+                  [wanted = m_view.controller](const Status& status) { return status.turning.controller == wanted; });
         m_sentController = m_view.controller;
     }
 }
