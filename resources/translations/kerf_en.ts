@@ -3133,6 +3133,10 @@
             <source>left in a part</source>
             <translation>left in a part</translation>
         </message>
+        <message>
+            <source>The new limits are stored and hold from now on.</source>
+            <translation>The new limits are stored and hold from now on.</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>

@@ -3128,6 +3128,10 @@
             <source>left in a part</source>
             <translation>공작물에 남는 오차</translation>
         </message>
+        <message>
+            <source>The new limits are stored and hold from now on.</source>
+            <translation>새 한계를 저장했으며 지금부터 적용됩니다.</translation>
+        </message>
     </context>
     <context>
         <name>ThermalTexts</name>

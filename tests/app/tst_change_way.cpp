@@ -161,18 +161,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
         const auto save = [&shop](double allowed_um) {
             ThermalSetup setup = shop.thermal->view().setup;
             setup.allowed_um = allowed_um;
-            if (const auto begun = shop.thermal->changeSetup(setup, "Lee", "drawing"); !begun) {
-                return begun;
-            }
-            // It answers at once, so what the disk says stands in the view: a later answer comes behind it.
-            const auto behind = shop.wait([&](const Done& done) {
-                shop.writer.submit(AddAudit{"Kerf", "settled", "test", 0, {}, {}, {}},
-                                   [done](const Result<Receipt>& r) {
-                                       done(r ? Result<void>() : Result<void>(tl::unexpected(r.error())));
-                                   });
-            });
-            const Sentence& why = shop.thermal->view().storeProblem;
-            return behind && !why.empty() ? Result<void>(tl::unexpected(why)) : behind;
+            return shop.wait([&](const Done& done) { shop.thermal->changeSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(5.0 + 0.5 * nth); }, [save] { return save(-1.0); }, is<LoadThermalSetup>,
                 [&shop] { return shop.thermal->view().storeProblem; }};

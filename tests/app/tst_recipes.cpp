@@ -323,17 +323,22 @@ class TestRecipes : public QObject {
             return last;
         };
         ThermalSetup setup = thermal.view().setup;
+        const auto change = [&] {
+            return bench.wait([&](const auto& done) { thermal.changeSetup(setup, "Park", "drawing", done); });
+        };
         setup.allowed_um = 0.0;
-        QVERIFY(!thermal.changeSetup(setup, "Park", "drawing"));  // out of range: neither stored nor sent
+        QVERIFY(!change());  // out of range: neither stored nor sent
         setup.allowed_um = 6.0;
-        QVERIFY(thermal.changeSetup(setup, "Park", "drawing"));
-        QVERIFY(!loaded());  // not before it is on the disk
-        QTRY_COMPARE(thermal.view().setup.allowed_um, 6.0);
+        std::optional<Result<void>> told;
+        thermal.changeSetup(setup, "Park", "drawing", [&told](const Result<void>& result) { told = result; });
+        QVERIFY(!loaded() && !told);  // not before it is on the disk
+        QTRY_VERIFY(told && *told);
+        QCOMPARE(thermal.view().setup.allowed_um, 6.0);
         QVERIFY(loaded() && loaded()->allowed_um == 6.0);
         bench.engine.ringFull = true;  // the engine takes nothing: it is told later
         setup.allowed_um = 7.0;
-        QVERIFY(thermal.changeSetup(setup, "Park", "drawing"));
-        QTRY_COMPARE(thermal.view().setup.allowed_um, 7.0);
+        QVERIFY(change());
+        QCOMPARE(thermal.view().setup.allowed_um, 7.0);
         QCOMPARE(loaded()->allowed_um, 6.0);
         bench.engine.ringFull = false;
         thermal.poll();

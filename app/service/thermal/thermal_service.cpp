@@ -343,40 +343,42 @@ Result<void> StoredThermalService::rollBack(const std::string& author) {
     return makeLive(*m_previous, author, "rolled back");
 }
 
-Result<void> StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author,
-                                               const std::string& reason) {
-    return accept(setup, author, reason, std::nullopt, {});
+void StoredThermalService::changeSetup(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                                       RecipeHistory::Done done) {
+    accept(setup, author, reason, std::nullopt, std::move(done));
 }
 
 void StoredThermalService::restoreRevision(const RecipeRevision& revision, const std::string& author,
                                            const std::string& reason, RecipeHistory::Done done) {
-    const auto setup = records::setupFromJson(revision.parametersJson);
-    const Result<void> begun = setup
-                                   ? accept(*setup, author, reason, revision.revision, done)
-                                   : fail(KERF_TEXT("This recipe revision is of another version, or cannot be used."));
-    if (!begun && done) done(begun);
+    if (const auto setup = records::setupFromJson(revision.parametersJson)) {
+        return accept(*setup, author, reason, revision.revision, std::move(done));
+    }
+    if (done) done(fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
 }
 
-Result<void> StoredThermalService::accept(const ThermalSetup& setup, const std::string& author,
-                                          const std::string& reason, std::optional<std::uint32_t> restoredFrom,
-                                          RecipeHistory::Done done) {
-    const bool far = raisedFar(m_view.setup.maxShift_um, setup.maxShift_um);
-    if (const auto may = permittedLimit(m_links.rights, author, Deed::ThermalLimits, reason, far); !may) return may;
+void StoredThermalService::accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                                  std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done) {
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
-    if (const auto why = thermal::whyUnusable(next)) return tl::unexpected(*why);
     const auto store = [&](StoreWriter::Done stored) {
         m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kAuthor);
         m_recipes.keep(recipeName(), records::setupToJson(next), author, reason, restoredFrom, std::move(stored));
     };
-    m_way.keep(
-        store,
+    m_way.change(
+        mayAccept(next, author, reason), store,
         [this, next](const Receipt& revision) {
             m_view.setup = next;
             m_recipe = revision.id;
             oweSetup();
         },
         std::move(done));
+}
+
+Result<void> StoredThermalService::mayAccept(const ThermalSetup& setup, const std::string& author,
+                                             const std::string& reason) const {
+    const bool far = raisedFar(m_view.setup.maxShift_um, setup.maxShift_um);
+    if (const auto may = permittedLimit(m_links.rights, author, Deed::ThermalLimits, reason, far); !may) return may;
+    if (const auto why = thermal::whyUnusable(setup)) return tl::unexpected(*why);
     return {};
 }
 
