@@ -88,10 +88,7 @@ bool Handover::isOverruledBy(const Action& newer) const {
 void ChangeWay::change(const Result<void>& may, const Store& store, std::function<void(const Receipt&)> then,
                        Done done) {
     if (!may) {
-        if (done) {
-            done(may);
-        }
-        return;
+        return answer(done, may);
     }
     ++m_busy;
     store([this, then = std::move(then), done = std::move(done),
@@ -105,9 +102,7 @@ void ChangeWay::change(const Result<void>& may, const Store& store, std::functio
             then(*receipt);
         }
         m_show();
-        if (done) {
-            done(receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        }
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
     });
 }
 

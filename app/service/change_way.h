@@ -56,6 +56,13 @@ class Handover {
     bool m_taken{false};
 };
 
+/// Whoever asked hears it, if anybody did.
+inline void answer(const std::function<void(const Result<void>&)>& done, const Result<void>& result) {
+    if (done) {
+        done(result);
+    }
+}
+
 /// A person's change, on the one way that all services take: may it be → kept → sent → taken by the engine → shown.
 /// Whoever says no on the way is heard: the answer goes back to the page, and problem() says it until it is over.
 /// GUI thread only; writer and engine outlive it.

@@ -20,12 +20,6 @@ const WorkOrder& namedOrder(const Status& status) {
     return status.orders[static_cast<std::size_t>(ProcessId::Boring)];
 }
 
-void answer(const BoringService::Done& done, const Result<void>& result) {
-    if (done) {
-        done(result);
-    }
-}
-
 }  // namespace
 
 Result<std::unique_ptr<StoredBoringService>> StoredBoringService::open(const Links& links, LotReader& reader,

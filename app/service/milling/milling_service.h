@@ -91,6 +91,7 @@ class StoredMillingService final : public MillingService {
     /// A tool that has not cut yet begins from the tools before it.
     void beginFromMemory();
     [[nodiscard]] milling::ToolMemory memory() const;
+    [[nodiscard]] MillingMemoryView memoryView() const;
     /// Checked, stored as a revision of the present part type's recipe, then used.
     void accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
                 std::optional<std::uint32_t> restoredFrom, Done done);
@@ -99,7 +100,13 @@ class StoredMillingService final : public MillingService {
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
     template <class Value>
-    [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback);
+    [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback) {
+        if (!value) {
+            m_way.setStoreProblem(value.error());
+            return fallback;
+        }
+        return *value;
+    }
     void partStored(const StoredPart& part);
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);

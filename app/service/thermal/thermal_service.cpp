@@ -353,7 +353,7 @@ void StoredThermalService::restoreRevision(const RecipeRevision& revision, const
     if (const auto setup = records::setupFromJson(revision.parametersJson)) {
         return accept(*setup, author, reason, revision.revision, std::move(done));
     }
-    if (done) done(fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
+    answer(done, fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
 }
 
 void StoredThermalService::accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
