@@ -13,6 +13,7 @@ namespace {
 constexpr const char* kItself = "Kerf";
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
+constexpr const char* kBrought = "blank profile of before";
 
 Sentence signOnFirst() {
     return Sentence(KERF_TEXT("Sign on first: a change needs a name."));
@@ -27,8 +28,7 @@ StoredMillingService::StoredMillingService(Links links, RoomRecordReader& record
                  [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
                         Done done) { restoreRevision(revision, author, reason, std::move(done)); }}),
       m_lots({m_links.writer, m_links.engine, lots, ProcessId::Milling, m_links.rights, [this] { return m_type; },
-              [this] { return millingSetupJson(m_types[m_type].setup); }, [this] { return settled(); },
-              m_links.machineKind}) {
+              [this] { return recipeJson(); }, [this] { return settled(); }, m_links.machineKind}) {
     restore(records, parts);
     m_partsSubscription = m_links.writer.onPartStored([this](const StoredPart& part) { partStored(part); });
     use(m_type);
@@ -44,7 +44,7 @@ void StoredMillingService::restore(RoomRecordReader& records, PartReader& parts)
 void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
     const PartType first = [] {
         PartType type;
-        type.setup.revision = 1;
+        type.recipe.setup.revision = 1;
         return type;
     }();
     const auto read = [&](const char* kind) {
@@ -56,14 +56,42 @@ void StoredMillingService::restorePartTypes(RoomRecordReader& records) {
         m_type = row.subject;
         m_types.try_emplace(m_type, first);
     }
+    std::set<std::string> said;  // part types whose recipe has a blank of its own, were it none
     for (const RecipeBook::Recipe& recipe : keep(m_recipes.newest(), std::vector<RecipeBook::Recipe>{})) {
         PartType& type = m_types.try_emplace(recipe.partType, first).first->second;
-        type.setup = keep(millingSetupFromJson(recipe.revision.parametersJson), first.setup);
-        type.recipe = recipe.revision.id;
+        type.recipe = keep(millingRecipeFromJson(recipe.revision.parametersJson, {}), first.recipe);
+        type.revision = recipe.revision.id;
+        if (millingRecipeSaysBlank(recipe.revision.parametersJson)) {
+            said.insert(recipe.partType);
+        }
     }
-    for (const RoomRecordRow& row : read("blank")) {
-        m_types.try_emplace(row.subject, first).first->second.blank =
-            keep(millingBlankFromJson(row.bodyJson), NamedBlank{});
+    const auto blanks = read("blank");
+    for (const RoomRecordRow& row : blanks) {
+        m_types.try_emplace(row.subject, first);
+    }
+    bringBlanks(blanks, said);
+}
+
+void StoredMillingService::bringBlanks(const std::vector<RoomRecordRow>& rows, const std::set<std::string>& said) {
+    for (const RoomRecordRow& row : rows) {
+        const NamedBlank blank = keep(millingBlankFromJson(row.bodyJson), NamedBlank{});
+        if (said.contains(row.subject) || blank.blank.count == 0) {
+            continue;
+        }
+        PartType& type = m_types.at(row.subject);
+        type.recipe.blank = blank;
+        m_way.keep(
+            [&](StoreWriter::Done stored) {
+                m_recipes.keep(row.subject, millingRecipeJson(type.recipe), kItself, kBrought, std::nullopt,
+                               std::move(stored));
+            },
+            [this, name = row.subject](const Receipt& revision) {
+                m_types[name].revision = revision.id;
+                if (name == m_type) {
+                    useRecipe();
+                }
+            },
+            {});
     }
 }
 
@@ -134,31 +162,53 @@ std::optional<Sentence> StoredMillingService::whyBusy() const {
     return std::nullopt;
 }
 
+const MillingRecipe& StoredMillingService::asked() const {
+    const PartType& type = m_types.at(m_type);
+    return type.asked.from(type.recipe);
+}
+
 void StoredMillingService::saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason,
                                      Done done) {
-    accept(setup, author, reason, std::nullopt, std::move(done));
+    accept(mayAccept(setup, author, reason), {setup, asked().blank}, author, reason, std::nullopt, std::move(done));
+}
+
+void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
+                                     Done done) {
+    accept(mayAccept(blank, author), {asked().setup, {blank, source}}, author,
+           source.empty() ? "typed" : "from " + source, std::nullopt, std::move(done));
 }
 
 void StoredMillingService::restoreRevision(const RecipeRevision& revision, const std::string& author,
                                            const std::string& reason, Done done) {
-    const auto setup = millingSetupFromJson(revision.parametersJson);
-    if (!setup) {
-        return answer(done, tl::unexpected(setup.error()));
+    const auto recipe = millingRecipeFromJson(revision.parametersJson, asked().blank);
+    if (!recipe) {
+        return answer(done, tl::unexpected(recipe.error()));
     }
-    accept(*setup, author, reason, revision.revision, std::move(done));
+    const auto may = mayAccept(recipe->setup, author, reason);
+    accept(may ? mayAccept(recipe->blank.blank, author) : may, *recipe, author, reason, revision.revision,
+           std::move(done));
 }
 
-void StoredMillingService::accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
-                                  std::optional<std::uint32_t> restoredFrom, Done done) {
+void StoredMillingService::accept(const Result<void>& may, const MillingRecipe& recipe, const std::string& author,
+                                  const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done) {
     const auto store = [&](StoreWriter::Done stored) {
-        m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
-        m_recipes.keep(m_type, millingSetupJson(setup), author, reason, restoredFrom, std::move(stored));
+        PartType& type = m_types[m_type];
+        type.asked.ask(recipe);
+        m_recipes.begin(m_type, millingRecipeJson(type.recipe), kItself);
+        m_recipes.keep(m_type, millingRecipeJson(recipe), author, reason, restoredFrom,
+                       [this, name = m_type, alive = std::weak_ptr(m_alive),
+                        stored = std::move(stored)](const Result<Receipt>& receipt) {
+                           if (alive.lock()) {
+                               m_types[name].asked.answered();
+                               stored(receipt);
+                           }
+                       });
     };
     m_way.change(
-        mayAccept(setup, author, reason), store,
-        [this, setup, type = m_type](const Receipt& revision) {
-            m_types[type].setup = setup;
-            m_types[type].recipe = revision.id;
+        may, store,
+        [this, recipe, type = m_type](const Receipt& revision) {
+            m_types[type].recipe = recipe;
+            m_types[type].revision = revision.id;
             use(m_type);
         },
         std::move(done));
@@ -179,23 +229,14 @@ Result<void> StoredMillingService::mayAccept(const MillingSetup& setup, const st
     return permittedLimit(m_links.rights, author, limits ? Deed::MillingLimits : Deed::MillingSetup, reason, far);
 }
 
-void StoredMillingService::saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author,
-                                     Done done) {
+Result<void> StoredMillingService::mayAccept(const MillingBlank& blank, const std::string& author) const {
     if (const auto why = whyBusy()) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
     if (const auto why = milling::whyUnusable(blank)) {
-        return answer(done, tl::unexpected(*why));
+        return tl::unexpected(*why);
     }
-    if (const auto may = permitted(m_links.rights, author, Deed::MillingBlank); !may) {
-        return answer(done, may);
-    }
-    const NamedBlank named{blank, source};
-    store("blank", m_type, millingBlankJson(named), author, source.empty() ? "typed" : "from " + source,
-          std::move(done), [this, named, type = m_type] {
-              m_types[type].blank = named;
-              use(m_type);
-          });
+    return permitted(m_links.rights, author, Deed::MillingBlank);
 }
 
 void StoredMillingService::choosePartType(const std::string& name, const std::string& author, Done done) {
@@ -209,11 +250,11 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
         return answer(done, may);
     }
     PartType like;
-    like.setup = m_types[m_type].setup;
+    like.recipe.setup = m_types[m_type].recipe.setup;
     const auto known = m_types.find(name);
-    const MillingSetup& setup = known == m_types.end() ? like.setup : known->second.setup;
+    const MillingRecipe& recipe = known == m_types.end() ? like.recipe : known->second.recipe;
     // The setup it begins with is its first revision; who has chosen it is kept once that is on the disk.
-    m_recipes.begin(name, millingSetupJson(setup), author,
+    m_recipes.begin(name, millingRecipeJson(recipe), author,
                     [this, name, like, author, done = std::move(done),
                      alive = std::weak_ptr(m_alive)](const Result<Receipt>& begun) mutable {
                         if (!alive.lock()) {
@@ -223,7 +264,7 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
                             return answer(done, tl::unexpected(begun.error()));
                         }
                         if (begun->second > 0) {
-                            like.recipe = begun->second;
+                            like.revision = begun->second;
                         }
                         store("part_type", name, "{}", author, "chosen", std::move(done), [this, name, like] {
                             m_types.try_emplace(name, like);
@@ -235,8 +276,8 @@ void StoredMillingService::choosePartType(const std::string& name, const std::st
 
 void StoredMillingService::use(const std::string& partType) {
     const PartType& type = m_types[partType];
-    m_setup = type.setup;
-    m_blank = type.blank.blank;
+    m_setup = type.recipe.setup;
+    m_blank = type.recipe.blank.blank;
     m_setup.revision = ++m_revision;
     m_blank.revision = m_revision;
     if (m_setup.law == MillingLaw::Preview && m_blank.count == 0) {
@@ -252,13 +293,13 @@ void StoredMillingService::use(const std::string& partType) {
 }
 
 void StoredMillingService::useRecipe() {
-    const RecipeRevisionId recipe = m_types[m_type].recipe;
+    const RecipeRevisionId recipe = m_types[m_type].revision;
     m_lots.use(recipe);
     m_used[recipe] = {m_type, m_setup.toolRadius_mm, m_setup.flutes};
 }
 
 void StoredMillingService::recipeRevised(RecipeRevisionId revision) {
-    m_types[m_type].recipe = revision;
+    m_types[m_type].revision = revision;
     useRecipe();
 }
 
@@ -274,21 +315,22 @@ void StoredMillingService::poll() {
     if (!now.cutting) {
         tellTool();
     }
-    if (now.setup != m_setup.revision || (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
+    if (m_way.busy() || now.setup != m_setup.revision ||
+        (now.law == m_setup.law && now.reference_N == m_setup.reference_N)) {
         return;
     }
     m_setup.law = now.law;
     m_setup.reference_N = now.reference_N;
-    m_recipes.begin(m_type, millingSetupJson(m_types[m_type].setup), kItself);
-    m_types[m_type].setup = m_setup;
+    m_recipes.begin(m_type, recipeJson(), kItself);
+    m_types[m_type].recipe.setup = m_setup;
     const std::string author = m_links.author();
     m_way.keep(
         [&](StoreWriter::Done stored) {
-            m_recipes.keep(m_type, millingSetupJson(m_setup), author.empty() ? kItself : author, kAtTheMachine,
-                           std::nullopt, std::move(stored));
+            m_recipes.keep(m_type, recipeJson(), author.empty() ? kItself : author, kAtTheMachine, std::nullopt,
+                           std::move(stored));
         },
         [this, type = m_type](const Receipt& revision) {
-            m_types[type].recipe = revision.id;
+            m_types[type].revision = revision.id;
             if (type == m_type) {
                 useRecipe();
                 m_lots.send();
@@ -306,7 +348,7 @@ void StoredMillingService::rebuild() {
     }
     m_view.setup = m_setup;
     m_view.blank = m_blank;
-    m_view.blankSource = m_types[m_type].blank.source;
+    m_view.blankSource = m_types[m_type].recipe.blank.source;
     m_view.cuts.assign(m_cuts.begin(), m_cuts.end());
     for (MillingCutView& cut : m_view.cuts) {
         cut.withThisTool = cut.id > m_tool.after;

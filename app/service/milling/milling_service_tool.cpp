@@ -116,7 +116,7 @@ void StoredMillingService::restorePast(RoomRecordReader& records) {
 }
 
 milling::ToolMemory StoredMillingService::memory() const {
-    const MillingSetup& setup = m_types.at(m_type).setup;
+    const MillingSetup& setup = m_types.at(m_type).recipe.setup;
     std::vector<milling::PastTool> past;
     for (const MillingToolView& view : toolsLike(m_past, m_toldOfPast, m_tool, setup)) {
         if (!view.leftOut) {
