@@ -68,6 +68,9 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] bool builtInHeat() const;
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
+    void loadSessions(const std::vector<RoomRecordRow>& rows);
+    /// On simulated days of the simulated machine, when nothing is live.
+    void trainFirst();
     void loadSetup();
     /// Checked, stored as a revision of the recipe, then sent.
     void accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
