@@ -12,6 +12,7 @@
 #include "app/files/dfq.h"
 #include "app/files/dfq_description.h"
 #include "app/files/dfq_field.h"
+#include "app/files/dfq_findings.h"
 #include "app/files/dfq_line.h"
 #include "app/files/dfq_loose.h"
 #include "engine/core/utf8.h"
@@ -21,9 +22,9 @@ namespace {
 
 constexpr std::uint32_t kMostCharacteristics = 100'000;
 
-class Reader : public FieldFindings {
+class Reader : public Findings {
  public:
-    Reader(File& file, SlashDates slashes, bool said) : m_file(file), m_slashes(slashes), m_said(said) {
+    Reader(File& file, SlashDates slashes, bool said) : Findings(file), m_slashes(slashes), m_said(said) {
         for (const Entry& entry : file.entries) {
             note(entry);
         }
@@ -82,33 +83,6 @@ class Reader : public FieldFindings {
         std::set<int> keys{};  ///< of the newest value, as far as K lines made it
         bool byLine{false};    ///< the newest value came in a value line
     };
-
-    void odd(std::size_t line, std::string text) {
-        constexpr std::size_t kMostOddities = 1000;
-        const bool oncePerFile = line == 0;
-        const auto same = [&](const Oddity& other) { return other.line == line && other.text == text; };
-        if (oncePerFile && std::ranges::any_of(m_file.oddities, same)) {
-            return;
-        }
-        if (m_file.oddities.size() < kMostOddities) {
-            m_file.oddities.push_back({line, std::move(text)});
-        } else if (m_file.oddities.size() == kMostOddities) {
-            m_file.oddities.push_back({line, "and more of them"});
-        }
-    }
-    void oddOfFile(std::string text) override { odd(0, std::move(text)); }
-    void oddHere(std::string text) override { odd(m_line, std::move(text)); }
-    /// Told once, with the line where it was seen first.
-    void oddOnce(std::string text) override {
-        if (!std::ranges::any_of(m_file.oddities, [&](const Oddity& other) { return other.text == text; })) {
-            odd(m_line, std::move(text));
-        }
-    }
-    void bad(std::string field, std::string text) override {
-        if (!m_problem) {
-            m_problem = Problem{m_line, std::move(field), std::move(text)};
-        }
-    }
 
     /// A K field has come: what stood in front of it was a title.
     void leavePreface() {
@@ -534,9 +508,6 @@ class Reader : public FieldFindings {
         return {};
     }
 
-    File& m_file;
-    std::size_t m_line{0};
-    std::optional<Problem> m_problem{};
     std::optional<std::uint32_t> m_announced{};
     std::uint32_t m_described{0};
     std::size_t m_begin{0};     ///< first entry of the newest of several files put one behind the other …

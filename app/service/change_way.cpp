@@ -6,6 +6,25 @@
 namespace kerf {
 namespace {
 constexpr int kPatience_polls = 20;  // after which a refused command is tried again, whatever the machine does
+
+ProcessId processOf(const Handover::Action& action) {
+    Command command;
+    command.action = action;
+    return kerf::processOf(command);
+}
+
+/// The order that an action brings with what it loads; null: none.
+WorkOrder* orderIn(Handover::Action& action) {
+    return std::visit(
+        [](auto& one) -> WorkOrder* {
+            if constexpr (requires { one.kProcess, one.order->lot; }) {
+                return one.order ? &*one.order : nullptr;
+            } else {
+                return nullptr;
+            }
+        },
+        action);
+}
 }  // namespace
 
 bool Handover::poll(EngineApi& engine) {
@@ -15,10 +34,12 @@ bool Handover::poll(EngineApi& engine) {
     if (m_number) {
         lookForAnswer(status);
     }
+    m_taken = m_taken || (m_sent && m_refusal.empty() && m_shown(status));
     if (!m_taken && !m_number && mayTry(status)) {
         Command command;
         command.action = m_action;
         m_number = engine.send(command);  // none: its ring is full
+        m_sent = m_sent || m_number;
     }
     return m_taken != wasTaken || m_refusal.english() != before.english();
 }
@@ -50,13 +71,24 @@ bool Handover::mayTry(const Status& status) {
     return m_refusal.empty() || now != m_refusedAt || ++m_waited >= kPatience_polls;
 }
 
+void Handover::follow(const Action& newer) {
+    const auto* name = std::get_if<NameOrder>(&newer);
+    WorkOrder* mine = orderIn(m_action);
+    if (name != nullptr && mine != nullptr && processOf(m_action) == name->process) {
+        *mine = name->order;
+    }
+}
+
+bool Handover::isOverruledBy(const Action& newer) const {
+    const auto* name = std::get_if<NameOrder>(&m_action);
+    Action loads = newer;
+    return name != nullptr && orderIn(loads) != nullptr && processOf(newer) == name->process;
+}
+
 void ChangeWay::change(const Result<void>& may, const Store& store, std::function<void(const Receipt&)> then,
                        Done done) {
     if (!may) {
-        if (done) {
-            done(may);
-        }
-        return;
+        return answer(done, may);
     }
     ++m_busy;
     store([this, then = std::move(then), done = std::move(done),
@@ -70,15 +102,16 @@ void ChangeWay::change(const Result<void>& may, const Store& store, std::functio
             then(*receipt);
         }
         m_show();
-        if (done) {
-            done(receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
-        }
+        answer(done, receipt ? Result<void>() : Result<void>(tl::unexpected(receipt.error())));
     });
 }
 
-void ChangeWay::owe(const Handover::Action& action) {
-    std::erase_if(m_owed, [&action](const Handover& one) { return one.isOf(action); });
-    m_owed.emplace_back(action);
+void ChangeWay::owe(const Handover::Action& action, Handover::Shown shown) {
+    std::erase_if(m_owed, [&action](const Handover& one) { return one.isOf(action) || one.isOverruledBy(action); });
+    for (Handover& before : m_owed) {
+        before.follow(action);
+    }
+    m_owed.emplace_back(action, std::move(shown));
     (void)m_owed.back().poll(m_engine);
 }
 

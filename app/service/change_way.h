@@ -14,10 +14,15 @@ namespace kerf {
 
 /// What is kept and the engine has yet to take: sent, awaited by its number, sent again when the answer was lost among
 /// others or the ring was full. A refusal is told, and tried again when the machine's program has moved on.
+///
+/// What the status shows was taken, whether its answer has come or not: sent once more it would undo whatever has been
+/// chosen since.
 class Handover {
  public:
     using Action = decltype(Command::action);
-    explicit Handover(Action action) : m_action(std::move(action)) {}
+    /// The status shows what was handed over, and nothing else: asked once it has been sent.
+    using Shown = std::function<bool(const Status&)>;
+    Handover(Action action, Shown shown) : m_action(std::move(action)), m_shown(std::move(shown)) {}
 
     /// Looks for the answer, sends what has none. True: there are news.
     bool poll(EngineApi& engine);
@@ -26,6 +31,10 @@ class Handover {
     [[nodiscard]] const Sentence& refusal() const noexcept { return m_refusal; }
     /// The same command, with newer values.
     [[nodiscard]] bool isOf(const Action& action) const noexcept { return m_action.index() == action.index(); }
+    /// What has been owed after this: whatever is sent of this again must not take back the order named since.
+    void follow(const Action& newer);
+    /// An order of its own, where `newer` brings one with what it loads.
+    [[nodiscard]] bool isOverruledBy(const Action& newer) const;
 
  private:
     struct Moment {
@@ -38,12 +47,21 @@ class Handover {
     [[nodiscard]] bool mayTry(const Status& status);
 
     Action m_action;
+    Shown m_shown;
+    bool m_sent{false};
     std::optional<std::uint32_t> m_number{};
     Sentence m_refusal{};
     Moment m_refusedAt{};
     int m_waited{0};
     bool m_taken{false};
 };
+
+/// Whoever asked hears it, if anybody did.
+inline void answer(const std::function<void(const Result<void>&)>& done, const Result<void>& result) {
+    if (done) {
+        done(result);
+    }
+}
 
 /// A person's change, on the one way that all services take: may it be → kept → sent → taken by the engine → shown.
 /// Whoever says no on the way is heard: the answer goes back to the page, and problem() says it until it is over.
@@ -63,8 +81,8 @@ class ChangeWay {
         change({}, store, std::move(then), std::move(done));
     }
     /// To be handed to the engine, in the order in which it is owed; the newest of a kind takes the place of one
-    /// before.
-    void owe(const Handover::Action& action);
+    /// before. `shown`: what the status says once the engine has it.
+    void owe(const Handover::Action& action, Handover::Shown shown);
     /// A few times per second: answers are looked for, what has none is sent again.
     void poll();
 

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "app/service/change_way.h"
+
 namespace kerf {
 namespace {
 
 constexpr std::uint32_t kLotsShown = 500;
 constexpr const char* kNamelessMachine = "machine";
-
-void answer(const LotService::Done& done, const Result<void>& result) {
-    if (done) {
-        done(result);
-    }
-}
 
 LotView viewOf(const LotRow& row) {
     return {row.id,    row.name,     row.partTypeName, row.recipeRevision, row.size,    row.tool,

@@ -1537,6 +1537,11 @@
             <source>Cut %1, aborted: %2.</source>
             <translation>Cut %1, aborted: %2.</translation>
         </message>
+        <message>
+            <source>typed</source>
+            <comment>blank profile</comment>
+            <translation>typed</translation>
+        </message>
     </context>
     <context>
         <name>MillingCutLog</name>
@@ -3132,6 +3137,10 @@
         <message>
             <source>left in a part</source>
             <translation>left in a part</translation>
+        </message>
+        <message>
+            <source>The new limits are stored and hold from now on.</source>
+            <translation>The new limits are stored and hold from now on.</translation>
         </message>
     </context>
     <context>
@@ -7584,6 +7593,34 @@
         <message>
             <source>Speed feed-forward of Z</source>
             <translation>Speed feed-forward of Z</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>Blank profile</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>Law</translation>
+        </message>
+        <message>
+            <source>blank profile of before</source>
+            <translation>blank profile of before</translation>
+        </message>
+        <message>
+            <source>changed while cutting</source>
+            <translation>changed while cutting</translation>
+        </message>
+        <message>
+            <source>law chosen</source>
+            <translation>law chosen</translation>
+        </message>
+        <message>
+            <source>law of before</source>
+            <translation>law of before</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>typed</translation>
         </message>
     </context>
     <context>

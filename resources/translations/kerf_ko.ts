@@ -1537,6 +1537,11 @@
             <source>Cut %1, aborted: %2.</source>
             <translation>절삭 %1, 중단: %2.</translation>
         </message>
+        <message>
+            <source>typed</source>
+            <comment>blank profile</comment>
+            <translation>직접 입력</translation>
+        </message>
     </context>
     <context>
         <name>MillingCutLog</name>
@@ -3127,6 +3132,10 @@
         <message>
             <source>left in a part</source>
             <translation>공작물에 남는 오차</translation>
+        </message>
+        <message>
+            <source>The new limits are stored and hold from now on.</source>
+            <translation>새 한계를 저장했으며 지금부터 적용됩니다.</translation>
         </message>
     </context>
     <context>
@@ -7579,6 +7588,34 @@
         <message>
             <source>Speed feed-forward of Z</source>
             <translation>Z축 속도 선행</translation>
+        </message>
+        <message>
+            <source>Blank profile</source>
+            <translation>소재 형상</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>법칙</translation>
+        </message>
+        <message>
+            <source>blank profile of before</source>
+            <translation>이전 소재 형상</translation>
+        </message>
+        <message>
+            <source>changed while cutting</source>
+            <translation>가공 중 변경</translation>
+        </message>
+        <message>
+            <source>law chosen</source>
+            <translation>법칙 선택</translation>
+        </message>
+        <message>
+            <source>law of before</source>
+            <translation>이전 법칙</translation>
+        </message>
+        <message>
+            <source>typed</source>
+            <translation>직접 입력</translation>
         </message>
     </context>
     <context>

@@ -161,18 +161,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
         const auto save = [&shop](double allowed_um) {
             ThermalSetup setup = shop.thermal->view().setup;
             setup.allowed_um = allowed_um;
-            if (const auto begun = shop.thermal->changeSetup(setup, "Lee", "drawing"); !begun) {
-                return begun;
-            }
-            // It answers at once, so what the disk says stands in the view: a later answer comes behind it.
-            const auto behind = shop.wait([&](const Done& done) {
-                shop.writer.submit(AddAudit{"Kerf", "settled", "test", 0, {}, {}, {}},
-                                   [done](const Result<Receipt>& r) {
-                                       done(r ? Result<void>() : Result<void>(tl::unexpected(r.error())));
-                                   });
-            });
-            const Sentence& why = shop.thermal->view().storeProblem;
-            return behind && !why.empty() ? Result<void>(tl::unexpected(why)) : behind;
+            return shop.wait([&](const Done& done) { shop.thermal->changeSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(5.0 + 0.5 * nth); }, [save] { return save(-1.0); }, is<LoadThermalSetup>,
                 [&shop] { return shop.thermal->view().storeProblem; }};
@@ -191,6 +180,38 @@ OneOfFive processOf(Shop& shop, const QString& name) {
     };
     return {[restore](int nth) { return restore(nth); }, wrong, is<LoadTapGains>,
             [&shop] { return shop.tapping->view().reason; }};
+}
+
+/// The loops have what was sent last of each kind, as their status says it.
+void showInStatus(test::FakeEngine& engine) {
+    Status& status = engine.fake;
+    for (const Command& command : engine.commands) {
+        if (const auto* schedule = std::get_if<LoadBoringSchedule>(&command.action)) {
+            status.boring.nextSchedule = schedule->schedule.revision;
+        } else if (const auto* milled = std::get_if<LoadMillingSetup>(&command.action)) {
+            status.milling.setup = milled->setup.revision;
+            status.milling.law = milled->setup.law;
+            status.milling.reference_N = milled->setup.reference_N;
+        } else if (const auto* turned = std::get_if<LoadTurningSetup>(&command.action)) {
+            status.turning.nextSetup = turned->setup.revision;
+        } else if (const auto* heat = std::get_if<LoadThermalSetup>(&command.action)) {
+            status.thermal.setup = heat->setup.revision;
+        } else if (const auto* job = std::get_if<LoadTappingJob>(&command.action)) {
+            status.tapping.job = job->job.revision;
+        } else if (const auto* gains = std::get_if<LoadTapGains>(&command.action)) {
+            status.tapping.nextGains = gains->gains.revision;
+        }
+    }
+}
+
+/// So many others are answered that an echo of before has gone by.
+void answerOthers(test::FakeEngine& engine) {
+    engine.answer = true;
+    for (std::size_t i = 0; i < engine.fake.recentCommands.size(); ++i) {
+        Command other;
+        other.action = SetSimulationSpeed{1.0};
+        (void)engine.send(other);
+    }
 }
 
 }  // namespace
@@ -301,17 +322,96 @@ class TestChangeWay : public QObject {
         QCOMPARE(loads(shop, process), before + 1);
         QVERIFY(process.problem().english() != "not this one");
         // So many others are answered that this one's echo has gone by.
-        shop.engine.answer = true;
-        for (std::size_t i = 0; i < shop.engine.fake.recentCommands.size(); ++i) {
-            Command other;
-            other.action = SetSimulationSpeed{1.0};
-            QVERIFY(shop.engine.send(other));
+        answerOthers(shop.engine);
+        shop.poll();
+        QCOMPARE(loads(shop, process), before + 2);
+        shop.poll();
+        shop.poll();
+        QCOMPARE(loads(shop, process), before + 2);
+    }
+    /// The answer is lost; the status shows that it was done. What is chosen afterwards must stand.
+    void whatTheStatusShowsIsNotSentAgain_data() { five(); }
+    void whatTheStatusShowsIsNotSentAgain() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        for (const bool seenBefore : {true, false}) {  // by a tick before the answer has gone by, or in the same one
+            shop.engine.answer = false;
+            const std::size_t before = loads(shop, process);
+            QVERIFY(process.change(seenBefore ? 1 : 2));
+            QCOMPARE(loads(shop, process), before + 1);
+            showInStatus(shop.engine);
+            if (seenBefore) {
+                shop.poll();
+            }
+            // Another lot is named, law and reference are changed at the machine, an air tap is made.
+            WorkOrder newer{77, 0, 0};
+            shop.engine.fake.milling.law = MillingLaw::Constant;
+            shop.engine.fake.milling.reference_N += 25.0;
+            if (seenBefore) {
+                for (WorkOrder& order : shop.engine.fake.orders) {
+                    order = newer;
+                }
+            }
+            answerOthers(shop.engine);
+            shop.engine.fake.link = LinkState::Down;
+            shop.poll();
+            shop.engine.fake.link = LinkState::Up;
+            for (int i = 0; i < 30; ++i) {
+                shop.poll();
+            }
+            QCOMPARE(loads(shop, process), before + 1);
+            QVERIFY2(process.problem().empty(), process.problem().english().c_str());
         }
-        shop.poll();
-        QCOMPARE(loads(shop, process), before + 2);
-        shop.poll();
-        shop.poll();
-        QCOMPARE(loads(shop, process), before + 2);
+    }
+    void anOrderNamedFirstDoesNotReplaceTheOneOfALaterLoad() {
+        Shop shop;
+        const auto names = [&shop] { return std::ranges::count_if(shop.engine.commands, is<NameOrder>); };
+        shop.engine.answer = false;
+        BoringLotOrder next;
+        next.partType = shop.boring->partTypes()->front().id;
+        next.name = "2";
+        next.author = "Lee";
+        QVERIFY(shop.wait([&](const Done& done) { shop.boring->open(next, done); }));
+        const auto named = names();
+        const WorkOrder inForce = shop.engine.fake.orders[static_cast<std::size_t>(ProcessId::Boring)];
+        QVERIFY(inForce.schedule > 0);  // of the schedule that went after it
+        answerOthers(shop.engine);
+        for (int i = 0; i < 5; ++i) {
+            shop.poll();
+        }
+        QCOMPARE(names(), named);
+        QVERIFY(shop.engine.fake.orders[static_cast<std::size_t>(ProcessId::Boring)] == inForce);
+    }
+    void whatIsSentAgainNamesTheNewestOrder() {
+        test::FakeEngine engine;
+        ChangeWay way(engine, [] {});
+        engine.answer = false;
+        const auto never = [](const Status&) { return false; };
+        way.owe(LoadTappingJob{{}, WorkOrder{1, 1, 0}}, never);
+        way.owe(NameOrder{ProcessId::Tapping, {2, 1, 0}}, never);
+        way.owe(NameOrder{ProcessId::Milling, {3, 1, 0}}, never);
+        answerOthers(engine);
+        way.poll();
+        way.poll();
+        QVERIFY(way.settled());
+        QVERIFY((engine.fake.orders[static_cast<std::size_t>(ProcessId::Tapping)] == WorkOrder{2, 1, 0}));
+        const auto again = std::ranges::find_if(engine.commands.rbegin(), engine.commands.rend(), is<LoadTappingJob>);
+        QCOMPARE(std::get<LoadTappingJob>(again->action).order->lot, std::int64_t{2});
+    }
+    /// A zero that was measured after the start is not replaced by the one that was kept.
+    void aZeroThatWasTakenSinceStays() {
+        test::FakeEngine engine;
+        ChangeWay way(engine, [] {});
+        engine.answer = false;
+        const auto known = [](const Status& status) { return status.thermal.gapZeroKnown; };
+        way.owe(LoadGapZero{{1.0, 2.0, 3.0}}, known);
+        engine.fake.thermal.gapZeroKnown = true;
+        engine.fake.thermal.gapZero_um = {7.0, 7.0, 7.0};
+        answerOthers(engine);
+        way.poll();
+        QVERIFY(way.settled());
+        QCOMPARE(std::ranges::count_if(engine.commands, is<LoadGapZero>), 1);
     }
 };
 

@@ -57,12 +57,22 @@ class TestMillingJson : public QObject {
         MillingSetup setup;
         setup.reference_N = 374.94364833400001;
         setup.law = MillingLaw::Preview;
-        const auto again = millingSetupFromJson(millingSetupJson(setup));
+        MillingBlank blank;
+        blank.count = 1;
+        blank.height_mm[0] = 1.0 / 3.0;
+        blank.end_mm = 60.1;
+        const auto again = millingRecipeFromJson(millingRecipeJson({setup, {blank, "wall.csv"}}), {});
         QVERIFY(again.has_value());
-        QCOMPARE(again->law, MillingLaw::Preview);
+        QCOMPARE(again->setup.law, MillingLaw::Preview);
         for (const MillingField& field : milling::setupFields()) {
-            QVERIFY2(field.get(*again) == field.get(setup), field.spec.key);
+            QVERIFY2(field.get(again->setup) == field.get(setup), field.spec.key);
         }
+        QVERIFY(again->blank.blank.height_mm[0] == 1.0 / 3.0 && again->blank.source == "wall.csv");
+        // Of before blanks stood in the recipe: what holds otherwise. A recipe of today that has none has none.
+        const auto of = millingRecipeFromJson("{}", {blank, "wall.csv"});
+        QVERIFY(of && of->blank.source == "wall.csv" && of->blank.blank.count == 1);
+        const auto none = millingRecipeFromJson(millingRecipeJson({setup, {}}), {blank, "wall.csv"});
+        QVERIFY(none && none->blank.blank.count == 0);
         MillingToolRecord record;
         record.learnt = true;
         record.lastPart = 7;
@@ -72,13 +82,6 @@ class TestMillingJson : public QObject {
         const auto tool = millingToolFromJson(millingToolJson(record));
         QVERIFY(tool.has_value());
         QVERIFY(tool->tool == record.tool && tool->lastPart == 7 && tool->advised && tool->law == record.law);
-        MillingBlank blank;
-        blank.count = 1;
-        blank.height_mm[0] = 1.0 / 3.0;
-        blank.end_mm = 60.1;
-        const auto named = millingBlankFromJson(millingBlankJson({blank, "wall.csv"}));
-        QVERIFY(named.has_value());
-        QVERIFY(named->blank.height_mm[0] == 1.0 / 3.0 && named->source == "wall.csv");
     }
     void aToolOfAnEarlierVersionHasNoWordAboutStiffTools() {
         MillingToolRecord record;
@@ -96,11 +99,12 @@ class TestMillingJson : public QObject {
     }
     void rubbishIsNoValue() {
         for (const char* text : {"", "{", "[]", "null", "{\"milling.reference_n\": \"many\"}"}) {
-            QVERIFY2(!millingSetupFromJson(text).has_value(), text);
+            QVERIFY2(!millingRecipeFromJson(text, {}).has_value(), text);
             QVERIFY2(!millingBlankFromJson(text).has_value(), text);
             QVERIFY2(!millingToolFromJson(text).has_value(), text);
         }
-        QVERIFY(!millingSetupFromJson("{\"milling.reference_n\": 5}").has_value());  // below its range
+        QVERIFY(!millingRecipeFromJson("{\"blank\": {\"begin_mm\": [0]}}", {}));
+        QVERIFY(!millingRecipeFromJson("{\"milling.reference_n\": 5}", {}).has_value());  // below its range
     }
 };
 

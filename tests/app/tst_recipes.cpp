@@ -308,6 +308,126 @@ class TestRecipes : public QObject {
         QVERIFY(bench.wait([&](const auto& done) { milling->recipes()->restore(1, "Lee", "hard", done); }));
         QCOMPARE(milling->view().setup.overload_N, 650.0);
     }
+    void theBlankIsOfTheRecipe() {
+        test::ScratchDatabase scratch;
+        Bench bench(scratch.path());
+        MillingBlank wall;
+        wall.count = 2;
+        wall.begin_mm[1] = 20.0;
+        wall.height_mm[0] = 1.0;
+        wall.height_mm[1] = 2.5;
+        wall.end_mm = 60.0;
+        auto service = bench.milling();
+        // Setup and blank are changed at once: neither takes back the other.
+        std::optional<Result<void>> first;
+        MillingSetup setup = service->view().setup;
+        setup.reference_N = 345.0;
+        service->saveSetup(setup, "Lee", "drawing", [&first](const Result<void>& result) { first = result; });
+        QVERIFY(bench.wait([&](const auto& done) { service->saveBlank(wall, "wall.csv", "Lee", done); }));
+        QVERIFY(first && *first);
+        QCOMPARE(service->view().setup.reference_N, 345.0);
+        QCOMPARE(service->view().blankSource, std::string("wall.csv"));
+        QCOMPARE(service->recipes()->revisions()->size(), std::size_t{3});  // what held before is the first
+        QCOMPARE(service->recipes()->revisions()->front().reason, std::string("from wall.csv"));
+        const auto changes = service->recipes()->compare(2, 3);
+        QVERIFY(changes && std::ranges::any_of(*changes, [](const auto& one) { return one.key == "blank.source"; }));
+        wall.height_mm[1] = 3.0;
+        QVERIFY(bench.wait([&](const auto& done) { service->saveBlank(wall, "", "Lee", done); }));
+        service = nullptr;
+        service = bench.milling();
+        QCOMPARE(service->view().blank.height_mm[1], 3.0);
+        QVERIFY(bench.wait([&](const auto& done) { service->recipes()->restore(3, "Lee", "as it was", done); }));
+        QCOMPARE(service->view().blank.height_mm[1], 2.5);
+        QCOMPARE(service->view().blankSource, std::string("wall.csv"));
+        QVERIFY(bench.wait([&](const auto& done) { service->recipes()->restore(1, "Lee", "no blank", done); }));
+        QCOMPARE(service->view().blank.count, std::uint16_t{0});
+        QVERIFY(bench.reader->verifyAudit()->finding.empty());
+    }
+    void theLawOfTurningIsOfTheRecipe() {
+        test::ScratchDatabase scratch;
+        Bench bench(scratch.path());
+        const auto exchange = std::make_unique<TurningExchange>();
+        const auto open = [&] {
+            return std::make_unique<StoredTurningService>(
+                StoredTurningService::Links{bench.writer, bench.engine, *exchange, *bench.reader, *bench.reader, {}});
+        };
+        auto service = open();
+        const auto count = [&](const auto& is) { return std::ranges::count_if(bench.engine.commands, is); };
+        const auto isSetup = [](const Command& one) { return std::holds_alternative<LoadTurningSetup>(one.action); };
+        service->poll();
+        const auto loaded = count(isSetup);
+        QVERIFY(bench.wait([&](const auto& done) { service->setController(TurningController::Pi, "Lee", done); }));
+        QCOMPARE(count(isSetup), loaded);  // the loop has the setup already
+        QCOMPARE(service->recipes()->revisions()->front().reason, std::string("law chosen"));
+        TurningSetup setup = service->view().setup;
+        setup.depth_um = 4.5;
+        std::optional<Result<void>> first;
+        service->loadSetup(setup, "Lee", "drawing", [&first](const Result<void>& result) { first = result; });
+        QVERIFY(bench.wait([&](const auto& done) { service->setController(TurningController::Open, "Lee", done); }));
+        QVERIFY(first && *first);
+        QCOMPARE(service->view().setup.depth_um, 4.5);
+        QCOMPARE(service->view().controller, TurningController::Open);
+        service = nullptr;
+        service = open();
+        QCOMPARE(service->view().setup.depth_um, 4.5);
+        QCOMPARE(service->view().controller, TurningController::Open);
+        QVERIFY(bench.wait([&](const auto& done) { service->recipes()->restore(2, "Lee", "as it was", done); }));
+        QCOMPARE(service->view().controller, TurningController::Pi);
+        QVERIFY(service->view().setup.depth_um != 4.5);
+        const auto law = std::ranges::find_if(
+            bench.engine.commands.rbegin(), bench.engine.commands.rend(),
+            [](const Command& one) { return std::holds_alternative<SetTurningController>(one.action); });
+        QCOMPARE(std::get<SetTurningController>(law->action).controller, TurningController::Pi);
+        QVERIFY(bench.reader->verifyAudit()->finding.empty());
+    }
+    /// What stood beside the recipe is brought into it at the first start, once, in the log like any other revision.
+    void blankAndLawOfBeforeAreBroughtIntoTheRecipe() {
+        const Frozen frozen;
+        frozen.open();
+        {
+            test::Shop shop(frozen.path());
+            const char* blank = R"({"begin_mm":[0.0],"height_mm":[0.1],"end_mm":60.0,"source":"wall.csv"})";
+            (void)shop.must(AddRoomRecord{ProcessId::Milling, "blank", "Rail", blank, "Lee", "from wall.csv"});
+            (void)shop.must(AddRoomRecord{ProcessId::Milling, "blank", "Never set", blank, "Lee", "from wall.csv"});
+            (void)shop.must(
+                AddRoomRecord{ProcessId::Turning, "controller", {}, R"({"controller":"pi"})", "Lee", "law chosen"});
+        }
+        const auto exchange = std::make_unique<TurningExchange>();
+        std::size_t milled = 0;
+        std::size_t turned = 0;
+        for (int start = 0; start < 3; ++start) {
+            Bench bench(frozen.path());
+            auto milling = bench.milling();
+            StoredTurningService turning(
+                StoredTurningService::Links{bench.writer, bench.engine, *exchange, *bench.reader, *bench.reader, {}});
+            QCOMPARE(milling->view().partType, std::string("Rail"));
+            QCOMPARE(milling->view().blank.height_mm[0], 0.1);
+            QCOMPARE(milling->view().setup.reference_N, 355.1);
+            QCOMPARE(turning.view().controller, TurningController::Pi);
+            QCOMPARE(turning.view().setup.depth_um, 5.25);
+            QTRY_VERIFY(!milling->view().busy);
+            QTRY_VERIFY(bench.reader->allRecipes(ProcessId::Turning)->size() >= 3);
+            if (start == 0) {
+                milled = bench.reader->allRecipes(ProcessId::Milling)->size();
+                turned = bench.reader->allRecipes(ProcessId::Turning)->size();
+                QCOMPARE(turned, std::size_t{3});
+                const auto revisions = *milling->recipes()->revisions();
+                QCOMPARE(revisions.size(), std::size_t{3});
+                QCOMPARE(revisions.front().author, std::string("Kerf"));
+                QCOMPARE(revisions.front().reason, std::string("blank profile of before"));
+                // A revision of before says no blank: the one that holds stays.
+                QVERIFY(bench.wait([&](const auto& done) { milling->recipes()->restore(1, "Lee", "old", done); }));
+                QCOMPARE(milling->view().setup.reference_N, 333.3);
+                QCOMPARE(milling->view().blank.height_mm[0], 0.1);
+                QVERIFY(bench.wait([&](const auto& done) { milling->recipes()->restore(3, "Lee", "new", done); }));
+                milled += 2;
+            }
+            QCOMPARE(bench.reader->allRecipes(ProcessId::Milling)->size(), milled);
+            QCOMPARE(bench.reader->allRecipes(ProcessId::Turning)->size(), turned);
+            const auto verdict = bench.reader->verifyAudit();
+            QVERIFY2(verdict && verdict->finding.empty(), verdict->finding.english().c_str());
+        }
+    }
     void limitsOfTheShiftAreStoredFirstAndRolledBack() {
         test::ScratchDatabase scratch;
         Bench bench(scratch.path());
@@ -323,17 +443,22 @@ class TestRecipes : public QObject {
             return last;
         };
         ThermalSetup setup = thermal.view().setup;
+        const auto change = [&] {
+            return bench.wait([&](const auto& done) { thermal.changeSetup(setup, "Park", "drawing", done); });
+        };
         setup.allowed_um = 0.0;
-        QVERIFY(!thermal.changeSetup(setup, "Park", "drawing"));  // out of range: neither stored nor sent
+        QVERIFY(!change());  // out of range: neither stored nor sent
         setup.allowed_um = 6.0;
-        QVERIFY(thermal.changeSetup(setup, "Park", "drawing"));
-        QVERIFY(!loaded());  // not before it is on the disk
-        QTRY_COMPARE(thermal.view().setup.allowed_um, 6.0);
+        std::optional<Result<void>> told;
+        thermal.changeSetup(setup, "Park", "drawing", [&told](const Result<void>& result) { told = result; });
+        QVERIFY(!loaded() && !told);  // not before it is on the disk
+        QTRY_VERIFY(told && *told);
+        QCOMPARE(thermal.view().setup.allowed_um, 6.0);
         QVERIFY(loaded() && loaded()->allowed_um == 6.0);
         bench.engine.ringFull = true;  // the engine takes nothing: it is told later
         setup.allowed_um = 7.0;
-        QVERIFY(thermal.changeSetup(setup, "Park", "drawing"));
-        QTRY_COMPARE(thermal.view().setup.allowed_um, 7.0);
+        QVERIFY(change());
+        QCOMPARE(thermal.view().setup.allowed_um, 7.0);
         QCOMPARE(loaded()->allowed_um, 6.0);
         bench.engine.ringFull = false;
         thermal.poll();

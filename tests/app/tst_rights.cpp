@@ -330,7 +330,7 @@ const std::vector<Row>& rows() {
          [](Shop& s, Text who, Text why) {
              ThermalSetup setup = s.thermal->view().setup;
              setup.maxShift_um = 150.0;
-             return s.thermal->changeSetup(setup, who, why);
+             return s.wait([&](const auto& done) { s.thermal->changeSetup(setup, who, why, done); });
          }},
         {Deed::ThermalSession, [](Shop& s, Text who, Text) { return s.thermal->beginSession(who); }, false},
         {Deed::ThermalReference, [](Shop& s, Text who, Text) { return s.send(who, TakeThermalReference{true}); }},

@@ -219,19 +219,23 @@ class TestTurningService : public QObject {
         QVERIFY(m_service->view().blind.tones.back().found);
     }
     void recordsOfAnotherVersionDoNotExist() {
-        QVERIFY(!turningSetupFrom("{").has_value());
-        QVERIFY(!turningSetupFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": \"fast\"}").has_value());
-        QVERIFY(!turningSetupFrom("[3]").has_value());
+        QVERIFY(!turningRecipeFrom("{", TurningController::Open).has_value());
+        QVERIFY(!turningRecipeFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": \"fast\"}", TurningController::Open)
+                     .has_value());
+        QVERIFY(!turningRecipeFrom("[3]", TurningController::Open).has_value());
         // A key that was not there yet has its default; the others stay.
-        const auto older = turningSetupFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": 4.5}");
-        QVERIFY(older && older->revision == 3 && older->feed_umPerRev == 4.5);
-        QCOMPARE(older->trimAuthority_um, turning::setupSpecs().back().fallback);
+        const auto older =
+            turningRecipeFrom("{\"revision\": 3, \"turning.feed_um_per_rev\": 4.5}", TurningController::Open);
+        QVERIFY(older && older->setup.revision == 3 && older->setup.feed_umPerRev == 4.5);
+        QCOMPARE(older->controller, TurningController::Open);  // the law it says nothing of stays
+        QCOMPARE(older->setup.trimAuthority_um, turning::setupSpecs().back().fallback);
         QVERIFY(!turningPartFrom("{\"part\": \"x\"}").has_value());
         QVERIFY(!turningControllerFrom("{\"controller\": \"magic\"}").has_value());
+        QVERIFY(!turningRecipeFrom("{\"turning.law\": \"magic\"}", {}));
         TurningSetup bad;
         bad.revision = 2;
         bad.trimAuthority_um = 99.0;
-        QVERIFY(!turningSetupFrom(turningSetupJson(bad)).has_value());
+        QVERIFY(!turningRecipeFrom(turningRecipeJson({bad, TurningController::Pi}), {}).has_value());
     }
 
  private:

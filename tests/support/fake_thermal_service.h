@@ -146,10 +146,14 @@ class FakeThermalService : public ThermalService {
     }
     Result<void> goLive(const std::string& author) override { return called("goLive " + author); }
     Result<void> rollBack(const std::string& author) override { return called("rollBack " + author); }
-    Result<void> changeSetup(const ThermalSetup& next, const std::string& author, const std::string&) override {
+    void changeSetup(const ThermalSetup& next, const std::string& author, const std::string&,
+                     RecipeHistory::Done done) override {
         setup = next;
-        return called("setup " + author);
+        keepSetup = [done = std::move(done), result = called("setup " + author)] { done(result); };
+        if (!storeIsSlow) keepSetup();
     }
+    bool storeIsSlow{false};  ///< the answer of the disk waits until keepSetup() is called
+    std::function<void()> keepSetup{};
     Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
                                const std::string& author) override {
         part = deviation_um;

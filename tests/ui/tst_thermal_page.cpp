@@ -274,6 +274,25 @@ class TestThermalPage : public QObject {
         QCOMPARE(m_service->setup.allowed_um, 2.5);
         QCOMPARE(m_service->setup.period_min, 1.0);
     }
+    void limitsThatAreNotStoredStayOnTheSheet() {
+        show();
+        QVERIFY(m_bench->press("thermalLimits"));
+        m_bench->find<QLineEdit>("thermalLimitsReason")->setText(QStringLiteral("drawing B"));
+        m_service->failWith = Sentence("The disk is full.");
+        QVERIFY(m_bench->press("thermalLimitsUse"));
+        QVERIFY(m_bench->find<ActionButton>("thermalLimitsUse") != nullptr);
+        const auto labels = m_bench->sheets->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("disk is full"));
+        }));
+        m_service->failWith = {};
+        m_service->storeIsSlow = true;
+        QVERIFY(m_bench->press("thermalLimitsUse"));
+        QVERIFY(!m_bench->find<ActionButton>("thermalLimitsUse")->isEnabled());  // on its way: nobody sends it twice
+        m_service->keepSetup();
+        QTRY_VERIFY(m_bench->find<ActionButton>("thermalLimitsUse") == nullptr);
+        QVERIFY(m_bench->notices.back().contains(QStringLiteral("new limits")));
+    }
     void theErrorMapShowsEveryAxis() {
         show();
         QVERIFY(m_bench->press("thermalMap"));

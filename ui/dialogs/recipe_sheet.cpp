@@ -63,9 +63,21 @@ LimitChange limitChange(const std::string& key) {
     return change;
 }
 
-QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSystem& units) {
+/// What differs is told in these.
+struct Words {
+    RecipeSpecOf specOf{};
+    RecipeWordOf wordOf{};
+};
+
+QString valueText(const std::string& key, const std::string& stored, const Words& words, const UnitSystem& units) {
     if (stored.empty()) {
         return QStringLiteral("–");
+    }
+    const ParamSpec* spec = words.specOf ? words.specOf(key) : nullptr;
+    if (stored.size() >= 2 && stored.front() == '"') {
+        const QString text = QString::fromStdString(stored.substr(1, stored.size() - 2));
+        const QString word = words.wordOf ? words.wordOf(key, text) : QString();
+        return word.isEmpty() ? text : word;
     }
     bool isNumber = false;
     const double value = QString::fromStdString(stored).toDouble(&isNumber);
@@ -76,7 +88,8 @@ QString valueText(const std::string& stored, const ParamSpec* spec, const UnitSy
                                        : QString::fromStdString(stored);
 }
 
-QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf& specOf, const UnitSystem& units) {
+QString differenceText(std::vector<RecipeChangeView> changes, const Words& words, const UnitSystem& units) {
+    const RecipeSpecOf& specOf = words.specOf;
     // Which side can be cut again goes with the limit.
     std::erase_if(changes, [](const RecipeChangeView& change) {
         const LimitChange limit = limitChange(change.key);
@@ -105,7 +118,8 @@ QString differenceText(std::vector<RecipeChangeView> changes, const RecipeSpecOf
         const ParamSpec* spec = specOf ? specOf(change.key) : nullptr;
         lines << QStringLiteral("%1: %2 → %3")
                      .arg(spec != nullptr ? engineText(spec->label) : QString::fromStdString(change.key),
-                          valueText(change.before, spec, units), valueText(change.after, spec, units));
+                          valueText(change.key, change.before, words, units),
+                          valueText(change.key, change.after, words, units));
     }
     if (changes.size() > shown) {
         lines << Revisions::tr("and %1 more values").arg(changes.size() - shown);
@@ -145,7 +159,8 @@ QTableWidget* makeTable(Look& look, const std::vector<RecipeRevisionView>& known
 
 }  // namespace
 
-void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf) {
+void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf,
+                     const RecipeWordOf& wordOf) {
     Look& look = context.look;
     const auto read = history.revisions();
     const std::vector<RecipeRevisionView> known = read ? *read : std::vector<RecipeRevisionView>{};
@@ -179,14 +194,14 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
     allowOnly(restore, context.session, deed);
     QObject::connect(reason, &QLineEdit::textChanged, restore, [restore] { restore->reconsider(); });
     QObject::connect(table, &QTableWidget::itemSelectionChanged, restore,
-                     [chosen, known, difference, restore, &history, specOf, &look] {
+                     [chosen, known, difference, restore, &history, words = Words{specOf, wordOf}, &look] {
                          restore->reconsider();
                          const RecipeRevisionView* one = chosen();
                          if (one == nullptr) {
                              return difference->clear();
                          }
                          const auto changes = history.compare(known.front().revision, one->revision);
-                         difference->setText(changes ? differenceText(*changes, specOf, look.units())
+                         difference->setText(changes ? differenceText(*changes, words, look.units())
                                                      : sentenceText(changes.error(), look.units()));
                      });
     sheet->body()->addWidget(table, 1);
@@ -196,7 +211,7 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
     sheet->addButton(Revisions::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
     // It may come when another sheet is open: then only the bottom line says so.
     const auto answered = [context, open = QPointer<Sheet>(sheet), message = QPointer<QLabel>(message), &history, deed,
-                           specOf](const Result<void>& done) {
+                           specOf, wordOf](const Result<void>& done) {
         const QString words =
             done ? Revisions::tr("The revision is back.") : sentenceText(done.error(), context.look.units());
         if (!context.sheets.isOpen(open)) {
@@ -205,7 +220,7 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             message->setText(words);
         } else {
             context.notify(words);
-            if (open->taken()) openRecipeSheet(context, history, deed, specOf);
+            if (open->taken()) openRecipeSheet(context, history, deed, specOf, wordOf);
         }
     };
     sheet->addButton(
@@ -225,14 +240,15 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
         false);
 }
 
-void offerRecipeSheet(const PageContext& context, RecipeHistory* history, Deed deed, const RecipeSpecOf& specOf) {
+void offerRecipeSheet(const PageContext& context, RecipeHistory* history, Deed deed, const RecipeSpecOf& specOf,
+                      const RecipeWordOf& wordOf) {
     Sheet* sheet = context.sheets.current();
     if (history == nullptr || sheet == nullptr) {
         return;
     }
     QPushButton* button = sheet->addButton(
         Revisions::tr("Earlier revisions"),
-        [context, history, deed, specOf] { openRecipeSheet(context, *history, deed, specOf); }, false);
+        [context, history, deed, specOf, wordOf] { openRecipeSheet(context, *history, deed, specOf, wordOf); }, false);
     button->setObjectName(QStringLiteral("recipeHistory"));
 }
 

@@ -9,8 +9,16 @@
 namespace kerf::ui {
 
 QString reasonText(const std::string& stored) {
-    static constexpr std::array kOwn{KERF_TEXT("part type created"), KERF_TEXT("full"), KERF_TEXT("lot selected"),
-                                     KERF_TEXT("setup changed"), KERF_TEXT("kept by a version that noted no hash")};
+    static constexpr std::array kOwn{KERF_TEXT("part type created"),
+                                     KERF_TEXT("full"),
+                                     KERF_TEXT("lot selected"),
+                                     KERF_TEXT("setup changed"),
+                                     KERF_TEXT("kept by a version that noted no hash"),
+                                     KERF_TEXT("law chosen"),
+                                     KERF_TEXT("law of before"),
+                                     KERF_TEXT("changed while cutting"),
+                                     KERF_TEXT("typed"),
+                                     KERF_TEXT("blank profile of before")};
     static constexpr const char* kStudy = KERF_TEXT("repeatability of gauge %1, study %2");
     for (const char* own : kOwn) {
         if (stored == own) {

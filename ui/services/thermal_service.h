@@ -157,8 +157,9 @@ class ThermalService {
     [[nodiscard]] virtual Result<void> rollBack(const std::string& author) = 0;
     /// The revisions of the limits. Null: there is no store behind the service.
     [[nodiscard]] virtual RecipeHistory* recipes() { return nullptr; }
-    [[nodiscard]] virtual Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
-                                                   const std::string& reason) = 0;
+    /// As a revision of the recipe; `done` as in RecipeHistory, with every no on the way.
+    virtual void changeSetup(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                             RecipeHistory::Done done) = 0;
     /// The part finished last has been measured: deviation of its surface along +axis; a diameter counts half. Empty:
     /// not measured. It is a measurement of the origin made when the part was finished.
     [[nodiscard]] virtual Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,

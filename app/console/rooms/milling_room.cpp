@@ -76,7 +76,7 @@ void MillingRoom::poll() {
 
 RecipeHeld MillingRoom::recipe() {
     const MillingServiceView& view = m_service->view();
-    return {view.partType, millingSetupJson(view.setup)};
+    return {view.partType, m_service->recipeJson()};
 }
 
 void MillingRoom::recipeRevised(RecipeRevisionId revision) {

@@ -56,7 +56,7 @@ void TurningRoom::poll() {
 }
 
 RecipeHeld TurningRoom::recipe() {
-    return {StoredTurningService::kPartType, turningSetupJson(m_service->view().setup)};
+    return {StoredTurningService::kPartType, m_service->recipeJson()};
 }
 
 void TurningRoom::recipeRevised(RecipeRevisionId revision) {

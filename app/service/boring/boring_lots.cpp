@@ -13,12 +13,6 @@ constexpr std::uint32_t kLotsLooked = 1000;
 constexpr std::size_t kLotsLookedInto = 5;
 constexpr std::uint32_t kPartsLookedInto = 3;
 
-void answer(const BoringLots::Done& done, const Result<void>& result) {
-    if (done) {
-        done(result);
-    }
-}
-
 std::optional<Sentence> whyNoWords(const std::string& author, const std::string& reason) {
     if (author.empty()) {
         return Sentence(KERF_TEXT("Sign on first: a change needs a name."));

@@ -16,10 +16,8 @@ Sentence lookAtTheNewest() {
     return Sentence(KERF_TEXT("This value was replaced or taken out meanwhile; look at the newest one first."));
 }
 
-void answer(const BoringService::Done& done, const Result<void>& result) {
-    if (done) {
-        done(result);
-    }
+const WorkOrder& namedOrder(const Status& status) {
+    return status.orders[static_cast<std::size_t>(ProcessId::Boring)];
 }
 
 }  // namespace
@@ -353,12 +351,16 @@ void StoredBoringService::acceptSchedule(const std::string& author, Done done) {
 
 void StoredBoringService::send() {
     if (!m_retired && !m_lotNamed) {  // the next part is this lot's, also before a schedule of it is accepted
-        m_way.owe(NameOrder{ProcessId::Boring, order(0)});
+        m_way.owe(NameOrder{ProcessId::Boring, order(0)},
+                  [named = order(0)](const Status& status) { return namedOrder(status) == named; });
         m_lotNamed = true;
     }
     if (!m_retired && m_accepted && m_accepted->revision != m_sentRevision) {
         // A part begun with it belongs to this lot, whichever is active when it ends.
-        m_way.owe(LoadBoringSchedule{*m_accepted, order(m_accepted->revision)});
+        m_way.owe(LoadBoringSchedule{*m_accepted, order(m_accepted->revision)},
+                  [named = order(m_accepted->revision)](const Status& status) {
+                      return status.boring.nextSchedule == named.schedule && namedOrder(status) == named;
+                  });
         m_sentRevision = m_accepted->revision;
     }
 }

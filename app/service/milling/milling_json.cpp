@@ -19,7 +19,8 @@ using nlohmann::ordered_json;
 constexpr std::array<const char*, kMillingLawCount> kLawKeys{"constant", "pi", "model", "preview"};
 constexpr const char* kPosition = "x_mm";
 constexpr const char* kHeight = "height_mm";
-constexpr double kUnlikelyKx = -6.0;  // ln of a weight
+constexpr const char* kBlank = "blank";  // in a recipe
+constexpr double kUnlikelyKx = -6.0;     // ln of a weight
 
 MillingLaw lawOf(const std::string& key) {
     for (std::size_t i = 0; i < kMillingLawCount; ++i) {
@@ -36,6 +37,38 @@ const char* keyOf(MillingLaw law) {
 
 tl::unexpected<Sentence> unreadable() {
     return fail(KERF_TEXT("What was stored for milling cannot be read."));
+}
+
+ordered_json blankDocument(const NamedBlank& named) {
+    ordered_json json;
+    json["begin_mm"] = ordered_json::array();
+    json["height_mm"] = ordered_json::array();
+    for (std::size_t i = 0; i < named.blank.count; ++i) {
+        json["begin_mm"].push_back(named.blank.begin_mm[i]);
+        json["height_mm"].push_back(named.blank.height_mm[i]);
+    }
+    json["end_mm"] = named.blank.end_mm;
+    json["source"] = named.source;
+    return json;
+}
+
+/// Throws what the JSON library throws.
+Result<NamedBlank> blankOf(const nlohmann::json& json) {
+    NamedBlank named;
+    const auto begin_mm = json.at("begin_mm").get<std::vector<double>>();
+    const auto height_mm = json.at("height_mm").get<std::vector<double>>();
+    if (begin_mm.size() != height_mm.size() || begin_mm.size() > MillingBlank::kMaxSteps) {
+        return unreadable();
+    }
+    named.blank.count = static_cast<std::uint16_t>(begin_mm.size());
+    std::ranges::copy(begin_mm, named.blank.begin_mm.begin());
+    std::ranges::copy(height_mm, named.blank.height_mm.begin());
+    named.blank.end_mm = json.at("end_mm").get<double>();
+    named.source = json.value("source", std::string());
+    if (const auto why = milling::whyUnusable(named.blank)) {
+        return tl::unexpected(*why);
+    }
+    return named;
 }
 
 struct CsvRow {
@@ -85,17 +118,19 @@ Result<std::vector<CsvRow>> rowsOf(std::string_view text) {
 
 }  // namespace
 
-std::string millingSetupJson(const MillingSetup& setup) {
+std::string millingRecipeJson(const MillingRecipe& recipe) {
     ordered_json json;
     for (const MillingField& field : milling::setupFields()) {
-        json[field.spec.key] = field.get(setup);
+        json[field.spec.key] = field.get(recipe.setup);
     }
-    json["milling.law"] = keyOf(setup.law);
+    json["milling.law"] = keyOf(recipe.setup.law);
+    json[kBlank] = blankDocument(recipe.blank);
     return json.dump();
 }
 
-Result<MillingSetup> millingSetupFromJson(const std::string& text) {
-    MillingSetup setup;
+Result<MillingRecipe> millingRecipeFromJson(const std::string& text, const NamedBlank& otherwise) {
+    MillingRecipe recipe{{}, otherwise};
+    MillingSetup& setup = recipe.setup;
     setup.revision = 1;
     try {
         const auto json = nlohmann::json::parse(text);
@@ -103,49 +138,33 @@ Result<MillingSetup> millingSetupFromJson(const std::string& text) {
             field.set(setup, numberOr(json, field.spec.key, field.spec.fallback, "milling setup"));
         }
         setup.law = lawOf(json.value("milling.law", std::string(keyOf(MillingLaw::Model))));
+        if (const auto said = json.find(kBlank); said != json.end()) {
+            const auto blank = blankOf(*said);
+            if (!blank) {
+                return tl::unexpected(blank.error());
+            }
+            recipe.blank = *blank;
+        }
     } catch (const nlohmann::json::exception&) {
         return unreadable();
     }
     if (const auto why = milling::whyUnusable(setup)) {
         return tl::unexpected(*why);
     }
-    return setup;
+    return recipe;
 }
 
-std::string millingBlankJson(const NamedBlank& named) {
-    ordered_json json;
-    json["begin_mm"] = ordered_json::array();
-    json["height_mm"] = ordered_json::array();
-    for (std::size_t i = 0; i < named.blank.count; ++i) {
-        json["begin_mm"].push_back(named.blank.begin_mm[i]);
-        json["height_mm"].push_back(named.blank.height_mm[i]);
-    }
-    json["end_mm"] = named.blank.end_mm;
-    json["source"] = named.source;
-    return json.dump();
+bool millingRecipeSaysBlank(const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    return json.is_object() && json.contains(kBlank);
 }
 
 Result<NamedBlank> millingBlankFromJson(const std::string& text) {
-    NamedBlank named;
     try {
-        const auto json = nlohmann::json::parse(text);
-        const auto begin_mm = json.at("begin_mm").get<std::vector<double>>();
-        const auto height_mm = json.at("height_mm").get<std::vector<double>>();
-        if (begin_mm.size() != height_mm.size() || begin_mm.size() > MillingBlank::kMaxSteps) {
-            return unreadable();
-        }
-        named.blank.count = static_cast<std::uint16_t>(begin_mm.size());
-        std::copy(begin_mm.begin(), begin_mm.end(), named.blank.begin_mm.begin());
-        std::copy(height_mm.begin(), height_mm.end(), named.blank.height_mm.begin());
-        named.blank.end_mm = json.at("end_mm").get<double>();
-        named.source = json.value("source", std::string());
+        return blankOf(nlohmann::json::parse(text));
     } catch (const nlohmann::json::exception&) {
         return unreadable();
     }
-    if (const auto why = milling::whyUnusable(named.blank)) {
-        return tl::unexpected(*why);
-    }
-    return named;
 }
 
 std::string millingToolJson(const MillingToolRecord& record) {

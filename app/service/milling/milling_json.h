@@ -11,17 +11,24 @@
 /// to the last digit; bad text gives one sentence and no value.
 namespace kerf {
 
-[[nodiscard]] std::string millingSetupJson(const MillingSetup& setup);
-/// Keys that are absent keep their default; revision stays 1.
-[[nodiscard]] Result<MillingSetup> millingSetupFromJson(const std::string& text);
-
 /// A blank profile and the file it came from.
 struct NamedBlank {
     MillingBlank blank{};
     std::string source{};
 };
-[[nodiscard]] std::string millingBlankJson(const NamedBlank& blank);
+/// A room record of before blanks stood in the recipe.
 [[nodiscard]] Result<NamedBlank> millingBlankFromJson(const std::string& text);
+
+/// What a part type is milled by.
+struct MillingRecipe {
+    MillingSetup setup{};
+    NamedBlank blank{};
+};
+[[nodiscard]] std::string millingRecipeJson(const MillingRecipe& recipe);
+/// Keys of the setup that are absent keep their default; its revision stays 1. A revision of before blanks stood in the
+/// recipe says none: `otherwise` holds.
+[[nodiscard]] Result<MillingRecipe> millingRecipeFromJson(const std::string& text, const NamedBlank& otherwise);
+[[nodiscard]] bool millingRecipeSaysBlank(const std::string& text);
 
 /// What is kept after each cut: the tool as learnt, and of the cut what its stored figures do not say.
 struct MillingToolRecord {

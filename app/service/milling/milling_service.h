@@ -5,8 +5,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
+#include "app/service/asked_recipe.h"
 #include "app/service/change_way.h"
 #include "app/service/lot_book.h"
 #include "app/service/milling/milling_json.h"
@@ -26,10 +28,10 @@ namespace kerf {
 /// hands the engine what it is to use; a law or reference changed while cutting is stored behind it. After a restart
 /// setup, blank, tool and log are what they were. GUI thread only.
 ///
-/// A part type's setup is its recipe: every accepted one is a revision. Room records: "part_type" (subject: its name)
-/// when one is chosen, "blank" of a part type, "tool" after each cut, "tool_memory" (subject: the tool) when one is
-/// left out or taken in again. Cuts the console did not live to see are added to the tool's wear from their stored
-/// figures.
+/// A part type's setup and blank are its recipe: every accepted one is a revision. Room records: "part_type" (subject:
+/// its name) when one is chosen, "tool" after each cut, "tool_memory" (subject: the tool) when one is left out or taken
+/// in again; a "blank" of before it stood in the recipe is brought into it. Cuts the console did not live to see are
+/// added to the tool's wear from their stored figures.
 class StoredMillingService final : public MillingService {
  public:
     struct Links {
@@ -55,7 +57,9 @@ class StoredMillingService final : public MillingService {
     [[nodiscard]] Result<MillingBlank> readBlank(const std::string& file) const override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
     [[nodiscard]] LotService* lots() override { return &m_lots; }
-    /// Limits have made this revision of the setup.
+    /// What holds, as it is stored.
+    [[nodiscard]] std::string recipeJson() const { return millingRecipeJson(m_types.at(m_type).recipe); }
+    /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision);
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
@@ -72,9 +76,9 @@ class StoredMillingService final : public MillingService {
 
  private:
     struct PartType {
-        MillingSetup setup{};
-        NamedBlank blank{};
-        RecipeRevisionId recipe{0};  ///< the setup's; 0: none was kept
+        MillingRecipe recipe{};
+        RecipeRevisionId revision{0};  ///< the recipe's; 0: none was kept
+        AskedRecipe<MillingRecipe> asked{};
     };
     /// What a revision was of, as long as parts of it may come back.
     struct Used {
@@ -82,22 +86,36 @@ class StoredMillingService final : public MillingService {
         double toolRadius_mm{0.0};
         std::uint8_t flutes{0};
     };
+    enum class ToolOwed : std::uint8_t { Nothing, Fresh, Kept };
     void restore(RoomRecordReader& records, PartReader& parts);
     void restorePartTypes(RoomRecordReader& records);
+    /// Blanks of before they stood in the recipe.
+    void bringBlanks(const std::vector<RoomRecordRow>& rows, const std::set<std::string>& said);
     void restoreTool(RoomRecordReader& records, PartReader& parts);
     void restorePast(RoomRecordReader& records);
+    void tellTool();
     /// A tool that has not cut yet begins from the tools before it.
     void beginFromMemory();
     [[nodiscard]] milling::ToolMemory memory() const;
+    [[nodiscard]] MillingMemoryView memoryView() const;
     /// Checked, stored as a revision of the present part type's recipe, then used.
-    void accept(const MillingSetup& setup, const std::string& author, const std::string& reason,
-                std::optional<std::uint32_t> restoredFrom, Done done);
+    void accept(const Result<void>& may, const MillingRecipe& recipe, const std::string& author,
+                const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done);
     [[nodiscard]] Result<void> mayAccept(const MillingSetup& setup, const std::string& author,
                                          const std::string& reason) const;
+    [[nodiscard]] Result<void> mayAccept(const MillingBlank& blank, const std::string& author) const;
+    /// What the present part type's was asked to be last.
+    [[nodiscard]] const MillingRecipe& asked() const;
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
     template <class Value>
-    [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback);
+    [[nodiscard]] Value keep(const Result<Value>& value, const Value& fallback) {
+        if (!value) {
+            m_way.setStoreProblem(value.error());
+            return fallback;
+        }
+        return *value;
+    }
     void partStored(const StoredPart& part);
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);
@@ -123,7 +141,7 @@ class StoredMillingService final : public MillingService {
     MillingBlank m_blank{};
     MillingToolRecord m_tool{};
     bool m_begun{false};                                 ///< the tool in the spindle began from memory
-    bool m_toolOwed{false};                              ///< the engine has yet to be told
+    ToolOwed m_toolOwed{ToolOwed::Nothing};              ///< what the engine has yet to be told
     std::map<std::int64_t, MillingToolRecord> m_past;    ///< newest record of each tool before, by its `since`
     std::map<std::int64_t, RoomRecordRow> m_toldOfPast;  ///< left out or taken in again, with reason and author
     std::deque<MillingCutView> m_cuts;

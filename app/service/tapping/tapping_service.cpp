@@ -206,13 +206,17 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
     showStored();
     std::optional<WorkOrder> order;
     if (m_params.order) order = m_params.order(stored != nullptr ? stored->recipe : 0);
-    m_way.owe(LoadTappingJob{jobFor(choice), order});
+    const TappingJob job = jobFor(choice);
+    m_way.owe(LoadTappingJob{job, order},
+              [wanted = job.revision](const Status& status) { return status.tapping.job == wanted; });
     if (author != kItself) note(author, Deed::TappingJob, jobText(choice));
     if (m_engine.capabilities().servoGains.fitted) {
-        LoadTapGains gains = gainsToLoad(m_exchange, m_inForce, m_engine.status().tapping.nextGains + 1);
+        // Of a number that no other has: those of a load before may still be on their way.
+        m_gains = std::max(m_gains, m_engine.status().tapping.nextGains) + 1;
+        LoadTapGains gains = gainsToLoad(m_exchange, m_inForce, m_gains);
         gains.accept = true;
         gains.production = true;
-        m_way.owe(gains);
+        m_way.owe(gains, [wanted = m_gains](const Status& status) { return status.tapping.nextGains == wanted; });
     }
     m_seenTaps = m_engine.status().tapping.taps;
     return {};
@@ -299,7 +303,11 @@ void StoredTappingService::recipeRevised(std::int64_t revision) {
 }
 
 void StoredTappingService::useRecipe(std::int64_t recipe) {
-    if (m_params.order) send(NameOrder{ProcessId::Tapping, m_params.order(recipe)});
+    if (!m_params.order) return;
+    const WorkOrder order = m_params.order(recipe);
+    m_way.owe(NameOrder{ProcessId::Tapping, order}, [order](const Status& status) {
+        return status.orders[static_cast<std::size_t>(ProcessId::Tapping)] == order;
+    });
 }
 
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {

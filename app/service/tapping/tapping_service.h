@@ -99,6 +99,7 @@ class StoredTappingService final : public TappingService {
     TuningSession::State m_shownState{TuningSession::State::Air};
     std::size_t m_shownTrials{0};
     std::uint32_t m_jobs{0};
+    std::uint32_t m_gains{0};  ///< newest revision handed over
     std::uint32_t m_seenTaps{0};
     std::vector<std::uint32_t> m_sent{};
     std::string m_author{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/service/thermal/thermal_records.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -194,6 +195,11 @@ std::optional<thermal::ThermalHistory> sessionFromJson(const std::string& text) 
         }
         return day;
     });
+}
+
+std::int64_t utcNow_ms() {
+    using namespace std::chrono;
+    return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace kerf::thermal_records

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ inline constexpr const char* kLearnt = "learnt";
 [[nodiscard]] std::optional<std::array<double, kAxisCount>> zeroFromJson(const std::string& text);
 [[nodiscard]] std::string setupToJson(const ThermalSetup& setup);
 [[nodiscard]] std::optional<ThermalSetup> setupFromJson(const std::string& text);
+[[nodiscard]] std::int64_t utcNow_ms();
 /// What a model learnt of a day, so that a restart goes on with it.
 struct Learnt {
     std::int64_t utc_ms{0};

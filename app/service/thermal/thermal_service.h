@@ -51,8 +51,8 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] Result<void> goLive(const std::string& author) override;
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
-    [[nodiscard]] Result<void> changeSetup(const ThermalSetup& setup, const std::string& author,
-                                           const std::string& reason) override;
+    void changeSetup(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                     RecipeHistory::Done done) override;
     [[nodiscard]] Result<void> measureByPart(const std::array<std::optional<double>, kAxisCount>& deviation_um,
                                              const std::string& author) override;
     [[nodiscard]] Result<void> beginSession(const std::string& author) override;
@@ -68,10 +68,15 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] bool builtInHeat() const;
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
+    void loadSessions(const std::vector<RoomRecordRow>& rows);
+    /// On simulated days of the simulated machine, when nothing is live.
+    void trainFirst();
     void loadSetup();
-    /// Checked, stored as a revision of the recipe, then sent. `done`, when it is given, is told of the store as well.
-    [[nodiscard]] Result<void> accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
-                                      std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done);
+    /// Checked, stored as a revision of the recipe, then sent.
+    void accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
+                std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done);
+    [[nodiscard]] Result<void> mayAccept(const ThermalSetup& setup, const std::string& author,
+                                         const std::string& reason) const;
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          RecipeHistory::Done done);
     [[nodiscard]] std::string recipeName() const;

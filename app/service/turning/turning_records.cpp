@@ -14,7 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<const char*, kTurningControllers> kControllers{"open", "paper", "pi", "tones"};
-constexpr double kTenth_nm = 1e-4;  // what a stored spectrum line or force needs: four decimals
+constexpr const char* kLaw = "turning.law";  // in a recipe
+constexpr double kTenth_nm = 1e-4;           // what a stored spectrum line or force needs: four decimals
 
 double rounded(float value) {
     return std::round(static_cast<double>(value) / kTenth_nm) * kTenth_nm;
@@ -121,21 +122,29 @@ auto parsed(const std::string& text, const Read& read) -> std::optional<decltype
 
 }  // namespace
 
-std::string turningSetupJson(const TurningSetup& setup) {
-    return setupDocument(setup).dump();
+std::string turningRecipeJson(const TurningRecipe& recipe) {
+    json out = setupDocument(recipe.setup);
+    out[kLaw] = turningControllerKey(recipe.controller);
+    return out.dump();
 }
 
-std::optional<TurningSetup> turningSetupFrom(const std::string& text) {
-    const auto setup = parsed(text, setupOf);
-    return setup && setup->revision > 0 && !turning::whyUnusable(*setup) ? setup : std::nullopt;
+std::optional<TurningRecipe> turningRecipeFrom(const std::string& text, TurningController otherwise) {
+    const auto read = [otherwise](const json& in) {
+        const auto said = in.find(kLaw);
+        return std::pair(setupOf(in),
+                         said == in.end() ? std::optional(otherwise) : controllerOf(said->get<std::string>()));
+    };
+    const auto recipe = parsed(text, read);
+    const bool usable = recipe && recipe->second && recipe->first.revision > 0 && !turning::whyUnusable(recipe->first);
+    return usable ? std::optional(TurningRecipe{recipe->first, *recipe->second}) : std::nullopt;
+}
+
+bool turningRecipeSaysLaw(const std::string& text) {
+    return parsed(text, [](const json& in) { return in.contains(kLaw); }).value_or(false);
 }
 
 const char* turningControllerKey(TurningController controller) noexcept {
     return kControllers[static_cast<std::size_t>(controller)];
-}
-
-std::string turningControllerJson(TurningController controller) {
-    return json{{"controller", turningControllerKey(controller)}}.dump();
 }
 
 std::optional<TurningController> turningControllerFrom(const std::string& text) {

@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t kPartsShown = 25;
 constexpr const char* kAuthor = "Kerf";
 constexpr const char* kController = "controller";
+constexpr const char* kBrought = "law of before";
 constexpr const char* kPart = "part";
 constexpr double kHighestShown_Hz = 420.0;
 constexpr double kShareMoved = 0.05;  ///< trust in the tones, weights of the predictions: more are other margins
@@ -60,7 +61,7 @@ StoredTurningService::StoredTurningService(const Links& links)
                  [this](const RecipeRevision& revision, const std::string& author, const std::string& reason,
                         Done done) { restoreRevision(revision, author, reason, std::move(done)); }}),
       m_lots({m_links.writer, m_links.engine, m_links.lots, ProcessId::Turning, m_links.rights,
-              [] { return std::string(kPartType); }, [this] { return turningSetupJson(m_view.setup); },
+              [] { return std::string(kPartType); }, [this] { return recipeJson(); },
               [this] { return m_sentSetup == m_view.setup.revision && m_way.settled(); }, m_links.machineKind}) {
     m_view.setup.revision = 1;
     restore();
@@ -74,17 +75,21 @@ StoredTurningService::StoredTurningService(const Links& links)
 StoredTurningService::~StoredTurningService() = default;
 
 void StoredTurningService::restore() {
+    bool saysLaw = false;
     if (const auto recipes = m_recipes.newest(); recipes && !recipes->empty()) {
-        if (const auto setup = turningSetupFrom(recipes->back().revision.parametersJson)) {
-            m_view.setup = *setup;
-            m_lots.use(recipes->back().revision.id);
+        const RecipeRevision& newest = recipes->back().revision;
+        if (const auto recipe = turningRecipeFrom(newest.parametersJson, m_view.controller)) {
+            m_view.setup = recipe->setup;
+            m_view.controller = recipe->controller;
+            m_lots.use(newest.id);
         } else {
             m_way.setStoreProblem(
                 Sentence(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
         }
+        saysLaw = turningRecipeSaysLaw(newest.parametersJson);
     }
-    if (const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kController, {}, 1); rows && !rows->empty()) {
-        m_view.controller = turningControllerFrom(rows->front().bodyJson).value_or(m_view.controller);
+    if (!saysLaw) {
+        bringLaw();
     }
     const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kPart, {}, kPartsShown);
     if (!rows) {
@@ -101,6 +106,20 @@ void StoredTurningService::restore() {
         m_view.live = m_view.parts.back().spectrum;
     }
     compare();
+}
+
+void StoredTurningService::bringLaw() {
+    const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kController, {}, 1);
+    const auto law = rows && !rows->empty() ? turningControllerFrom(rows->front().bodyJson) : std::nullopt;
+    if (!law) {
+        return;
+    }
+    m_view.controller = *law;
+    m_way.keep(
+        [this](StoreWriter::Done stored) {
+            m_recipes.keep(kPartType, recipeJson(), kAuthor, kBrought, std::nullopt, std::move(stored));
+        },
+        [this](const Receipt& revision) { m_lots.use(revision.id); }, {});
 }
 
 std::span<const ParamSpec> StoredTurningService::setupSpecs() const {
@@ -142,32 +161,47 @@ void StoredTurningService::store(const char* kind, std::string subject, std::str
 
 void StoredTurningService::loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason,
                                      Done done) {
-    accept(setup, author, reason, std::nullopt, std::move(done));
+    accept(mayAccept(setup, author, reason), {setup, asked().controller}, author,
+           reason.empty() ? "setup changed" : reason, std::nullopt, std::move(done));
 }
 
 void StoredTurningService::restoreRevision(const RecipeRevision& revision, const std::string& author,
                                            const std::string& reason, Done done) {
-    if (const auto setup = turningSetupFrom(revision.parametersJson)) {
-        return accept(*setup, author, reason, revision.revision, std::move(done));
+    const auto recipe = turningRecipeFrom(revision.parametersJson, asked().controller);
+    if (!recipe) {
+        return answer(done, fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
     }
-    if (done) {
-        done(fail(KERF_TEXT("This recipe revision is of another version, or cannot be used.")));
-    }
+    const auto may = mayAccept(recipe->setup, author, reason);
+    const bool otherLaw = recipe->controller != asked().controller;
+    accept(may && otherLaw ? permitted(m_links.rights, author, Deed::TurningLaw) : may, *recipe, author, reason,
+           revision.revision, std::move(done));
 }
 
-void StoredTurningService::accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
-                                  std::optional<std::uint32_t> restoredFrom, Done done) {
-    TurningSetup next = setup;
-    next.revision = m_view.setup.revision + 1;
+void StoredTurningService::accept(const Result<void>& may, const TurningRecipe& recipe, const std::string& author,
+                                  const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done) {
+    TurningRecipe next = recipe;
+    // Where only the law is another one, the loop has the setup already.
+    next.setup.revision = asked().setup.revision;
+    if (turningRecipeJson(next) != turningRecipeJson({asked().setup, next.controller})) {
+        ++next.setup.revision;
+    }
     const auto store = [&](StoreWriter::Done stored) {
-        m_recipes.begin(kPartType, turningSetupJson(m_view.setup), kAuthor);
-        m_recipes.keep(kPartType, turningSetupJson(next), author, reason.empty() ? "setup changed" : reason,
-                       restoredFrom, std::move(stored));
+        m_asked.ask(next);
+        m_recipes.begin(kPartType, recipeJson(), kAuthor);
+        m_recipes.keep(
+            kPartType, turningRecipeJson(next), author, reason, restoredFrom,
+            [this, alive = std::weak_ptr(m_alive), stored = std::move(stored)](const Result<Receipt>& receipt) {
+                if (alive.lock()) {
+                    m_asked.answered();
+                    stored(receipt);
+                }
+            });
     };
     m_way.change(
-        mayAccept(setup, author, reason), store,
+        may, store,
         [this, next](const Receipt& revision) {
-            m_view.setup = next;
+            m_view.setup = next.setup;
+            m_view.controller = next.controller;
             m_lots.use(revision.id);
             recall();
             (void)followBlindTones(m_links.engine.status());
@@ -187,26 +221,20 @@ Result<void> StoredTurningService::mayAccept(const TurningSetup& setup, const st
 }
 
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
-    if (const auto may = permitted(m_links.rights, author, Deed::TurningLaw); !may) {
-        if (done) {
-            done(may);
-        }
-        return;
-    }
-    store(kController, {}, turningControllerJson(controller), author, "law chosen", std::move(done),
-          [this, controller] {
-              m_view.controller = controller;
-              send();
-          });
+    accept(permitted(m_links.rights, author, Deed::TurningLaw), {asked().setup, controller}, author, "law chosen",
+           std::nullopt, std::move(done));
 }
 
 void StoredTurningService::send() {
     if (m_sentSetup != m_view.setup.revision) {
-        m_way.owe(LoadTurningSetup{m_view.setup, m_lots.withLoad()});
+        m_way.owe(
+            LoadTurningSetup{m_view.setup, m_lots.withLoad()},
+            [wanted = m_view.setup.revision](const Status& status) { return status.turning.nextSetup == wanted; });
         m_sentSetup = m_view.setup.revision;
     }
     if (m_sentController != m_view.controller) {
-        m_way.owe(SetTurningController{m_view.controller});
+        m_way.owe(SetTurningController{m_view.controller},
+                  [wanted = m_view.controller](const Status& status) { return status.turning.controller == wanted; });
         m_sentController = m_view.controller;
     }
 }

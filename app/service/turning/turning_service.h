@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 
+#include "app/service/asked_recipe.h"
 #include "app/service/change_way.h"
 #include "app/service/lot_book.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
+#include "app/service/turning/turning_records.h"
 #include "db/api/room_records.h"
 #include "db/api/store_writer.h"
 #include "engine/api/engine_api.h"
@@ -20,9 +22,10 @@
 
 namespace kerf {
 
-/// The turning service on the database: the setup is a recipe, controller and every part are room records
-/// ("controller", "part"); stored first and then sent to the engine. A restart reads them again and goes on where it
-/// was: the next part begins with the process and the tones of the stored ones (turning_memory.h).
+/// The turning service on the database: setup and law are a recipe, every part is a room record ("part"; a "controller"
+/// of before the law stood in the recipe is brought into it); stored first and then sent to the engine. A restart reads
+/// them again and goes on where it was: the next part begins with the process and the tones of the stored ones
+/// (turning_memory.h).
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
 class StoredTurningService final : public TurningService {
@@ -52,7 +55,9 @@ class StoredTurningService final : public TurningService {
     void loadSetup(const TurningSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
     [[nodiscard]] LotService* lots() override { return &m_lots; }
-    /// Limits have made this revision of the setup.
+    /// What holds, as it is stored.
+    [[nodiscard]] std::string recipeJson() const { return turningRecipeJson({m_view.setup, m_view.controller}); }
+    /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision) { m_lots.use(revision); }
     void setController(TurningController controller, const std::string& author, Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
@@ -86,8 +91,12 @@ class StoredTurningService final : public TurningService {
 
     void restore();
     /// Checked, stored as a revision of the recipe, then sent.
-    void accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
-                std::optional<std::uint32_t> restoredFrom, Done done);
+    void accept(const Result<void>& may, const TurningRecipe& recipe, const std::string& author,
+                const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done);
+    /// What the recipe was asked to be last.
+    [[nodiscard]] TurningRecipe asked() const { return m_asked.from({m_view.setup, m_view.controller}); }
+    /// A law of before it stood in the recipe.
+    void bringLaw();
     void restoreRevision(const RecipeRevision& revision, const std::string& author, const std::string& reason,
                          Done done);
     [[nodiscard]] Result<void> mayAccept(const TurningSetup& setup, const std::string& author,
@@ -111,6 +120,8 @@ class StoredTurningService final : public TurningService {
     StoredRecipeHistory m_history;
     LotBook m_lots;
     TurningServiceView m_view{};
+    AskedRecipe<TurningRecipe> m_asked{};
+    std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
     std::uint32_t m_sentSetup{0};
     std::optional<TurningController> m_sentController{};
     SurfaceSum m_sum{};

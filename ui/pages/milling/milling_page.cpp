@@ -12,6 +12,7 @@
 #include "ui/link/texts.h"
 #include "ui/pages/milling/blank_form.h"
 #include "ui/pages/milling/cut_log.h"
+#include "ui/pages/milling/milling_texts.h"
 #include "ui/pages/milling/setup_form.h"
 #include "ui/pages/milling/tool_memory_sheet.h"
 #include "ui/shell/last_verdict.h"
@@ -60,13 +61,9 @@ void MillingPage::build() {
     m_setup = add("millingSetup", [this, author] {
         context().withOperator([this, author] {
             MillingSetupForm::open(context().sheets, look(), *m_service, author);
-            offerRecipeSheet(context(), m_service->recipes(), Deed::MillingSetup,
-                             [this](const std::string& key) -> const ParamSpec* {
-                                 const auto fields = m_service->fields();
-                                 const auto found = std::ranges::find_if(
-                                     fields, [&key](const MillingField& field) { return key == field.spec.key; });
-                                 return found == fields.end() ? nullptr : &found->spec;
-                             });
+            offerRecipeSheet(
+                context(), m_service->recipes(), Deed::MillingSetup,
+                [this](const std::string& key) { return millingRecipeSpec(*m_service, key); }, millingRecipeWord);
             offerLimitsSheet(context(), ProcessId::Milling);
             offerLotSheet(context(), m_service->lots());
         });

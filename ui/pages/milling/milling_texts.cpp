@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 namespace kerf::ui {
@@ -50,6 +51,32 @@ QString cutText(const MillingCutView& view, const UnitSystem& units) {
     }
     const QString head = view.complete ? Milling::tr("Cut %1: %2.") : Milling::tr("Cut %1, aborted: %2.");
     return head.arg(view.number).arg(parts.join(QStringLiteral("; ")));
+}
+
+const ParamSpec* millingRecipeSpec(const MillingService& service, const std::string& key) {
+    static const ParamSpec kLaw{"milling.law", KERF_TEXT("Law"), "", 0.0, 0.0, 0.0, 0, ""};
+    static const ParamSpec kBlank{"blank", KERF_TEXT("Blank profile"), "mm", 0.0, 0.0, 0.0, 3, ""};
+    if (key == kLaw.key) {
+        return &kLaw;
+    }
+    if (key.starts_with("blank.")) {
+        return &kBlank;
+    }
+    const auto fields = service.fields();
+    const auto found =
+        std::ranges::find_if(fields, [&key](const MillingField& field) { return key == field.spec.key; });
+    return found == fields.end() ? nullptr : &found->spec;
+}
+
+QString millingRecipeWord(const std::string& key, const QString& stored) {
+    if (key == "milling.law") {
+        return stored == QLatin1String("constant")  ? lawName(MillingLaw::Constant)
+               : stored == QLatin1String("pi")      ? lawName(MillingLaw::Pi)
+               : stored == QLatin1String("model")   ? lawName(MillingLaw::Model)
+               : stored == QLatin1String("preview") ? lawName(MillingLaw::Preview)
+                                                    : QString();
+    }
+    return key == "blank.source" && stored.isEmpty() ? Milling::tr("typed", "blank profile") : QString();
 }
 
 }  // namespace kerf::ui

@@ -22,4 +22,8 @@ inline constexpr int kStiffnessDecimals = 2;
 /// One cut in a sentence: times, peak and where, waviness; advised cuts say what control would have done.
 [[nodiscard]] QString cutText(const MillingCutView& cut, const UnitSystem& units);
 
+/// What a value of the recipe is called, and a stored text in words; null, empty: by its key, as it is stored.
+[[nodiscard]] const ParamSpec* millingRecipeSpec(const MillingService& service, const std::string& key);
+[[nodiscard]] QString millingRecipeWord(const std::string& key, const QString& stored);
+
 }  // namespace kerf::ui

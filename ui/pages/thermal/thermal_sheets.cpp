@@ -512,18 +512,25 @@ void ThermalSheets::openLimits() {
     use->setPredicate(whyNot);
     for (ValueField* field : fields)
         QObject::connect(field, &ValueField::edited, use, [use] { use->reconsider(); });
-    sheet->addButton(use, [this, fields, between, now, reason] {
+    const auto typed = [fields, between, now] {
         ThermalSetup next = now;
         next.betweenParts = between->isChecked();
         const std::array targets{&next.allowed_um,       &next.period_min,      &next.maxShift_um,
                                  &next.maxStep_umPerMin, &next.warmUpSpeed_rpm, &next.warmUp_min};
         for (std::size_t i = 0; i < targets.size(); ++i)
             *targets[i] = fields[i]->value().value_or(*targets[i]);
-        withAuthor(Deed::ThermalLimits,
-                   [this, next, why = reason->text().trimmed().toStdString()](const std::string& author) {
-                       return m_service.changeSetup(next, author, why);
-                   });
-    });
+        return next;
+    };
+    const auto keep = [this, sheet = QPointer(sheet), use, typed, reason] {
+        if (!sheet) return;  // closed by the question who is there
+        const auto told = [context = m_context, there = QPointer(&m_context.sheets)](const Result<void>& result) {
+            if (result && there) context.notify(tr("The new limits are stored and hold from now on."));
+        };
+        m_service.changeSetup(typed(), m_context.session.author(), reason->text().trimmed().toStdString(),
+                              sheet->whenStored(use, told));
+    };
+    sheet->addButton(
+        use, [this, keep] { m_context.withPermission(Deed::ThermalLimits, keep); }, false);
     offerRecipeSheet(
         m_context, m_service.recipes(), Deed::ThermalLimits, [](const std::string& key) -> const ParamSpec* {
             const std::string whole = "thermal." + key;

@@ -149,11 +149,8 @@ void TurningPage::openSetup(const TurningSetup& setup) {
     TurningSetupForm::open(
         context().sheets, look(), *m_service, [this] { return context().session.author(); }, setup, context().notify);
     offerRecipeSheet(
-        context(), m_service->recipes(), Deed::TurningSetup, [this](const std::string& key) -> const ParamSpec* {
-            const auto specs = m_service->setupSpecs();
-            const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
-            return found == specs.end() ? nullptr : &*found;
-        });
+        context(), m_service->recipes(), Deed::TurningSetup,
+        [this](const std::string& key) { return turningRecipeSpec(*m_service, key); }, turningRecipeWord);
     offerLimitsSheet(context(), ProcessId::Turning);
     offerLotSheet(context(), m_service->lots());
 }

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 
 namespace kerf::ui {
 namespace {
@@ -54,6 +55,25 @@ QString toneList(const TurningSetup& setup) {
     }
     return tones.isEmpty() ? QStringLiteral("–")
                            : tones.join(QStringLiteral(", ")) + QChar(QChar::Nbsp) + QStringLiteral("Hz");
+}
+
+const ParamSpec* turningRecipeSpec(const TurningService& service, const std::string& key) {
+    static const ParamSpec kLaw{"turning.law", KERF_TEXT("Law"), "", 0.0, 0.0, 0.0, 0, ""};
+    if (key == kLaw.key) {
+        return &kLaw;
+    }
+    const auto specs = service.setupSpecs();
+    const auto found = std::ranges::find_if(specs, [&key](const ParamSpec& spec) { return key == spec.key; });
+    return found == specs.end() ? nullptr : &*found;
+}
+
+QString turningRecipeWord(const std::string& key, const QString& stored) {
+    return key != "turning.law"               ? QString()
+           : stored == QLatin1String("open")  ? controllerName(TurningController::Open)
+           : stored == QLatin1String("paper") ? controllerName(TurningController::Paper)
+           : stored == QLatin1String("pi")    ? controllerName(TurningController::Pi)
+           : stored == QLatin1String("tones") ? controllerName(TurningController::Tones)
+                                              : QString();
 }
 
 }  // namespace kerf::ui
