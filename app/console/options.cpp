@@ -59,6 +59,9 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     app.add_option("--speed", options.simulationSpeed,
                    "Simulator: machine time per wall time, 1 to 1000; 0 = as fast as it can")
         ->check(CLI::Range(0.0, 1000.0))
+        ->check([](const std::string& text) {  // which that range lets pass
+            return text.find_first_of("nN") == std::string::npos ? std::string() : text + " is no number";
+        })
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Simulator: seed of its noise")->capture_default_str();
     app.add_option("--machine-seed", options.machineSeed,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,22 @@ constexpr int kDone = 0;
 constexpr int kWrongUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kProgramFault = 1;
+
+/// No option takes "nan": CLI::Range lets it pass, because it asks whether a value lies outside.
+void refuseNan(CLI::App& app) {
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_type_name().starts_with("FLOAT")) {
+            option->check([](const std::string& text) {
+                double value = 0.0;
+                const bool number = CLI::detail::lexical_cast(text, value);
+                return number && std::isnan(value) ? text + " is no number" : std::string();
+            });
+        }
+    }
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+        refuseNan(*command);
+    }
+}
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -23,6 +40,7 @@ int main(int argc, char** argv) {
     for (const auto& add : kerf::headless::kCommands) {
         add(kerf);
     }
+    refuseNan(kerf);
     try {
         kerf.parse(argc, argv);
         kerf::files::finishOut();  // what was printed by other means is on the disk, or this is no success

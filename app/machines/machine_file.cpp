@@ -91,8 +91,8 @@ std::array<bool, kProcessPlaces> hostsFrom(const JsonKeys& keys) {
             for (const ProcessDescriptor* known : processes()) {
                 names.emplace_back(known->key);
             }
-            throw MachineFileFault(
-                fmt::format("hosts[{}]: '{}' is no process; expected one of {}.", i, word, fmt::join(names, ", ")));
+            throw MachineFileFault(fmt::format("hosts[{}]: '{}' is no process; expected one of {}.", i,
+                                               sensors::brief(word), fmt::join(names, ", ")));
         }
         ++i;
     }
@@ -107,7 +107,7 @@ void commandsFrom(const Json& json, MachineDescription& machine) {
         throw MachineFileFault(
             fmt::format("commands.host: '{}' is another computer; expected 127.0.0.1, because the "
                         "commands travel in the clear.",
-                        machine.commandHost));
+                        sensors::brief(machine.commandHost)));
     }
     machine.commandPort = static_cast<std::uint16_t>(keys.integer("port", 1, 65535, machine.commandPort));
     machine.passwordFile = keys.text("password_file", "");

@@ -47,6 +47,7 @@ void GaugeLine::look() {
         return;
     }
     m_text.clear();
+    m_noise = false;
     (void)m_port.open(QIODevice::ReadWrite);
 }
 
@@ -60,11 +61,15 @@ void GaugeLine::read() {
     for (auto end = std::ranges::find_if(m_text, isEnd); end != m_text.end();
          end = std::ranges::find_if(m_text, isEnd)) {
         const qsizetype length = end - m_text.begin();
-        take(m_text.left(length));
+        if (!m_noise) {
+            take(m_text.left(length));
+        }
+        m_noise = false;
         m_text.remove(0, length + 1);
     }
-    if (m_text.size() > kLongestLine) {  // a line without an end is noise
+    if (m_text.size() > kLongestLine) {  // a line without an end is noise, and so is what ends it
         m_text.clear();
+        m_noise = true;
     }
 }
 

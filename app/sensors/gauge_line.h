@@ -37,6 +37,7 @@ class GaugeLine : public QObject {
     QSerialPort m_port;
     QTimer m_again;
     QByteArray m_text;
+    bool m_noise{false};  ///< until the line ends
 };
 
 }  // namespace kerf::sensors

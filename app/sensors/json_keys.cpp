@@ -19,11 +19,17 @@ constexpr std::size_t kMostKeys = 1000;   // of one object: each new one is comp
 constexpr std::size_t kLongestName = 22;  // of a sentence's argument
 
 std::string shown(const Json& value) {
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() > 40 ? std::string(beginOf(text, 37)) + "..." : text;
+    return brief(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
+
+std::string brief(const std::string& text) {
+    std::string out = text.size() > 40 ? std::string(beginOf(text, 37)) + "..." : text;
+    std::ranges::replace_if(
+        out, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+    return out;
+}
 
 Json parseStrictly(const std::string& text) {
     std::vector<std::set<std::string>> open;
@@ -66,7 +72,7 @@ Json parseStrictly(const std::string& text) {
             fmt::format("the file: more than {} keys in one object; expected a sensor file.", kMostKeys));
     }
     if (!twice.empty()) {
-        throw SensorFileFault(fmt::format("{}: the key stands twice in one object; expected it once.", twice));
+        throw SensorFileFault(fmt::format("{}: the key stands twice in one object; expected it once.", brief(twice)));
     }
     return json;
 }
@@ -79,7 +85,7 @@ JsonKeys::JsonKeys(const Json& object, std::string where) : m_object(object), m_
 }
 
 std::string JsonKeys::path(const std::string& key) const {
-    return m_where.empty() ? key : m_where + '.' + key;
+    return m_where.empty() ? brief(key) : m_where + '.' + brief(key);
 }
 
 void JsonKeys::only(std::initializer_list<const char*> known, const char* ofWhat) const {
@@ -125,7 +131,7 @@ std::string JsonKeys::name(const std::string& key) const {
     if (found.size() > kLongestName || !plain) {
         throw SensorFileFault(
             fmt::format("{}: '{}' is no name; expected 1 to {} bytes without comma, quote or line end.", path(key),
-                        found, kLongestName));
+                        brief(found), kLongestName));
     }
     return found;
 }
@@ -193,7 +199,7 @@ const Json& JsonKeys::list(const std::string& key) const {
 void JsonKeys::refuseWord(const std::string& key, const std::string& word,
                           const std::vector<std::string>& words) const {
     throw SensorFileFault(
-        fmt::format("{}: '{}' is not known; expected one of {}.", path(key), word, fmt::join(words, ", ")));
+        fmt::format("{}: '{}' is not known; expected one of {}.", path(key), brief(word), fmt::join(words, ", ")));
 }
 
 }  // namespace kerf::sensors

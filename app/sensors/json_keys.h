@@ -18,6 +18,9 @@ using Json = nlohmann::ordered_json;
 /// @throws SensorFileFault with line and column; also for a key that stands twice in an object
 [[nodiscard]] Json parseStrictly(const std::string& text);
 
+/// Of a text from a file, as a sentence of one line has room for it: 40 bytes at the most, no control characters.
+[[nodiscard]] std::string brief(const std::string& text);
+
 class JsonKeys {
  public:
     /// @param where path of the object, "modules[2]"; empty for the whole file. @throws SensorFileFault: no object

@@ -64,10 +64,15 @@ class Scanner {
     std::string identity(int unit) {
         const QModbusRequest question(QModbusRequest::EncapsulatedInterfaceTransport, QByteArray::fromHex("0e0100"));
         const auto reply = finished(connectNow() ? m_client.sendRawRequest(question, unit) : nullptr);
-        if (!reply || reply->error() != QModbusDevice::NoError) {
+        // Qt calls every answer to a raw question invalid, and hands it over.
+        const bool answered = reply && (reply->error() == QModbusDevice::NoError ||
+                                        reply->error() == QModbusDevice::InvalidResponseError);
+        const QModbusResponse answer = answered ? reply->rawResult() : QModbusResponse();
+        if (!answer.isValid() || answer.functionCode() != QModbusRequest::EncapsulatedInterfaceTransport ||
+            !answer.data().startsWith('\x0E')) {
             return {};
         }
-        const QByteArray data = reply->rawResult().data();
+        const QByteArray data = answer.data();
         std::string text;
         for (qsizetype at = 6;
              at + 2 <= data.size();) {  // MEI type, code, level, more, next, count; then id, length, text
@@ -76,7 +81,9 @@ class Scanner {
             if (!text.empty()) {
                 text += ' ';
             }
-            text += part.toStdString();
+            for (const char c : part) {  // ASCII by the standard; what is not would be no JSON
+                text += c >= ' ' && c <= '~' ? c : '?';
+            }
             at += 2 + length;
         }
         return text;

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <tuple>
 
+#include "app/sensors/gauge_frames.h"
 #include "app/sensors/json_keys.h"
 
 namespace kerf::sensors {
@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kHighestAddress = 65535;
 constexpr double kLargest = 1e9;
+constexpr std::size_t kLargestFile = 4'000'000;  // bytes; a pipe or device never ends
 
 Parity parityFrom(const JsonKeys& keys) {
     return keys.choice<Parity>("parity", {{"none", Parity::None}, {"even", Parity::Even}, {"odd", Parity::Odd}},
@@ -76,7 +77,9 @@ StatusRegister statusFrom(const Json& json, const std::string& where, int functi
     StatusRegister status;
     status.function = keys.integer("function", 1, 4, function);
     status.address = keys.integer("address", 0, kHighestAddress);
-    for (const double value : keys.numbers("bad", -2147483648.0, 4294967295.0, true)) {
+    // What the register can never hold would leave its fault unseen.
+    const bool bit = status.function <= 2;
+    for (const double value : keys.numbers("bad", bit ? 0.0 : -32768.0, bit ? 1.0 : 65535.0, true)) {
         status.bad.push_back(static_cast<std::int64_t>(value));
     }
     if (status.bad.empty()) {
@@ -101,7 +104,7 @@ int pinFrom(const JsonKeys& keys, Quantity quantity) {
     throw SensorFileFault(
         fmt::format("{}: '{}' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to "
                     "kerf.temperature-{} for a temperature.",
-                    keys.path("pin"), pin, kMostHalTemperatures - 1));
+                    keys.path("pin"), brief(pin), kMostHalTemperatures - 1));
 }
 
 void requireUnit(const JsonKeys& keys, Quantity quantity) {
@@ -114,7 +117,7 @@ void requireUnit(const JsonKeys& keys, Quantity quantity) {
         throw SensorFileFault(
             fmt::format("{}: '{}' is not the unit of a {}; expected {}, which scale and offset bring "
                         "the register to.",
-                        keys.path("unit"), keys.text("unit"), name, unit));
+                        keys.path("unit"), brief(keys.text("unit")), name, unit));
     }
 }
 
@@ -126,7 +129,7 @@ Channel channelFrom(const Json& json, const std::string& where, const std::vecto
     const auto found = std::ranges::find(modules, module, &Module::name);
     if (found == modules.end()) {
         throw SensorFileFault(fmt::format("{}: there is no module '{}'; expected the name of one in modules.",
-                                          keys.path("module"), module));
+                                          keys.path("module"), brief(module)));
     }
     channel.module = static_cast<std::size_t>(found - modules.begin());
     channel.quantity = keys.choice<Quantity>(
@@ -200,6 +203,9 @@ Gauge gaugeFrom(const Json& json, const std::string& where) {
                                                     keys.path("pattern")));
     }
     gauge.pattern = keys.text("pattern", "");
+    if (const std::string fault = pattern ? whyNotAPattern(gauge.pattern) : std::string(); !fault.empty()) {
+        throw SensorFileFault(fmt::format("{}: '{}': {}.", keys.path("pattern"), brief(gauge.pattern), fault));
+    }
     if (keys.has("depths")) {
         const Json& depths = keys.value("depths");
         if (!depths.is_object()) {
@@ -235,7 +241,7 @@ void requireSameLine(const std::vector<Module>& modules) {
                     throw SensorFileFault(fmt::format(
                         "modules[{}].baud: modules[{}] is on the same line {} with other settings; expected the same "
                         "baud, parity and stop_bits.",
-                        i, k, b.device));
+                        i, k, brief(b.device)));
                 }
                 if (a.unit == b.unit) {
                     throw SensorFileFault(
@@ -244,6 +250,25 @@ void requireSameLine(const std::vector<Module>& modules) {
                                     i, b.unit, k));
                 }
             }
+        }
+    }
+}
+
+/// A serial device is opened by one reader: a gauge that shares it would never be plugged in.
+void requireOwnDevice(const SensorFile& file) {
+    for (std::size_t i = 0; i < file.gauges.size(); ++i) {
+        const std::string& device = file.gauges[i].device;
+        const auto other = std::ranges::find(file.gauges, device, &Gauge::device);
+        const auto module = std::ranges::find_if(file.modules, [&device](const Module& one) {
+            return one.transport == Transport::Rtu && one.device == device;
+        });
+        const auto k = static_cast<std::size_t>(other - file.gauges.begin());
+        if (k < i || module != file.modules.end()) {
+            throw SensorFileFault(fmt::format(
+                "gauges[{}].device: {} is the device of {}[{}] too; expected one of its own (the channels of a "
+                "multiplexer belong to one gauge).",
+                i, brief(device), k < i ? "gauges" : "modules",
+                k < i ? k : static_cast<std::size_t>(module - file.modules.begin())));
         }
     }
 }
@@ -335,6 +360,7 @@ SensorFile parseSensorFile(const std::string& text) {
         requireDifferentNames(file.gauges, "gauges");
     }
     requireSameLine(file.modules);
+    requireOwnDevice(file);
     requireRoom(file);
     lookForSlips(file);
     return file;
@@ -342,11 +368,15 @@ SensorFile parseSensorFile(const std::string& text) {
 
 SensorFile readSensorFile(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
-    std::ostringstream all;
-    all << in.rdbuf();
-    const std::string text = all.str();
+    std::string text(kLargestFile + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
     if (!in.is_open() || text.empty()) {
         throw SensorFileFault(fmt::format("{}: cannot be read, or is empty; expected a sensor file.", path));
+    }
+    if (text.size() > kLargestFile) {
+        throw SensorFileFault(
+            fmt::format("{}: larger than {} MB; expected a sensor file.", path, kLargestFile / 1'000'000));
     }
     try {
         return parseSensorFile(text);

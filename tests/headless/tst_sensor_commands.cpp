@@ -66,6 +66,11 @@ class TestSensorCommands : public QObject {
         QCOMPARE(runKerf({"sensors", "check", QStringLiteral("nothing.json")}).exitCode, 3);
         QCOMPARE(runKerf({"sensors", "check"}).exitCode, 2);
         QCOMPARE(runKerf({"sensors", "watch", written(fileFor(502)), "--seconds", "-1"}).exitCode, 2);
+        for (const char* option : {"--seconds", "--period"}) {  // "nan" lies outside no range
+            run = runKerf({"sensors", "watch", written(fileFor(502)), option, "nan"});
+            QCOMPARE(run.exitCode, 2);
+            QVERIFY2(run.err.contains(QStringLiteral("nan is no number")), qPrintable(run.err));
+        }
         QCOMPARE(runKerf({"sensors", "scan", "--modbus", "127.0.0.1:0"}).exitCode, 3);
     }
     void watchPrintsEveryChannelAndNoNumberThatIsNone() {
@@ -118,6 +123,7 @@ class TestSensorCommands : public QObject {
         const Json& second = units[0]["answers"][1];  // the tenth register is found though a block of 8 is refused
         QCOMPARE(second["address"].get<int>(), 8);
         QCOMPARE(second["registers"][0].get<int>(), 77);
+        QCOMPARE(units[0]["identity"].get<std::string>(), std::string("Kerf TH8? 2.1"));  // a letter that is no ASCII
     }
     void scanOfNobodyIsRefused() {
         const KerfRun run = runKerf({"sensors", "scan", "--modbus", "127.0.0.1:1"});

@@ -87,10 +87,18 @@ class TestSensorFile : public QObject {
         row("/channels/0/address", "-1", "channels[0].address: -1 is out of range");
         row("/channels/0/type", R"("int8")", "channels[0].type: 'int8' is not known");
         row("/channels/0/words", R"("middle")", "channels[0].words: 'middle' is not known");
+        row("/channels/0/name", R"("a\nb")", "channels[0].name: 'a?b' is no name");
+        row("/channels/0/module", R"("A\r\n")", "channels[0].module: there is no module 'A");
+        row("/a key whose name goes on for longer than any line", "1",
+            "a key whose name goes on for longer t...: unknown key");
         row("/channels/0/scale", "0", "channels[0].scale: 0 makes every reading the same");
         row("/channels/0/scale", R"("x")", "channels[0].scale: \"x\" is out of range");
         row("/channels/0/invalid", "[40000]", "channels[0].invalid[0]: 40000 is out of range");
         row("/channels/0/status/bad", "[]", "channels[0].status.bad: no value in it");
+        // What a register of 16 bits or a bit can never hold would leave the fault unseen.
+        row("/channels/0/status/bad", "[1, 65536]", "channels[0].status.bad[1]: 65536 is out of range");
+        row("/channels/0/status", R"({"address": 7, "function": 2, "bad": [2]})",
+            "channels[0].status.bad[0]: 2 is out of range");
         row("/channels/0/quantity", R"("pressure")", "channels[0].quantity: 'pressure' is not known");
         row("/channels/0/quantity", R"("force")", "channels[0].quantity: a force is too fast");
         row("/channels/0/unit", R"("degF")", "channels[0].unit: 'degF' is not the unit of a temperature");
@@ -175,6 +183,29 @@ class TestSensorFile : public QObject {
         QCOMPARE(complaint(json), std::string());
         json["modules"][3]["baud"] = 9600;
         QVERIFY(complaint(json).starts_with("modules[3].baud: modules[1] is on the same line"));
+    }
+    void aGaugeHasADeviceOfItsOwnAndAPatternThatIsOne() {
+        Json json = contract();
+        json["gauges"] = {{{"name", "G1"}, {"device", "/dev/ttyUSB1"}, {"protocol", "mahr"}}};
+        QCOMPARE(complaint(json), std::string());
+        json["gauges"].push_back({{"name", "G2"}, {"device", "/dev/ttyUSB1"}, {"protocol", "digimatic"}});
+        QVERIFY(complaint(json).starts_with("gauges[1].device: /dev/ttyUSB1 is the device of gauges[0] too"));
+        json["gauges"][1]["device"] = "/dev/ttyUSB0";
+        QVERIFY(complaint(json).starts_with("gauges[1].device: /dev/ttyUSB0 is the device of modules[1] too"));
+        json["gauges"][1] = {{"name", "G2"}, {"device", "/dev/ttyUSB2"}, {"protocol", "pattern"}, {"pattern", "(["}};
+        QVERIFY(complaint(json).starts_with("gauges[1].pattern: '([': it is no regular expression"));
+        json["gauges"][1]["pattern"] = ".*";
+        QVERIFY(complaint(json).starts_with("gauges[1].pattern: '.*': it has no group"));
+        json["gauges"][1]["pattern"] = "^.*?([+-][0-9.]+).*$";
+        QCOMPARE(complaint(json), std::string());
+    }
+    void aFileWithoutAnEndIsRefused() {
+        try {
+            (void)readSensorFile("/dev/zero");
+            QFAIL("taken");
+        } catch (const SensorFileFault& fault) {
+            QCOMPARE(fault.what(), "/dev/zero: larger than 4 MB; expected a sensor file.");
+        }
     }
     void moreTemperaturesThanThereIsRoomForAreRefused() {
         Json json = contract();

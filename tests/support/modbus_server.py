@@ -20,6 +20,7 @@ import sys
 import tty
 
 from pymodbus.datastore import ModbusSequentialDataBlock, ModbusServerContext, ModbusSlaveContext
+from pymodbus.device import ModbusDeviceIdentification
 from pymodbus.server import async_io
 from pymodbus.transaction import ModbusRtuFramer
 
@@ -62,7 +63,9 @@ class Line:
 
 async def tcp_module(units):
     context = context_of(units)
-    inner = await async_io.StartAsyncTcpServer(context=context, address=("127.0.0.1", 0), defer_start=True)
+    identity = ModbusDeviceIdentification()
+    identity.VendorName, identity.ProductCode, identity.MajorMinorRevision = "Kerf", b"TH8\xb0", "2.1"
+    inner = await async_io.StartAsyncTcpServer(context=context, identity=identity, address=("127.0.0.1", 0), defer_start=True)
     asyncio.create_task(inner.serve_forever())
     await inner.serving
     inner_port = inner.server.sockets[0].getsockname()[1]

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kCutsShown = 25;
 constexpr std::uint32_t kMostRecords = 20'000;
-constexpr const char* kMemoryRecord = "tool_memory";
+constexpr const char* kToolMemoryRecord = "tool_memory";
 constexpr const char* kItself = "Kerf";
 constexpr double kSameRadius_mm = 1e-6;
 
@@ -109,7 +109,7 @@ void StoredMillingService::restorePast(RoomRecordReader& records) {
         }
     }
     for (RoomRecordRow& row :
-         keep(records.newestRoomRecords(ProcessId::Milling, kMemoryRecord), std::vector<RoomRecordRow>{})) {
+         keep(records.newestRoomRecords(ProcessId::Milling, kToolMemoryRecord), std::vector<RoomRecordRow>{})) {
         const auto since = static_cast<std::int64_t>(std::strtoll(row.subject.c_str(), nullptr, 10));
         m_toldOfPast.insert_or_assign(since, std::move(row));
     }
@@ -213,7 +213,7 @@ void StoredMillingService::leaveOut(std::int64_t since, bool out, const std::str
         return answer(done, fail(KERF_TEXT("There is no such tool.")));
     }
     const std::string body = out ? R"({"left_out":true})" : R"({"left_out":false})";
-    store(kMemoryRecord, std::to_string(since), body, author, reason, std::move(done),
+    store(kToolMemoryRecord, std::to_string(since), body, author, reason, std::move(done),
           [this, since, body, author, reason] {
               RoomRecordRow row;
               row.bodyJson = body;
