@@ -1395,10 +1395,6 @@
             <translation>Rev.</translation>
         </message>
         <message>
-            <source>Tool, gauge</source>
-            <translation>Tool, gauge</translation>
-        </message>
-        <message>
             <source>When, by</source>
             <translation>When, by</translation>
         </message>
@@ -1477,6 +1473,10 @@
         <message>
             <source>Lots</source>
             <translation>Lots</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Parts</translation>
         </message>
     </context>
     <context>

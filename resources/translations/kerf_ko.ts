@@ -1395,10 +1395,6 @@
             <translation>개정</translation>
         </message>
         <message>
-            <source>Tool, gauge</source>
-            <translation>공구, 게이지</translation>
-        </message>
-        <message>
             <source>When, by</source>
             <translation>언제, 누가</translation>
         </message>
@@ -1477,6 +1473,10 @@
         <message>
             <source>Lots</source>
             <translation>로트</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>공작물 수</translation>
         </message>
     </context>
     <context>

@@ -4,9 +4,11 @@
 #include <QPointer>
 #include <QTableWidget>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "db/migrator.h"
+#include "db/readers/database_reader.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
 #include "ui/help/help_texts.h"
@@ -253,6 +255,85 @@ class TestConsoleLots : public QObject {
         look(bench, "diagnostics");
         QVERIFY(bench.press("backup"));
         QTRY_VERIFY(bench.find<QPushButton>("backupFolder0") != nullptr);
+    }
+    /// A lot of taps is opened, tapped and closed at the page; each part names lot, revision and tool it was made with.
+    void aLotOfTapsIsOpenedTappedAndClosed() {
+        test::ConsoleBench bench;
+        start(bench, options(1, false));
+        signOn(bench, "Lee", ui::Role::Engineer);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.service().awaiting.has_value(), 60'000);  // the machine is free
+        bench.console().window()->showPage("tapping");
+        const auto openLots = [&bench] {
+            return bench.press("tappingJob") && bench.press("processLots") &&
+                   QTest::qWaitFor([&bench] { return bench.find<QTableWidget>("lotTable") != nullptr; });
+        };
+        const auto tapping = [&bench]() -> const TappingStatus& { return bench.status().tapping; };
+        const auto tap = [&bench, &tapping] {
+            const std::uint32_t before = tapping().taps;
+            return bench.press("tappingTap") && QTest::qWaitFor(
+                                                    [&] {
+                                                        return tapping().taps > before &&
+                                                               tapping().phase == TapPhase::Idle &&
+                                                               !disabled(bench, "tappingTap");
+                                                    },
+                                                    20'000);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find("tappingTap") != nullptr && !disabled(bench, "tappingTap"), 60'000);
+        QVERIFY(openLots());
+        QVERIFY(disabled(bench, "lotOpen"));
+        look(bench, "tapping_lots_none");
+        bench.find<QLineEdit>("lotName")->setText(QStringLiteral("T-1"));
+        bench.find<QLineEdit>("lotSize")->setText(QStringLiteral("2"));
+        bench.find<QLineEdit>("lotTool")->setText(QStringLiteral("M8 6HX, spiral point"));
+        bench.find<QLineEdit>("lotGauge")->setText(QStringLiteral("Thread plug 6H"));
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_VERIFY(bench.find<QTableWidget>("lotTable") != nullptr &&
+                    bench.find<QTableWidget>("lotTable")->rowCount() == 1);
+        look(bench, "tapping_lots");
+        QVERIFY(bench.press("sheetSafe"));
+        QTRY_COMPARE(bench.text("lotLine"), QStringLiteral("lot T-1"));
+        QVERIFY(tap());
+        QCOMPARE(tapping().kind, TapKind::Air);  // of a new job; it is no part
+        QVERIFY(tap());
+        QVERIFY(tap());
+        QCOMPARE(tapping().kind, TapKind::Production);
+        auto reader = *db::DatabaseReader::open(bench.console().databasePath());
+        PartQuery query;
+        query.process = ProcessId::Tapping;
+        QTRY_COMPARE_WITH_TIMEOUT(reader->parts(query)->size(), std::size_t{2}, 10'000);
+        const LotRow lot = reader->lots(std::nullopt, 10, ProcessId::Tapping)->front();
+        QCOMPARE(lot.name, std::string("T-1"));
+        QCOMPARE(lot.tool, std::string("M8 6HX, spiral point"));
+        QCOMPARE(lot.gauge, std::string("Thread plug 6H"));
+        const std::vector<PartRow> tapped = *reader->parts(query);
+        for (const PartRow& part : tapped) {
+            QCOMPARE(part.lot, std::optional(lot.id));
+            QCOMPARE(part.recipe, std::optional(lot.recipe));
+        }
+        // In Korean, with a lot that is closed and one that is not.
+        QVERIFY(bench.press("language"));
+        QVERIFY(openLots());
+        QVERIFY(disabled(bench, "lotClose"));  // not without a reason
+        bench.find<QLineEdit>("lotReason")->setText(QStringLiteral("2개 완료"));
+        QVERIFY(bench.press("lotClose"));
+        QTRY_VERIFY(bench.find<QTableWidget>("lotTable") != nullptr &&
+                    bench.find<QTableWidget>("lotTable")->item(0, 6)->text().contains(QStringLiteral("–")));
+        bench.find<QLineEdit>("lotName")->setText(QStringLiteral("T-2"));
+        QVERIFY(bench.press("lotOpen"));
+        QTRY_VERIFY(bench.find<QTableWidget>("lotTable") != nullptr &&
+                    bench.find<QTableWidget>("lotTable")->rowCount() == 2);
+        look(bench, "tapping_lots_ko");
+        QVERIFY(bench.press("lotLeave"));
+        QTRY_VERIFY(disabled(bench, "lotLeave"));
+        QVERIFY(bench.press("sheetSafe"));
+        QVERIFY(bench.find("lotLine") == nullptr);
+        QVERIFY(tap());  // of no lot again
+        QTRY_COMPARE_WITH_TIMEOUT(reader->parts(query)->size(), std::size_t{3}, 10'000);
+        QVERIFY(!reader->parts(query)->front().lot);
+        const auto lots = *reader->lots(std::nullopt, 10, ProcessId::Tapping);
+        QCOMPARE(std::ranges::count_if(lots, [](const LotRow& one) { return one.closedUtc_ms.has_value(); }), 1);
+        const auto verdict = reader->verifyAudit();
+        QVERIFY2(verdict && verdict->finding.empty(), verdict->finding.english().c_str());
     }
     void everyButtonAndFigureIsExplained_data() {
         QTest::addColumn<QString>("machine");

@@ -5,14 +5,13 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QEvent>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
-#include <QScroller>
 #include <QTableWidget>
 #include <memory>
 
+#include "ui/dialogs/list_table.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/texts.h"
 #include "ui/services/lot_service.h"
@@ -41,35 +40,31 @@ QString whenText(const LotView& lot) {
         return QDateTime::fromMSecsSinceEpoch(utc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     };
     const QString opened = text(lot.openedUtc_ms) + u' ' + QString::fromStdString(lot.openedBy);
-    return lot.closedUtc_ms ? opened + QStringLiteral(" – ") + text(*lot.closedUtc_ms) : opened;
+    return lot.closedUtc_ms
+               ? opened + QStringLiteral(" – ") + text(*lot.closedUtc_ms) + u' ' + QString::fromStdString(lot.closedBy)
+               : opened;
 }
 
-QTableWidget* makeTable(Look& look, const std::vector<LotView>& known, QWidget* parent) {
-    auto* table = new QTableWidget(static_cast<int>(known.size()), 5, parent);
-    table->setObjectName(QStringLiteral("lotTable"));
-    table->setHorizontalHeaderLabels(
-        {Lots::tr("Lot"), Lots::tr("Part type"), Lots::tr("Rev."), Lots::tr("Tool, gauge"), Lots::tr("When, by")});
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(look.metrics().touch());
-    table->setShowGrid(false);
-    QScroller::grabGesture(table->viewport(), QScroller::TouchGesture);
-    for (int row = 0; row < table->rowCount(); ++row) {
-        const LotView& lot = known[static_cast<std::size_t>(row)];
-        QStringList with{QString::fromStdString(lot.tool), QString::fromStdString(lot.gauge)};
-        with.removeAll(QString());
-        const QStringList cells{QString::fromStdString(lot.name), QString::fromStdString(lot.partType),
-                                QString::number(lot.recipeRevision), with.join(QStringLiteral(", ")), whenText(lot)};
-        for (int column = 0; column < cells.size(); ++column) {
-            table->setItem(row, column, new QTableWidgetItem(cells[column]));
+QTableWidget* makeTable(Look& look, const LotService& lots, const std::vector<LotView>& known, QWidget* parent) {
+    const auto now = lots.current();
+    QList<QStringList> rows;
+    int open = -1;
+    for (const LotView& lot : known) {
+        if (now && lot.id == now->id) {
+            open = static_cast<int>(rows.size());
         }
+        rows << QStringList{QString::fromStdString(lot.name),
+                            QString::fromStdString(lot.partType),
+                            QString::number(lot.recipeRevision),
+                            lot.size > 0 ? QString::number(lot.size) : QStringLiteral("–"),
+                            QString::fromStdString(lot.tool),
+                            QString::fromStdString(lot.gauge),
+                            whenText(lot)};
     }
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Stretch);
-    return table;
+    return makeListTable(look, "lotTable",
+                         {Lots::tr("Lot"), Lots::tr("Part type"), Lots::tr("Rev."), Lots::tr("Parts"),
+                          Lots::tr("Tool or insert"), Lots::tr("Gauge"), Lots::tr("When, by")},
+                         rows, {4, 5}, parent, open);
 }
 
 QLineEdit* makeField(const PageContext& context, const char* name, const QString& words, Sheet* sheet) {
@@ -124,7 +119,7 @@ void openLotSheet(const PageContext& context, LotService& lots) {
     Sheet* sheet = context.sheets.open(Lots::tr("Lots of %1").arg(QString::fromStdString(lots.partType())),
                                        read ? nowText(lots) : sentenceText(read.error(), context.look.units()));
     sheet->setWide();
-    QTableWidget* table = makeTable(context.look, known, sheet);
+    QTableWidget* table = makeTable(context.look, lots, known, sheet);
     QLineEdit* name = makeField(context, "lotName", Lots::tr("Name of a new lot"), sheet);
     QLineEdit* size = makeField(context, "lotSize", Lots::tr("Parts, if known"), sheet);
     QLineEdit* tool = makeField(context, "lotTool", Lots::tr("Tool or insert"), sheet);

@@ -3,15 +3,14 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
-#include <QScroller>
 #include <QTableWidget>
 #include <algorithm>
 
 #include "engine/api/part_results.h"
+#include "ui/dialogs/list_table.h"
 #include "ui/dialogs/sheet.h"
 #include "ui/link/reason_text.h"
 #include "ui/link/texts.h"
@@ -128,33 +127,18 @@ QString differenceText(std::vector<RecipeChangeView> changes, const Words& words
 }
 
 QTableWidget* makeTable(Look& look, const std::vector<RecipeRevisionView>& known, QWidget* parent) {
-    auto* table = new QTableWidget(static_cast<int>(known.size()), 3, parent);
-    table->setObjectName(QStringLiteral("recipeRevisions"));
-    table->setHorizontalHeaderLabels({Revisions::tr("Rev."), Revisions::tr("When, by"), Revisions::tr("Why")});
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(look.metrics().touch());
-    table->setShowGrid(false);
-    QScroller::grabGesture(table->viewport(), QScroller::TouchGesture);
-    for (int row = 0; row < table->rowCount(); ++row) {
-        const RecipeRevisionView& one = known[static_cast<std::size_t>(row)];
+    QList<QStringList> rows;
+    for (const RecipeRevisionView& one : known) {
         const QString when =
             QDateTime::fromMSecsSinceEpoch(one.createdUtc_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
         const QString why = one.restoredFrom ? withParticles(Revisions::tr("back to %1: %2", "revision, reason")
                                                                  .arg(*one.restoredFrom)
                                                                  .arg(reasonText(one.reason)))
                                              : reasonText(one.reason);
-        const QStringList cells{QString::number(one.revision), when + u' ' + QString::fromStdString(one.author), why};
-        for (int column = 0; column < cells.size(); ++column) {
-            table->setItem(row, column, new QTableWidgetItem(cells[column]));
-        }
+        rows << QStringList{QString::number(one.revision), when + u' ' + QString::fromStdString(one.author), why};
     }
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
-    return table;
+    return makeListTable(look, "recipeRevisions",
+                         {Revisions::tr("Rev."), Revisions::tr("When, by"), Revisions::tr("Why")}, rows, {2}, parent);
 }
 
 }  // namespace
