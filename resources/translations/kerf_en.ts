@@ -1112,10 +1112,6 @@
             <translation>Archive of parts</translation>
         </message>
         <message>
-            <source>The parts turned so far, with surface, force and trim of each.</source>
-            <translation>The parts turned so far, with surface, force and trim of each.</translation>
-        </message>
-        <message>
             <source>Automatic</source>
             <translation>Automatic</translation>
         </message>
@@ -1186,6 +1182,10 @@
         <message>
             <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
             <translation>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
+            <translation>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</translation>
         </message>
     </context>
     <context>
@@ -2470,6 +2470,10 @@
         <message>
             <source>new PIN</source>
             <translation>new PIN</translation>
+        </message>
+        <message>
+            <source>part left out of memory or taken in</source>
+            <translation>part left out of memory or taken in</translation>
         </message>
     </context>
     <context>
@@ -7585,6 +7589,18 @@
             <source>Speed feed-forward of Z</source>
             <translation>Speed feed-forward of Z</translation>
         </message>
+        <message>
+            <source>A part is being cut: leave parts out between two of them.</source>
+            <translation>A part is being cut: leave parts out between two of them.</translation>
+        </message>
+        <message>
+            <source>Leave a turned part out of memory</source>
+            <translation>Leave a turned part out of memory</translation>
+        </message>
+        <message>
+            <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
+            <translation>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -11767,6 +11783,34 @@
         <message>
             <source>target</source>
             <translation>target</translation>
+        </message>
+        <message>
+            <source>Reason to leave this part out of what the next ones begin from</source>
+            <translation>Reason to leave this part out of what the next ones begin from</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>Left out by %1: %2</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: none of this cut is sure.</source>
+            <translation>The first part after a start begins from the assumed process: none of this cut is sure.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from part %1; parts of this cut that count: %2.</source>
+            <translation>The first part after a start begins from part %1; parts of this cut that count: %2.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</source>
+            <translation>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
         </message>
     </context>
     <context>

@@ -1112,10 +1112,6 @@
             <translation>공작물 보관함</translation>
         </message>
         <message>
-            <source>The parts turned so far, with surface, force and trim of each.</source>
-            <translation>지금까지 가공한 공작물과 각각의 표면, 절삭력, 보정입니다.</translation>
-        </message>
-        <message>
             <source>Automatic</source>
             <translation>자동</translation>
         </message>
@@ -1186,6 +1182,10 @@
         <message>
             <source>Which rules of the charts are on, for page, report and alarm. Few at once: each alarms wrongly now and then.</source>
             <translation>켜져 있는 관리도 규칙입니다. 화면, 보고서, 알람에 적용됩니다. 규칙마다 가끔 잘못 울리므로 조금만 켜십시오.</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
+            <translation>지금까지 선삭한 공작물과 각각의 표면, 힘, 보정입니다. 이유를 적고 하나를 다음 공작물이 시작하는 근거에서 뺄 수 있습니다.</translation>
         </message>
     </context>
     <context>
@@ -2468,6 +2468,10 @@
         <message>
             <source>new PIN</source>
             <translation>새 PIN</translation>
+        </message>
+        <message>
+            <source>part left out of memory or taken in</source>
+            <translation>공작물을 기억에서 빼거나 다시 넣음</translation>
         </message>
     </context>
     <context>
@@ -7580,6 +7584,18 @@
             <source>Speed feed-forward of Z</source>
             <translation>Z축 속도 선행</translation>
         </message>
+        <message>
+            <source>A part is being cut: leave parts out between two of them.</source>
+            <translation>공작물을 가공하는 중입니다. 공작물을 빼는 일은 공작물과 공작물 사이에 하십시오.</translation>
+        </message>
+        <message>
+            <source>Leave a turned part out of memory</source>
+            <translation>선삭한 공작물을 기억에서 빼기</translation>
+        </message>
+        <message>
+            <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
+            <translation>공차를 확신하기에는 아는 것이 너무 적습니다. 이송은 법칙으로 볼 때 두 한계가 똑같이 먼 %1 mm를 겨냥합니다.</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>
@@ -11755,6 +11771,34 @@
         <message>
             <source>target</source>
             <translation>목표</translation>
+        </message>
+        <message>
+            <source>Reason to leave this part out of what the next ones begin from</source>
+            <translation>이 공작물을 다음 공작물이 시작하는 근거에서 빼는 이유</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>%1 님이 뺌: %2</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: none of this cut is sure.</source>
+            <translation>시작 뒤 첫 공작물은 가정한 공정에서 시작합니다. 이 절삭에는 확실한 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from part %1; parts of this cut that count: %2.</source>
+            <translation>시작 뒤 첫 공작물은 공작물 %1에서 시작합니다. 이 절삭에서 세는 공작물: %2.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</source>
+            <translation>시작 뒤 첫 공작물은 가정한 공정에서 시작합니다. 이 절삭의 공작물들이 서로 어긋납니다.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 넣기</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>빼기</translation>
         </message>
     </context>
     <context>

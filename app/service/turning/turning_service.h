@@ -21,8 +21,9 @@
 namespace kerf {
 
 /// The turning service on the database: the setup is a recipe, controller and every part are room records
-/// ("controller", "part"); stored first and then sent to the engine. A restart reads them again and goes on where it
-/// was: the next part begins with the process and the tones of the stored ones (turning_memory.h).
+/// ("controller", "part", and "memory" of a part that is left out); stored first and then sent to the engine. A restart
+/// reads them again and goes on where it was: the next part begins with the process of the stored ones
+/// (turning_memory.h).
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
 class StoredTurningService final : public TurningService {
@@ -55,6 +56,8 @@ class StoredTurningService final : public TurningService {
     /// Limits have made this revision of the setup.
     void recipeRevised(RecipeRevisionId revision) { m_lots.use(revision); }
     void setController(TurningController controller, const std::string& author, Done done) override;
+    void leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
+                  Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
     /// A few times per second: sends what the engine has not got yet, takes surfaces, follows margins and tones.
@@ -85,6 +88,7 @@ class StoredTurningService final : public TurningService {
     };
 
     void restore();
+    void restoreParts();
     /// Checked, stored as a revision of the recipe, then sent.
     void accept(const TurningSetup& setup, const std::string& author, const std::string& reason,
                 std::optional<std::uint32_t> restoredFrom, Done done);
@@ -117,6 +121,9 @@ class StoredTurningService final : public TurningService {
     std::future<TurningMargins> m_marginsToCome{};
     std::optional<MarginBasis> m_marginBasis{};
     bool m_cutSinceStart{false};
+    /// What the loop goes by rests on other parts than those that count now: the part after this one, in the machine's
+    /// own count, begins anew.
+    std::optional<std::uint32_t> m_anewAfter{};
     std::vector<double> m_blindTones_Hz{};
     double m_blindSpeed_rpm{0.0};
     Listeners<> m_listeners{};
