@@ -56,6 +56,9 @@ class Handover {
     bool m_taken{false};
 };
 
+/// Author of what the program does by itself.
+inline constexpr const char* kItself = "Kerf";
+
 /// Whoever asked hears it, if anybody did.
 inline void answer(const std::function<void(const Result<void>&)>& done, const Result<void>& result) {
     if (done) {

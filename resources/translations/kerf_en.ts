@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
     <context>
-        <name>BoringTexts</name>
+    <name>BoringTexts</name>
         <message>
             <source>top</source>
             <comment>depth of a bore</comment>
@@ -45,7 +45,7 @@
         </message>
     </context>
     <context>
-        <name>FigureLimits</name>
+    <name>FigureLimits</name>
         <message>
             <source>Limits: %1</source>
             <translation>Limits: %1</translation>
@@ -96,7 +96,7 @@
         </message>
     </context>
     <context>
-        <name>FirstEngineer</name>
+    <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
             <translation>The first process engineer</translation>
@@ -127,7 +127,7 @@
         </message>
     </context>
     <context>
-        <name>ForceText</name>
+    <name>ForceText</name>
         <message>
             <source>zero being taken</source>
             <translation>zero being taken</translation>
@@ -154,7 +154,7 @@
         </message>
     </context>
     <context>
-        <name>Help</name>
+    <name>Help</name>
         <message>
             <source>HOLD ALL</source>
             <translation>HOLD ALL</translation>
@@ -1187,9 +1187,17 @@
             <source>Parts finished since this console was started, whatever process made them; an air tap makes none.</source>
             <translation>Parts finished since this console was started, whatever process made them; an air tap makes none.</translation>
         </message>
+        <message>
+            <source>Parts begun since this console was started, whatever process made them.</source>
+            <translation>Parts begun since this console was started, whatever process made them.</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
+            <translation>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</translation>
+        </message>
     </context>
     <context>
-        <name>LotReport</name>
+    <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
             <translation>Nothing to show yet.</translation>
@@ -1373,7 +1381,7 @@
         </message>
     </context>
     <context>
-        <name>Lots</name>
+    <name>Lots</name>
         <message>
             <source>The next parts are of lot %1 of %2.</source>
             <translation>The next parts are of lot %1 of %2.</translation>
@@ -1478,9 +1486,13 @@
             <source>Parts</source>
             <translation>Parts</translation>
         </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>Tool, gauge</translation>
+        </message>
     </context>
     <context>
-        <name>Milling</name>
+    <name>Milling</name>
         <message>
             <source>Constant feed</source>
             <translation>Constant feed</translation>
@@ -1544,7 +1556,7 @@
         </message>
     </context>
     <context>
-        <name>MillingCutLog</name>
+    <name>MillingCutLog</name>
         <message>
             <source>%1, aborted</source>
             <translation>%1, aborted</translation>
@@ -1609,7 +1621,7 @@
         </message>
     </context>
     <context>
-        <name>OperatorChooser</name>
+    <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
             <translation>Who is at the machine?</translation>
@@ -1676,7 +1688,7 @@
         </message>
     </context>
     <context>
-        <name>Pages</name>
+    <name>Pages</name>
         <message>
             <source>Feed</source>
             <translation>Feed</translation>
@@ -1731,7 +1743,7 @@
         </message>
     </context>
     <context>
-        <name>PartReport</name>
+    <name>PartReport</name>
         <message>
             <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
             <comment>units</comment>
@@ -1828,7 +1840,7 @@
         </message>
     </context>
     <context>
-        <name>People</name>
+    <name>People</name>
         <message>
             <source>No PIN</source>
             <translation>No PIN</translation>
@@ -1915,14 +1927,14 @@
         </message>
     </context>
     <context>
-        <name>PinSheet</name>
+    <name>PinSheet</name>
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
         </message>
     </context>
     <context>
-        <name>QualityTexts</name>
+    <name>QualityTexts</name>
         <message>
             <source>Bore ⌀, %1</source>
             <translation>Bore ⌀, %1</translation>
@@ -1970,7 +1982,7 @@
         </message>
     </context>
     <context>
-        <name>Restore</name>
+    <name>Restore</name>
         <message>
             <source>Not restored</source>
             <translation>Not restored</translation>
@@ -2037,7 +2049,7 @@
         </message>
     </context>
     <context>
-        <name>Revisions</name>
+    <name>Revisions</name>
         <message>
             <source>and %1 more values</source>
             <translation>and %1 more values</translation>
@@ -2126,7 +2138,7 @@
         </message>
     </context>
     <context>
-        <name>Settings</name>
+    <name>Settings</name>
         <message>
             <source>Settings</source>
             <translation>Settings</translation>
@@ -2181,7 +2193,7 @@
         </message>
     </context>
     <context>
-        <name>Shift</name>
+    <name>Shift</name>
         <message>
             <source>no reason given yet</source>
             <translation>no reason given yet</translation>
@@ -2476,9 +2488,13 @@
             <source>new PIN</source>
             <translation>new PIN</translation>
         </message>
+        <message>
+            <source>part left out of memory or taken in</source>
+            <translation>part left out of memory or taken in</translation>
+        </message>
     </context>
     <context>
-        <name>ShiftReport</name>
+    <name>ShiftReport</name>
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
@@ -2551,7 +2567,7 @@
         </message>
     </context>
     <context>
-        <name>ShopText</name>
+    <name>ShopText</name>
         <message>
             <source>%1 s ago</source>
             <translation>%1 s ago</translation>
@@ -2611,7 +2627,7 @@
         </message>
     </context>
     <context>
-        <name>SourceTexts</name>
+    <name>SourceTexts</name>
         <message>
             <source>typed</source>
             <translation>typed</translation>
@@ -2630,7 +2646,7 @@
         </message>
     </context>
     <context>
-        <name>TappingTexts</name>
+    <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
             <comment>thread, speed, depth, gear</comment>
@@ -2718,7 +2734,7 @@
         </message>
     </context>
     <context>
-        <name>ThermalSheets</name>
+    <name>ThermalSheets</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
@@ -3144,7 +3160,7 @@
         </message>
     </context>
     <context>
-        <name>ThermalTexts</name>
+    <name>ThermalTexts</name>
         <message>
             <source>healthy</source>
             <translation>healthy</translation>
@@ -3223,7 +3239,7 @@
         </message>
     </context>
     <context>
-        <name>ToolMemory</name>
+    <name>ToolMemory</name>
         <message>
             <source>left out by %1: %2</source>
             <translation>left out by %1: %2</translation>
@@ -3273,7 +3289,7 @@
         </message>
     </context>
     <context>
-        <name>Tools</name>
+    <name>Tools</name>
         <message>
             <source>%1 of %2 parts</source>
             <translation>%1 of %2 parts</translation>
@@ -3336,7 +3352,7 @@
         </message>
     </context>
     <context>
-        <name>TurningTexts</name>
+    <name>TurningTexts</name>
         <message>
             <source>Open</source>
             <comment>turning controller</comment>
@@ -3384,7 +3400,7 @@
         </message>
     </context>
     <context>
-        <name>VerdictTexts</name>
+    <name>VerdictTexts</name>
         <message>
             <source>good</source>
             <translation>good</translation>
@@ -3403,7 +3419,7 @@
         </message>
     </context>
     <context>
-        <name>Vocabulary</name>
+    <name>Vocabulary</name>
         <message>
             <source>How the bar bends</source>
             <translation>How the bar bends</translation>
@@ -3658,7 +3674,7 @@
         </message>
     </context>
     <context>
-        <name>Words</name>
+    <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
             <translation>Alarm %1, which this console does not know</translation>
@@ -3705,7 +3721,7 @@
         </message>
     </context>
     <context>
-        <name>engine</name>
+    <name>engine</name>
         <message>
             <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
             <translation>%1 % of the samples are missing: this tap does not count, repeat it.</translation>
@@ -7622,9 +7638,21 @@
             <source>typed</source>
             <translation>typed</translation>
         </message>
+        <message>
+            <source>A part is being cut: leave parts out between two of them.</source>
+            <translation>A part is being cut: leave parts out between two of them.</translation>
+        </message>
+        <message>
+            <source>Leave a turned part out of memory</source>
+            <translation>Leave a turned part out of memory</translation>
+        </message>
+        <message>
+            <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
+            <translation>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::ActionChart</name>
+    <name>kerf::ui::ActionChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -7643,7 +7671,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmBar</name>
+    <name>kerf::ui::AlarmBar</name>
         <message>
             <source>No alarms.</source>
             <translation>No alarms.</translation>
@@ -7661,7 +7689,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmModel</name>
+    <name>kerf::ui::AlarmModel</name>
         <message>
             <source>stands, seen by %1</source>
             <translation>stands, seen by %1</translation>
@@ -7704,7 +7732,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmsPage</name>
+    <name>kerf::ui::AlarmsPage</name>
         <message>
             <source>That is all.</source>
             <translation>That is all.</translation>
@@ -7795,7 +7823,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoreChart</name>
+    <name>kerf::ui::BoreChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -7830,7 +7858,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoringPage</name>
+    <name>kerf::ui::BoringPage</name>
         <message>
             <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
             <translation>No boring lot is open on this machine. The page fills as soon as one is.</translation>
@@ -7937,7 +7965,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Chart</name>
+    <name>kerf::ui::Chart</name>
         <message>
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
@@ -7945,7 +7973,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ComparisonPanel</name>
+    <name>kerf::ui::ComparisonPanel</name>
         <message>
             <source>no part is archived yet</source>
             <translation>no part is archived yet</translation>
@@ -7993,7 +8021,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ContourChart</name>
+    <name>kerf::ui::ContourChart</name>
         <message>
             <source>rev</source>
             <comment>spindle revolutions, on an axis</comment>
@@ -8037,7 +8065,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::DiagnosticsPage</name>
+    <name>kerf::ui::DiagnosticsPage</name>
         <message>
             <source>%1 (%2 %)</source>
             <translation>%1 (%2 %)</translation>
@@ -8176,7 +8204,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EntryPanel</name>
+    <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
             <translation>no part waits</translation>
@@ -8353,7 +8381,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ErrorMap</name>
+    <name>kerf::ui::ErrorMap</name>
         <message>
             <source>error in %1, %2</source>
             <translation>error in %1, %2</translation>
@@ -8364,7 +8392,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimatePanel</name>
+    <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>%1, 95 % intervals</source>
             <comment>of estimated figures</comment>
@@ -8377,7 +8405,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimateStrips</name>
+    <name>kerf::ui::EstimateStrips</name>
         <message>
             <source>The estimated constants of the law appear here after the first measured part.</source>
             <translation>The estimated constants of the law appear here after the first measured part.</translation>
@@ -8388,7 +8416,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::FeedPanel</name>
+    <name>kerf::ui::FeedPanel</name>
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
@@ -8432,7 +8460,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ForcePanel</name>
+    <name>kerf::ui::ForcePanel</name>
         <message>
             <source>Force, %1: extremes and mean, last %2 s</source>
             <comment>unit, seconds</comment>
@@ -8485,7 +8513,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GainsPanel</name>
+    <name>kerf::ui::GainsPanel</name>
         <message>
             <source>before</source>
             <translation>before</translation>
@@ -8525,7 +8553,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GaugeSheets</name>
+    <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
             <translation>no study yet</translation>
@@ -8689,7 +8717,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeaderBar</name>
+    <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
             <translation>lot %1</translation>
@@ -8756,7 +8784,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeldBand</name>
+    <name>kerf::ui::HeldBand</name>
         <message>
             <source>HELD: all loops</source>
             <translation>HELD: all loops</translation>
@@ -8807,7 +8835,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HelpMode</name>
+    <name>kerf::ui::HelpMode</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
@@ -8822,7 +8850,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HistogramChart</name>
+    <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
             <translation>Appears as soon as the engine cycles.</translation>
@@ -8845,7 +8873,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HoldAllButton</name>
+    <name>kerf::ui::HoldAllButton</name>
         <message>
             <source>HELD – all loops off</source>
             <translation>HELD – all loops off</translation>
@@ -8860,7 +8888,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ImportForm</name>
+    <name>kerf::ui::ImportForm</name>
         <message>
             <source>Cancel</source>
             <translation>Cancel</translation>
@@ -8955,7 +8983,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::JobForm</name>
+    <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
             <translation>What is tapped</translation>
@@ -9023,7 +9051,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Keypad</name>
+    <name>kerf::ui::Keypad</name>
         <message>
             <source>Enter</source>
             <translation>Enter</translation>
@@ -9034,7 +9062,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LastVerdict</name>
+    <name>kerf::ui::LastVerdict</name>
         <message>
             <source>Part %1: %2, no limits are set</source>
             <translation>Part %1: %2, no limits are set</translation>
@@ -9050,7 +9078,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LoopCard</name>
+    <name>kerf::ui::LoopCard</name>
         <message>
             <source>not fitted</source>
             <translation>not fitted</translation>
@@ -9061,7 +9089,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LotForm</name>
+    <name>kerf::ui::LotForm</name>
         <message>
             <source>Lots</source>
             <translation>Lots</translation>
@@ -9257,14 +9285,14 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MachineDrawing</name>
+    <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>The thermocouples appear here as soon as the machine reports them.</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::MachineStrip</name>
+    <name>kerf::ui::MachineStrip</name>
         <message>
             <source>Force</source>
             <translation>Force</translation>
@@ -9317,7 +9345,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MainWindow</name>
+    <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
             <translation>Not done: %1</translation>
@@ -9380,7 +9408,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MarginPanel</name>
+    <name>kerf::ui::MarginPanel</name>
         <message>
             <source>Margins appear as soon as a law acts.</source>
             <translation>Margins appear as soon as a law acts.</translation>
@@ -9400,7 +9428,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementForm</name>
+    <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
             <comment>part and depth, diameter</comment>
@@ -9517,7 +9545,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementList</name>
+    <name>kerf::ui::MeasurementList</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -9536,7 +9564,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingBlankForm</name>
+    <name>kerf::ui::MillingBlankForm</name>
         <message>
             <source>There is no step.</source>
             <translation>There is no step.</translation>
@@ -9598,7 +9626,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingControlPanel</name>
+    <name>kerf::ui::MillingControlPanel</name>
         <message>
             <source>Nothing is stopped.</source>
             <translation>Nothing is stopped.</translation>
@@ -9701,7 +9729,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingLivePanel</name>
+    <name>kerf::ui::MillingLivePanel</name>
         <message>
             <source>Force per revolution, %1, and feed, %2</source>
             <comment>units</comment>
@@ -9769,7 +9797,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingPage</name>
+    <name>kerf::ui::MillingPage</name>
         <message>
             <source>Nothing cut yet.</source>
             <translation>Nothing cut yet.</translation>
@@ -9824,7 +9852,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingSetupForm</name>
+    <name>kerf::ui::MillingSetupForm</name>
         <message>
             <source>This part type is open.</source>
             <translation>This part type is open.</translation>
@@ -9880,7 +9908,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingToolPanel</name>
+    <name>kerf::ui::MillingToolPanel</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -9912,7 +9940,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingWallPanel</name>
+    <name>kerf::ui::MillingWallPanel</name>
         <message>
             <source>Wall deviation, %1</source>
             <comment>unit</comment>
@@ -9944,7 +9972,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NextPartPanel</name>
+    <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
             <translation>feed, top to bottom of the bore</translation>
@@ -10016,7 +10044,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NumberDisplay</name>
+    <name>kerf::ui::NumberDisplay</name>
         <message>
             <source>%1 s old</source>
             <translation>%1 s old</translation>
@@ -10027,7 +10055,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OffsetPanel</name>
+    <name>kerf::ui::OffsetPanel</name>
         <message>
             <source>at limit</source>
             <translation>at limit</translation>
@@ -10050,7 +10078,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OperatorSession</name>
+    <name>kerf::ui::OperatorSession</name>
         <message>
             <source>operator</source>
             <translation>operator</translation>
@@ -10089,7 +10117,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OverviewPage</name>
+    <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
             <translation>Start the program at the control.</translation>
@@ -10200,7 +10228,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartDetailPanel</name>
+    <name>kerf::ui::PartDetailPanel</name>
         <message>
             <source>overhang</source>
             <translation>overhang</translation>
@@ -10324,7 +10352,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsModel</name>
+    <name>kerf::ui::PartsModel</name>
         <message>
             <source>finished</source>
             <translation>finished</translation>
@@ -10379,7 +10407,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsPage</name>
+    <name>kerf::ui::PartsPage</name>
         <message>
             <source>no lot is open</source>
             <translation>no lot is open</translation>
@@ -10515,7 +10543,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ProcessPanel</name>
+    <name>kerf::ui::ProcessPanel</name>
         <message>
             <source>Cutting process</source>
             <translation>Cutting process</translation>
@@ -10549,7 +10577,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualityPage</name>
+    <name>kerf::ui::QualityPage</name>
         <message>
             <source>no part waits for a decision</source>
             <translation>no part waits for a decision</translation>
@@ -10709,7 +10737,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualitySheets</name>
+    <name>kerf::ui::QualitySheets</name>
         <message>
             <source>Written: %1</source>
             <translation>Written: %1</translation>
@@ -10784,7 +10812,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RawChart</name>
+    <name>kerf::ui::RawChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -10807,7 +10835,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecipeForm</name>
+    <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
             <translation>at most %1 depths</translation>
@@ -10949,7 +10977,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecoverySheet</name>
+    <name>kerf::ui::RecoverySheet</name>
         <message>
             <source>the tap is turning out</source>
             <translation>the tap is turning out</translation>
@@ -11008,7 +11036,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ResidualChart</name>
+    <name>kerf::ui::ResidualChart</name>
         <message>
             <source>part</source>
             <translation>part</translation>
@@ -11039,7 +11067,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SensorsPage</name>
+    <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
             <translation>touch a channel first</translation>
@@ -11154,21 +11182,21 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Sheet</name>
+    <name>kerf::ui::Sheet</name>
         <message>
             <source>That is stored. What was typed since then is not yet.</source>
             <translation>That is stored. What was typed since then is not yet.</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::SheetHost</name>
+    <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>Close</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::ShiftPage</name>
+    <name>kerf::ui::ShiftPage</name>
         <message>
             <source>this shift has been handed over</source>
             <translation>this shift has been handed over</translation>
@@ -11324,7 +11352,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpectrumChart</name>
+    <name>kerf::ui::SpectrumChart</name>
         <message>
             <source>amplitude</source>
             <translation>amplitude</translation>
@@ -11357,7 +11385,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpeedChart</name>
+    <name>kerf::ui::SpeedChart</name>
         <message>
             <source>error p-p</source>
             <translation>error p-p</translation>
@@ -11380,7 +11408,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpreadChart</name>
+    <name>kerf::ui::SpreadChart</name>
         <message>
             <source>parts</source>
             <translation>parts</translation>
@@ -11403,7 +11431,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SurfacePanel</name>
+    <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
             <translation>Surface as the force shows it</translation>
@@ -11426,7 +11454,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TapActions</name>
+    <name>kerf::ui::TapActions</name>
         <message>
             <source>a tuning is under way</source>
             <translation>a tuning is under way</translation>
@@ -11533,7 +11561,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TappingPage</name>
+    <name>kerf::ui::TappingPage</name>
         <message>
             <source>Load this point?</source>
             <translation>Load this point?</translation>
@@ -11577,7 +11605,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ThermalPage</name>
+    <name>kerf::ui::ThermalPage</name>
         <message>
             <source>start it at the control</source>
             <translation>start it at the control</translation>
@@ -11688,7 +11716,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TouchKeyboard</name>
+    <name>kerf::ui::TouchKeyboard</name>
         <message>
             <source>ABC</source>
             <translation>ABC</translation>
@@ -11707,7 +11735,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TrialBars</name>
+    <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
             <translation>before</translation>
@@ -11726,7 +11754,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningArchive</name>
+    <name>kerf::ui::TurningArchive</name>
         <message>
             <source>Archive of turned parts</source>
             <translation>Archive of turned parts</translation>
@@ -11809,9 +11837,37 @@
             <source>target</source>
             <translation>target</translation>
         </message>
+        <message>
+            <source>Reason to leave this part out of what the next ones begin from</source>
+            <translation>Reason to leave this part out of what the next ones begin from</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>Left out by %1: %2</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: none of this cut is sure.</source>
+            <translation>The first part after a start begins from the assumed process: none of this cut is sure.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from part %1; parts of this cut that count: %2.</source>
+            <translation>The first part after a start begins from part %1; parts of this cut that count: %2.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</source>
+            <translation>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::TurningControlPanel</name>
+    <name>kerf::ui::TurningControlPanel</name>
         <message>
             <source>controller</source>
             <translation>controller</translation>
@@ -11863,7 +11919,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningPage</name>
+    <name>kerf::ui::TurningPage</name>
         <message>
             <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
             <translation>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</translation>
@@ -11874,7 +11930,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningSetupForm</name>
+    <name>kerf::ui::TurningSetupForm</name>
         <message>
             <source>Setup of the next part</source>
             <translation>Setup of the next part</translation>
@@ -11933,7 +11989,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ValueField</name>
+    <name>kerf::ui::ValueField</name>
         <message>
             <source>Enter a number.</source>
             <translation>Enter a number.</translation>

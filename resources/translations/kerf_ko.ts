@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko_KR" sourcelanguage="en_US">
     <context>
-        <name>BoringTexts</name>
+    <name>BoringTexts</name>
         <message>
             <source>top</source>
             <comment>depth of a bore</comment>
@@ -45,7 +45,7 @@
         </message>
     </context>
     <context>
-        <name>FigureLimits</name>
+    <name>FigureLimits</name>
         <message>
             <source>Limits: %1</source>
             <translation>한계: %1</translation>
@@ -96,7 +96,7 @@
         </message>
     </context>
     <context>
-        <name>FirstEngineer</name>
+    <name>FirstEngineer</name>
         <message>
             <source>The first process engineer</source>
             <translation>첫 공정 엔지니어</translation>
@@ -127,7 +127,7 @@
         </message>
     </context>
     <context>
-        <name>ForceText</name>
+    <name>ForceText</name>
         <message>
             <source>zero being taken</source>
             <translation>영점 잡는 중</translation>
@@ -154,7 +154,7 @@
         </message>
     </context>
     <context>
-        <name>Help</name>
+    <name>Help</name>
         <message>
             <source>HOLD ALL</source>
             <translation>전체 홀드</translation>
@@ -1187,9 +1187,17 @@
             <source>Parts finished since this console was started, whatever process made them; an air tap makes none.</source>
             <translation>이 콘솔을 시작한 뒤 완성된 공작물 수입니다. 공정은 가리지 않으며, 에어 탭은 세지 않습니다.</translation>
         </message>
+        <message>
+            <source>Parts begun since this console was started, whatever process made them.</source>
+            <translation>이 콘솔을 켠 뒤 시작한 공작물 수로, 어느 공정이든 셉니다.</translation>
+        </message>
+        <message>
+            <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
+            <translation>지금까지 선삭한 공작물과 각각의 표면, 힘, 보정입니다. 이유를 적고 하나를 다음 공작물이 시작하는 근거에서 뺄 수 있습니다.</translation>
+        </message>
     </context>
     <context>
-        <name>LotReport</name>
+    <name>LotReport</name>
         <message>
             <source>Nothing to show yet.</source>
             <translation>아직 표시할 것이 없습니다.</translation>
@@ -1373,7 +1381,7 @@
         </message>
     </context>
     <context>
-        <name>Lots</name>
+    <name>Lots</name>
         <message>
             <source>The next parts are of lot %1 of %2.</source>
             <translation>다음 공작물은 %2 품종의 로트 %1에 속합니다.</translation>
@@ -1478,9 +1486,13 @@
             <source>Parts</source>
             <translation>공작물 수</translation>
         </message>
+        <message>
+            <source>Tool, gauge</source>
+            <translation>공구, 게이지</translation>
+        </message>
     </context>
     <context>
-        <name>Milling</name>
+    <name>Milling</name>
         <message>
             <source>Constant feed</source>
             <translation>일정 이송</translation>
@@ -1544,7 +1556,7 @@
         </message>
     </context>
     <context>
-        <name>MillingCutLog</name>
+    <name>MillingCutLog</name>
         <message>
             <source>%1, aborted</source>
             <translation>%1, 중단</translation>
@@ -1609,7 +1621,7 @@
         </message>
     </context>
     <context>
-        <name>OperatorChooser</name>
+    <name>OperatorChooser</name>
         <message>
             <source>Who is at the machine?</source>
             <translation>작업자가 누구입니까?</translation>
@@ -1676,7 +1688,7 @@
         </message>
     </context>
     <context>
-        <name>Pages</name>
+    <name>Pages</name>
         <message>
             <source>Feed</source>
             <translation>이송</translation>
@@ -1731,7 +1743,7 @@
         </message>
     </context>
     <context>
-        <name>PartReport</name>
+    <name>PartReport</name>
         <message>
             <source>Feed over overhang, %1 over %2: dashed the schedule, solid as cut.</source>
             <comment>units</comment>
@@ -1828,7 +1840,7 @@
         </message>
     </context>
     <context>
-        <name>People</name>
+    <name>People</name>
         <message>
             <source>No PIN</source>
             <translation>PIN 없음</translation>
@@ -1915,14 +1927,14 @@
         </message>
     </context>
     <context>
-        <name>PinSheet</name>
+    <name>PinSheet</name>
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
         </message>
     </context>
     <context>
-        <name>QualityTexts</name>
+    <name>QualityTexts</name>
         <message>
             <source>Bore ⌀, %1</source>
             <translation>내경 ⌀, %1</translation>
@@ -1970,7 +1982,7 @@
         </message>
     </context>
     <context>
-        <name>Restore</name>
+    <name>Restore</name>
         <message>
             <source>Not restored</source>
             <translation>복원하지 못했습니다</translation>
@@ -2037,7 +2049,7 @@
         </message>
     </context>
     <context>
-        <name>Revisions</name>
+    <name>Revisions</name>
         <message>
             <source>and %1 more values</source>
             <translation>그 밖에 값 %1개</translation>
@@ -2126,7 +2138,7 @@
         </message>
     </context>
     <context>
-        <name>Settings</name>
+    <name>Settings</name>
         <message>
             <source>Settings</source>
             <translation>설정</translation>
@@ -2181,7 +2193,7 @@
         </message>
     </context>
     <context>
-        <name>Shift</name>
+    <name>Shift</name>
         <message>
             <source>no reason given yet</source>
             <translation>아직 사유 없음</translation>
@@ -2474,9 +2486,13 @@
             <source>new PIN</source>
             <translation>새 PIN</translation>
         </message>
+        <message>
+            <source>part left out of memory or taken in</source>
+            <translation>공작물을 기억에서 빼거나 다시 넣음</translation>
+        </message>
     </context>
     <context>
-        <name>ShiftReport</name>
+    <name>ShiftReport</name>
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
@@ -2547,7 +2563,7 @@
         </message>
     </context>
     <context>
-        <name>ShopText</name>
+    <name>ShopText</name>
         <message>
             <source>%1 s ago</source>
             <translation>%1초 전</translation>
@@ -2607,7 +2623,7 @@
         </message>
     </context>
     <context>
-        <name>SourceTexts</name>
+    <name>SourceTexts</name>
         <message>
             <source>typed</source>
             <translation>입력</translation>
@@ -2626,7 +2642,7 @@
         </message>
     </context>
     <context>
-        <name>TappingTexts</name>
+    <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
             <comment>thread, speed, depth, gear</comment>
@@ -2714,7 +2730,7 @@
         </message>
     </context>
     <context>
-        <name>ThermalSheets</name>
+    <name>ThermalSheets</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -3139,7 +3155,7 @@
         </message>
     </context>
     <context>
-        <name>ThermalTexts</name>
+    <name>ThermalTexts</name>
         <message>
             <source>healthy</source>
             <translation>정상</translation>
@@ -3218,7 +3234,7 @@
         </message>
     </context>
     <context>
-        <name>ToolMemory</name>
+    <name>ToolMemory</name>
         <message>
             <source>left out by %1: %2</source>
             <translation>제외함 (%1): %2</translation>
@@ -3268,7 +3284,7 @@
         </message>
     </context>
     <context>
-        <name>Tools</name>
+    <name>Tools</name>
         <message>
             <source>%1 of %2 parts</source>
             <translation>%2개 중 %1개</translation>
@@ -3331,7 +3347,7 @@
         </message>
     </context>
     <context>
-        <name>TurningTexts</name>
+    <name>TurningTexts</name>
         <message>
             <source>Open</source>
             <comment>turning controller</comment>
@@ -3379,7 +3395,7 @@
         </message>
     </context>
     <context>
-        <name>VerdictTexts</name>
+    <name>VerdictTexts</name>
         <message>
             <source>good</source>
             <translation>양품</translation>
@@ -3398,7 +3414,7 @@
         </message>
     </context>
     <context>
-        <name>Vocabulary</name>
+    <name>Vocabulary</name>
         <message>
             <source>How the bar bends</source>
             <translation>보링 바의 휨</translation>
@@ -3653,7 +3669,7 @@
         </message>
     </context>
     <context>
-        <name>Words</name>
+    <name>Words</name>
         <message>
             <source>Alarm %1, which this console does not know</source>
             <translation>이 콘솔이 모르는 알람 %1</translation>
@@ -3700,7 +3716,7 @@
         </message>
     </context>
     <context>
-        <name>engine</name>
+    <name>engine</name>
         <message>
             <source>%1 % of the samples are missing: this tap does not count, repeat it.</source>
             <translation>샘플의 %1 %가 빠졌습니다. 이 탭은 무효이니 다시 하십시오.</translation>
@@ -7617,9 +7633,21 @@
             <source>typed</source>
             <translation>직접 입력</translation>
         </message>
+        <message>
+            <source>A part is being cut: leave parts out between two of them.</source>
+            <translation>공작물을 가공하는 중입니다. 공작물을 빼는 일은 공작물과 공작물 사이에 하십시오.</translation>
+        </message>
+        <message>
+            <source>Leave a turned part out of memory</source>
+            <translation>선삭한 공작물을 기억에서 빼기</translation>
+        </message>
+        <message>
+            <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
+            <translation>공차를 확신하기에는 아는 것이 너무 적습니다. 이송은 법칙으로 볼 때 두 한계가 똑같이 먼 %1 mm를 겨냥합니다.</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::ActionChart</name>
+    <name>kerf::ui::ActionChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -7638,7 +7666,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmBar</name>
+    <name>kerf::ui::AlarmBar</name>
         <message>
             <source>No alarms.</source>
             <translation>알람이 없습니다.</translation>
@@ -7655,7 +7683,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmModel</name>
+    <name>kerf::ui::AlarmModel</name>
         <message>
             <source>stands, seen by %1</source>
             <translation>발생 중, %1 확인</translation>
@@ -7698,7 +7726,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::AlarmsPage</name>
+    <name>kerf::ui::AlarmsPage</name>
         <message>
             <source>That is all.</source>
             <translation>이것이 전부입니다.</translation>
@@ -7789,7 +7817,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoreChart</name>
+    <name>kerf::ui::BoreChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -7824,7 +7852,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::BoringPage</name>
+    <name>kerf::ui::BoringPage</name>
         <message>
             <source>No boring lot is open on this machine. The page fills as soon as one is.</source>
             <translation>이 기계에 열린 보링 로트가 없습니다. 로트를 열면 이 화면이 채워집니다.</translation>
@@ -7931,7 +7959,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Chart</name>
+    <name>kerf::ui::Chart</name>
         <message>
             <source>%1, %2</source>
             <comment>axis title, unit</comment>
@@ -7939,7 +7967,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ComparisonPanel</name>
+    <name>kerf::ui::ComparisonPanel</name>
         <message>
             <source>no part is archived yet</source>
             <translation>아직 보관된 공작물이 없습니다</translation>
@@ -7987,7 +8015,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ContourChart</name>
+    <name>kerf::ui::ContourChart</name>
         <message>
             <source>rev</source>
             <comment>spindle revolutions, on an axis</comment>
@@ -8031,7 +8059,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::DiagnosticsPage</name>
+    <name>kerf::ui::DiagnosticsPage</name>
         <message>
             <source>%1 (%2 %)</source>
             <translation>%1 (%2 %)</translation>
@@ -8170,7 +8198,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EntryPanel</name>
+    <name>kerf::ui::EntryPanel</name>
         <message>
             <source>no part waits</source>
             <translation>측정 대기 공작물 없음</translation>
@@ -8347,7 +8375,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ErrorMap</name>
+    <name>kerf::ui::ErrorMap</name>
         <message>
             <source>error in %1, %2</source>
             <translation>%1 오차, %2</translation>
@@ -8358,7 +8386,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimatePanel</name>
+    <name>kerf::ui::EstimatePanel</name>
         <message>
             <source>%1, 95 % intervals</source>
             <comment>of estimated figures</comment>
@@ -8371,7 +8399,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::EstimateStrips</name>
+    <name>kerf::ui::EstimateStrips</name>
         <message>
             <source>The estimated constants of the law appear here after the first measured part.</source>
             <translation>첫 공작물을 측정하면 추정한 상수가 여기에 나타납니다.</translation>
@@ -8382,7 +8410,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::FeedPanel</name>
+    <name>kerf::ui::FeedPanel</name>
         <message>
             <source>Feed along the bore, %1</source>
             <comment>unit</comment>
@@ -8426,7 +8454,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ForcePanel</name>
+    <name>kerf::ui::ForcePanel</name>
         <message>
             <source>Force, %1: extremes and mean, last %2 s</source>
             <comment>unit, seconds</comment>
@@ -8479,7 +8507,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GainsPanel</name>
+    <name>kerf::ui::GainsPanel</name>
         <message>
             <source>before</source>
             <translation>전</translation>
@@ -8519,7 +8547,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::GaugeSheets</name>
+    <name>kerf::ui::GaugeSheets</name>
         <message>
             <source>no study yet</source>
             <translation>아직 평가 없음</translation>
@@ -8683,7 +8711,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeaderBar</name>
+    <name>kerf::ui::HeaderBar</name>
         <message>
             <source>lot %1</source>
             <translation>로트 %1</translation>
@@ -8750,7 +8778,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HeldBand</name>
+    <name>kerf::ui::HeldBand</name>
         <message>
             <source>HELD: all loops</source>
             <translation>홀드: 모든 루프</translation>
@@ -8801,7 +8829,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HelpMode</name>
+    <name>kerf::ui::HelpMode</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
@@ -8816,7 +8844,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HistogramChart</name>
+    <name>kerf::ui::HistogramChart</name>
         <message>
             <source>Appears as soon as the engine cycles.</source>
             <translation>엔진이 돌기 시작하면 나타납니다.</translation>
@@ -8839,7 +8867,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::HoldAllButton</name>
+    <name>kerf::ui::HoldAllButton</name>
         <message>
             <source>HELD – all loops off</source>
             <translation>홀드됨 – 모든 루프 꺼짐</translation>
@@ -8854,7 +8882,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ImportForm</name>
+    <name>kerf::ui::ImportForm</name>
         <message>
             <source>Cancel</source>
             <translation>취소</translation>
@@ -8949,7 +8977,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::JobForm</name>
+    <name>kerf::ui::JobForm</name>
         <message>
             <source>What is tapped</source>
             <translation>탭 작업</translation>
@@ -9017,7 +9045,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Keypad</name>
+    <name>kerf::ui::Keypad</name>
         <message>
             <source>Enter</source>
             <translation>입력</translation>
@@ -9028,7 +9056,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LastVerdict</name>
+    <name>kerf::ui::LastVerdict</name>
         <message>
             <source>Part %1: %2, no limits are set</source>
             <translation>공작물 %1: %2, 한계가 설정되지 않음</translation>
@@ -9044,7 +9072,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LoopCard</name>
+    <name>kerf::ui::LoopCard</name>
         <message>
             <source>not fitted</source>
             <translation>미장착</translation>
@@ -9055,7 +9083,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::LotForm</name>
+    <name>kerf::ui::LotForm</name>
         <message>
             <source>Lots</source>
             <translation>로트</translation>
@@ -9250,14 +9278,14 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MachineDrawing</name>
+    <name>kerf::ui::MachineDrawing</name>
         <message>
             <source>The thermocouples appear here as soon as the machine reports them.</source>
             <translation>기계가 열전대를 알려 주면 여기에 나타납니다.</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::MachineStrip</name>
+    <name>kerf::ui::MachineStrip</name>
         <message>
             <source>Force</source>
             <translation>절삭력</translation>
@@ -9308,7 +9336,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MainWindow</name>
+    <name>kerf::ui::MainWindow</name>
         <message>
             <source>Not done: %1</source>
             <translation>실행되지 않음: %1</translation>
@@ -9371,7 +9399,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MarginPanel</name>
+    <name>kerf::ui::MarginPanel</name>
         <message>
             <source>Margins appear as soon as a law acts.</source>
             <translation>제어 법칙이 작동하면 여유가 나타납니다.</translation>
@@ -9391,7 +9419,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementForm</name>
+    <name>kerf::ui::MeasurementForm</name>
         <message>
             <source>%1: %2</source>
             <comment>part and depth, diameter</comment>
@@ -9508,7 +9536,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MeasurementList</name>
+    <name>kerf::ui::MeasurementList</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -9527,7 +9555,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingBlankForm</name>
+    <name>kerf::ui::MillingBlankForm</name>
         <message>
             <source>There is no step.</source>
             <translation>단이 없습니다.</translation>
@@ -9588,7 +9616,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingControlPanel</name>
+    <name>kerf::ui::MillingControlPanel</name>
         <message>
             <source>Nothing is stopped.</source>
             <translation>멈춘 것이 없습니다.</translation>
@@ -9691,7 +9719,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingLivePanel</name>
+    <name>kerf::ui::MillingLivePanel</name>
         <message>
             <source>Force per revolution, %1, and feed, %2</source>
             <comment>units</comment>
@@ -9759,7 +9787,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingPage</name>
+    <name>kerf::ui::MillingPage</name>
         <message>
             <source>Nothing cut yet.</source>
             <translation>아직 가공한 것이 없습니다.</translation>
@@ -9814,7 +9842,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingSetupForm</name>
+    <name>kerf::ui::MillingSetupForm</name>
         <message>
             <source>This part type is open.</source>
             <translation>이 품종이 열려 있습니다.</translation>
@@ -9870,7 +9898,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingToolPanel</name>
+    <name>kerf::ui::MillingToolPanel</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -9902,7 +9930,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::MillingWallPanel</name>
+    <name>kerf::ui::MillingWallPanel</name>
         <message>
             <source>Wall deviation, %1</source>
             <comment>unit</comment>
@@ -9934,7 +9962,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NextPartPanel</name>
+    <name>kerf::ui::NextPartPanel</name>
         <message>
             <source>feed, top to bottom of the bore</source>
             <translation>이송, 내경 위에서 아래로</translation>
@@ -10006,7 +10034,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::NumberDisplay</name>
+    <name>kerf::ui::NumberDisplay</name>
         <message>
             <source>%1 s old</source>
             <translation>%1 s 전</translation>
@@ -10017,7 +10045,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OffsetPanel</name>
+    <name>kerf::ui::OffsetPanel</name>
         <message>
             <source>at limit</source>
             <translation>한계</translation>
@@ -10040,7 +10068,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OperatorSession</name>
+    <name>kerf::ui::OperatorSession</name>
         <message>
             <source>operator</source>
             <translation>작업자</translation>
@@ -10079,7 +10107,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::OverviewPage</name>
+    <name>kerf::ui::OverviewPage</name>
         <message>
             <source>Start the program at the control.</source>
             <translation>제어기에서 프로그램을 시작하십시오.</translation>
@@ -10190,7 +10218,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartDetailPanel</name>
+    <name>kerf::ui::PartDetailPanel</name>
         <message>
             <source>overhang</source>
             <translation>돌출 길이</translation>
@@ -10314,7 +10342,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsModel</name>
+    <name>kerf::ui::PartsModel</name>
         <message>
             <source>finished</source>
             <translation>완료</translation>
@@ -10369,7 +10397,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::PartsPage</name>
+    <name>kerf::ui::PartsPage</name>
         <message>
             <source>no lot is open</source>
             <translation>열린 로트 없음</translation>
@@ -10505,7 +10533,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ProcessPanel</name>
+    <name>kerf::ui::ProcessPanel</name>
         <message>
             <source>Cutting process</source>
             <translation>절삭 공정</translation>
@@ -10538,7 +10566,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualityPage</name>
+    <name>kerf::ui::QualityPage</name>
         <message>
             <source>no part waits for a decision</source>
             <translation>조치를 기다리는 공작물이 없습니다</translation>
@@ -10698,7 +10726,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::QualitySheets</name>
+    <name>kerf::ui::QualitySheets</name>
         <message>
             <source>Written: %1</source>
             <translation>작성됨: %1</translation>
@@ -10773,7 +10801,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RawChart</name>
+    <name>kerf::ui::RawChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -10796,7 +10824,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecipeForm</name>
+    <name>kerf::ui::RecipeForm</name>
         <message>
             <source>at most %1 depths</source>
             <translation>깊이는 최대 %1곳</translation>
@@ -10938,7 +10966,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::RecoverySheet</name>
+    <name>kerf::ui::RecoverySheet</name>
         <message>
             <source>the tap is turning out</source>
             <translation>탭을 빼내는 중</translation>
@@ -10997,7 +11025,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ResidualChart</name>
+    <name>kerf::ui::ResidualChart</name>
         <message>
             <source>part</source>
             <translation>공작물</translation>
@@ -11028,7 +11056,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SensorsPage</name>
+    <name>kerf::ui::SensorsPage</name>
         <message>
             <source>touch a channel first</source>
             <translation>먼저 채널을 누르십시오</translation>
@@ -11143,21 +11171,21 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::Sheet</name>
+    <name>kerf::ui::Sheet</name>
         <message>
             <source>That is stored. What was typed since then is not yet.</source>
             <translation>저장되었습니다. 그 뒤에 입력한 것은 아직 저장되지 않았습니다.</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::SheetHost</name>
+    <name>kerf::ui::SheetHost</name>
         <message>
             <source>Close</source>
             <translation>닫기</translation>
         </message>
     </context>
     <context>
-        <name>kerf::ui::ShiftPage</name>
+    <name>kerf::ui::ShiftPage</name>
         <message>
             <source>this shift has been handed over</source>
             <translation>이미 인계한 근무조입니다</translation>
@@ -11313,7 +11341,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpectrumChart</name>
+    <name>kerf::ui::SpectrumChart</name>
         <message>
             <source>amplitude</source>
             <translation>진폭</translation>
@@ -11346,7 +11374,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpeedChart</name>
+    <name>kerf::ui::SpeedChart</name>
         <message>
             <source>error p-p</source>
             <translation>오차 p-p</translation>
@@ -11369,7 +11397,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SpreadChart</name>
+    <name>kerf::ui::SpreadChart</name>
         <message>
             <source>parts</source>
             <translation>공작물</translation>
@@ -11392,7 +11420,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::SurfacePanel</name>
+    <name>kerf::ui::SurfacePanel</name>
         <message>
             <source>Surface as the force shows it</source>
             <translation>힘으로 본 표면</translation>
@@ -11415,7 +11443,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TapActions</name>
+    <name>kerf::ui::TapActions</name>
         <message>
             <source>a tuning is under way</source>
             <translation>튜닝 진행 중</translation>
@@ -11522,7 +11550,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TappingPage</name>
+    <name>kerf::ui::TappingPage</name>
         <message>
             <source>Load this point?</source>
             <translation>이 점을 로드할까요?</translation>
@@ -11566,7 +11594,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ThermalPage</name>
+    <name>kerf::ui::ThermalPage</name>
         <message>
             <source>start it at the control</source>
             <translation>제어기에서 시작하십시오</translation>
@@ -11676,7 +11704,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TouchKeyboard</name>
+    <name>kerf::ui::TouchKeyboard</name>
         <message>
             <source>ABC</source>
             <translation>가나다</translation>
@@ -11695,7 +11723,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TrialBars</name>
+    <name>kerf::ui::TrialBars</name>
         <message>
             <source>before</source>
             <translation>전</translation>
@@ -11714,7 +11742,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningArchive</name>
+    <name>kerf::ui::TurningArchive</name>
         <message>
             <source>Archive of turned parts</source>
             <translation>선삭 공작물 보관함</translation>
@@ -11797,9 +11825,37 @@
             <source>target</source>
             <translation>목표</translation>
         </message>
+        <message>
+            <source>Reason to leave this part out of what the next ones begin from</source>
+            <translation>이 공작물을 다음 공작물이 시작하는 근거에서 빼는 이유</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>%1 님이 뺌: %2</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: none of this cut is sure.</source>
+            <translation>시작 뒤 첫 공작물은 가정한 공정에서 시작합니다. 이 절삭에는 확실한 공작물이 없습니다.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from part %1; parts of this cut that count: %2.</source>
+            <translation>시작 뒤 첫 공작물은 공작물 %1에서 시작합니다. 이 절삭에서 세는 공작물: %2.</translation>
+        </message>
+        <message>
+            <source>The first part after a start begins from the assumed process: the parts of this cut contradict each other.</source>
+            <translation>시작 뒤 첫 공작물은 가정한 공정에서 시작합니다. 이 절삭의 공작물들이 서로 어긋납니다.</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 넣기</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>빼기</translation>
+        </message>
     </context>
     <context>
-        <name>kerf::ui::TurningControlPanel</name>
+    <name>kerf::ui::TurningControlPanel</name>
         <message>
             <source>controller</source>
             <translation>제어기</translation>
@@ -11851,7 +11907,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningPage</name>
+    <name>kerf::ui::TurningPage</name>
         <message>
             <source>This machine has no turning loop: force feedback needs a lathe with a 0.2 ms cycle, a force sensor and a fast tool trim.</source>
             <translation>이 기계에는 선삭 루프가 없습니다. 힘 피드백에는 0.2 ms 주기의 선반, 힘 센서, 빠른 공구 보정이 필요합니다.</translation>
@@ -11862,7 +11918,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::TurningSetupForm</name>
+    <name>kerf::ui::TurningSetupForm</name>
         <message>
             <source>Setup of the next part</source>
             <translation>다음 공작물의 설정</translation>
@@ -11921,7 +11977,7 @@
         </message>
     </context>
     <context>
-        <name>kerf::ui::ValueField</name>
+    <name>kerf::ui::ValueField</name>
         <message>
             <source>Enter a number.</source>
             <translation>숫자를 입력하십시오.</translation>

@@ -307,6 +307,11 @@ const std::vector<Row>& rows() {
          [](Shop& s, Text who, Text) {
              return s.wait([&](const auto& done) { s.turning->setController(TurningController::Pi, who, done); });
          }},
+        {Deed::TurningMemory,
+         [](Shop& s, Text who, Text why) {
+             return s.wait([&](const auto& done) { s.turning->leaveOut(12, true, who, why, done); });
+         },
+         false, "There is no such part."},
         {Deed::ThermalModel,
          [](Shop& s, Text who, Text) {
              if (s.thermal->view().training.state != TrainingState::Ready && !s.signedOn.empty()) {

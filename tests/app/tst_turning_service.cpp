@@ -155,6 +155,59 @@ class TestTurningService : public QObject {
         QVERIFY(m_exchange->recall.refresh());
         QVERIFY(!m_exchange->recall.value().processKnown);
     }
+    void aPartIsLeftOutWithAReasonAndWhatFollowsBeginsFromTheOthers() {
+        const auto sure = [](double b0) {
+            return [b0](TurningRecord& r) {
+                r.identification.sure = true;
+                r.lawProcess = {0.87, b0, -0.62};
+            };
+        };
+        finishPart(1, true, sure(0.65));
+        finishPart(2, true, sure(0.66));
+        m_engine->fake.partSequence = 2;
+        QCOMPARE(m_service->view().memory.part.value_or(0), m_service->view().parts.back().number);
+        QCOMPARE(m_service->view().memory.counted, 2U);
+        const std::int64_t newest = m_service->view().parts.back().id;
+        const std::int64_t oldest = m_service->view().parts.front().id;
+        QVERIFY(leaveOut(newest, true, "Kim", "").contains(QStringLiteral("reason")));
+        QVERIFY(!leaveOut(newest + 7, true, "Kim", "bar").isEmpty());
+        m_engine->fake.turning.stage = TurningStage::Cutting;
+        QVERIFY(!leaveOut(newest, true, "Kim", "chip").isEmpty());
+        m_engine->fake.turning.stage = TurningStage::Idle;
+        (void)m_exchange->recall.refresh();
+        QVERIFY(!m_exchange->recall.value().processKnown);  // the loop has it itself
+        // Left out: the loop, which went by part 2, begins the next one from part 1.
+        QCOMPARE(leaveOut(newest, true, "Kim", "chip"), QString());
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(m_exchange->recall.value().processKnown);
+        QCOMPARE(m_exchange->recall.value().process.b0, 0.65);
+        QCOMPARE(m_service->view().parts.back().leftOutReason, std::string("chip"));
+        // Nothing is left: the assumed process.
+        QCOMPARE(leaveOut(oldest, true, "Kim", "other bar"), QString());
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown && m_exchange->recall.value().assumed);
+        // A part of before that is stored late does not undo it; the one that began from it ends it.
+        finishPart(2, true, sure(0.9));
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(m_exchange->recall.value().processKnown && m_exchange->recall.value().process.b0 == 0.9);
+        finishPart(3, true, sure(0.68));
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(!m_exchange->recall.value().processKnown && !m_exchange->recall.value().assumed);
+        // After a restart it is as if these parts had not been cut; taken in again, as if nothing had been said.
+        QCOMPARE(leaveOut(m_service->view().parts.back().id, true, "Kim", "chip"), QString());
+        QCOMPARE(leaveOut(m_service->view().parts[2].id, true, "Kim", "chip"), QString());
+        QCOMPARE(leaveOut(newest, false, "Kim", "no chip"), QString());
+        close();
+        m_exchange = std::make_unique<TurningExchange>();
+        open();
+        QVERIFY(m_exchange->recall.refresh());
+        QVERIFY(m_exchange->recall.value().processKnown);
+        QCOMPARE(m_exchange->recall.value().process.b0, 0.66);
+        QCOMPARE(m_service->view().memory.counted, 1U);
+        QVERIFY(m_service->view().parts.front().leftOut);
+        QCOMPARE(m_service->view().parts.front().leftOutAuthor, std::string("Kim"));
+        QVERIFY(!m_service->view().parts[1].leftOut);
+    }
     void aPartOfAnotherCutOrOneThatLeftTheLoopIsNotCompared() {
         finishPart(1, false, [](TurningRecord& r) { r.setup.depth_um = 3.0; });
         finishPart(2, true);
@@ -275,6 +328,15 @@ class TestTurningService : public QObject {
         m_service->setController(controller, "Kim", [&done](const Result<void>& result) { done = result.has_value(); });
         waitUntil([&done] { return done.has_value(); });
         return *done;
+    }
+    /// What it answered; empty: done.
+    QString leaveOut(std::int64_t part, bool out, const char* author, const char* reason) {
+        std::optional<QString> answer;
+        m_service->leaveOut(part, out, author, reason, [&answer](const Result<void>& done) {
+            answer = done ? QString() : QString::fromStdString(done.error().english());
+        });
+        waitUntil([&answer] { return answer.has_value(); });
+        return *answer;
     }
     void waitForMargins() {
         const std::uint64_t before = m_service->view().revision;

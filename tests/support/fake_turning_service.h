@@ -60,6 +60,21 @@ class FakeTurningService : public TurningService {
         }
         answer(done);
     }
+    void leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
+                  Done done) override {
+        authors.push_back(author);
+        if (failWith.empty()) {
+            for (TurningPartView& one : fake.parts) {
+                if (one.id == part) {
+                    one.leftOut = out;
+                    one.leftOutReason = reason;
+                    one.leftOutAuthor = author;
+                }
+            }
+            change();
+        }
+        answer(done);
+    }
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override {
         m_changed = std::move(changed);
         return std::make_unique<Subscription>();

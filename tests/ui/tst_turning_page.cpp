@@ -248,6 +248,28 @@ class TestTurningPage : public QObject {
         QVERIFY(m_bench->find<Chart>("turningArchiveForce")->drawn(0).size() == 200);
         QVERIFY(m_bench->press("turningArchiveClose"));
     }
+    void aPartIsLeftOutWithAReason() {
+        show();
+        m_service->archiveTwo();
+        m_service->fake.memory = {2U, 2U};
+        QVERIFY(m_bench->press("turningArchive"));
+        m_bench->find<QTableWidget>("turningArchiveTable")->setCurrentCell(1, 0);
+        m_bench->find<QLineEdit>("turningArchiveReason")->setText(QStringLiteral("chip in the cut"));
+        QVERIFY(m_bench->press("turningArchiveLeaveOut"));
+        QVERIFY(m_service->fake.parts.front().leftOut);
+        QCOMPARE(m_service->fake.parts.front().leftOutReason, std::string("chip in the cut"));
+        QVERIFY(!m_service->fake.parts.back().leftOut);
+        QVERIFY(text("turningArchiveText").contains(QStringLiteral("chip in the cut")));
+        QVERIFY(m_bench->find<QLineEdit>("turningArchiveReason")->text().isEmpty());
+        QVERIFY(m_bench->press("turningArchiveLeaveOut"));  // the fake wants no reason
+        QVERIFY(!m_service->fake.parts.front().leftOut);
+        m_service->failWith = Sentence("There is no such part.");
+        m_bench->find<QLineEdit>("turningArchiveReason")->setText(QStringLiteral("again"));
+        QVERIFY(m_bench->press("turningArchiveLeaveOut"));
+        QCOMPARE(text("turningArchiveMessage"), QStringLiteral("There is no such part."));
+        QCOMPARE(m_bench->find<QLineEdit>("turningArchiveReason")->text(), QStringLiteral("again"));
+        QVERIFY(m_bench->press("turningArchiveClose"));
+    }
     void theKeyFigureIsTheSurface() {
         cut();
         const KeyFigure figure = turningFigure(m_bench->services, m_bench->engine.fake);

@@ -107,7 +107,8 @@ std::vector<HelpText> buttonTexts() {
         about("turningSetup", Help::tr("Setup"),
               Help::tr("Depth, speed and path of the next cut, and how far the trim may go.")),
         about("turningArchive", Help::tr("Archive of parts"),
-              Help::tr("The parts turned so far, with surface, force and trim of each.")),
+              Help::tr("The parts turned so far, with surface, force and trim of each; one can be left out of what the "
+                       "next begin from, with a reason.")),
         about("turningOpen", Help::tr("Open"), Help::tr("No trim: what the lathe does by itself.")),
         about("turningPaper", Help::tr("Paper"), Help::tr("The controller of the published work, for comparison.")),
         about("turningPi", Help::tr("PI"), Help::tr("A tuned PI controller, for comparison.")),

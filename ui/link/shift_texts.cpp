@@ -36,6 +36,7 @@ QString keptText(const QString& kind) {
         {"gap-zero", QT_TRANSLATE_NOOP("Shift", "gap sensors set to zero")},
         {"gauge", QT_TRANSLATE_NOOP("Shift", "gauge registered")},
         {"gauge_study", QT_TRANSLATE_NOOP("Shift", "gauge study made")},
+        {"memory", QT_TRANSLATE_NOOP("Shift", "part left out of memory or taken in")},
         {"model", QT_TRANSLATE_NOOP("Shift", "model put live")},
         {"sensor-places", QT_TRANSLATE_NOOP("Shift", "sensors placed")},
         {"session", QT_TRANSLATE_NOOP("Shift", "session recorded")},

@@ -48,6 +48,15 @@ struct TurningPartView {
     TurningRecord record{};
     TurningSpectrum spectrum{};
     std::vector<TurningForcePiece> force{};
+    bool leftOut{false};          ///< of what the next part may begin from
+    std::string leftOutReason{};  ///< why it was left out or taken in again …
+    std::string leftOutAuthor{};  ///< … and by whom; empty: never
+};
+
+/// What the first part after a start begins from.
+struct TurningMemoryView {
+    std::optional<std::uint32_t> part{};  ///< whose process it is; empty: the assumed process
+    std::uint32_t counted{0};             ///< parts of the same cut with a sure process among the last ones
 };
 
 /// A part without the loop and one under it, cut with the same setup; improvements in per cent of the open one.
@@ -104,6 +113,7 @@ struct TurningServiceView {
     TurningBlindView blind{};
     std::vector<TurningPartView> parts{};  ///< the last 25, oldest first
     std::optional<TurningComparison> comparison{};
+    TurningMemoryView memory{};
     Sentence storeProblem{};  ///< empty when the database works
 };
 
@@ -137,6 +147,11 @@ class TurningService {
                            Done done) = 0;
     /// Another law, bumpless, also while cutting.
     virtual void setController(TurningController controller, const std::string& author, Done done) = 0;
+    /// A part, by its id, that nothing shall begin from, or that counts again. Wants a reason. What the next part
+    /// begins from is then computed again from the others, also where the loop has gone by that part until now. Between
+    /// parts.
+    virtual void leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
+                          Done done) = 0;
 
     /// `changed` runs on the GUI thread after every new view; the handle ends the subscription when destroyed.
     [[nodiscard]] virtual std::unique_ptr<Subscription> onChanged(std::function<void()> changed) = 0;

@@ -10,7 +10,6 @@
 namespace kerf {
 namespace {
 
-constexpr const char* kItself = "Kerf";
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
 constexpr const char* kBrought = "blank profile of before";

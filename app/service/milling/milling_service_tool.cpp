@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t kCutsShown = 25;
 constexpr std::uint32_t kMostRecords = 20'000;
 constexpr const char* kToolMemoryRecord = "tool_memory";
-constexpr const char* kItself = "Kerf";
 constexpr double kSameRadius_mm = 1e-6;
 
 template <class Action>

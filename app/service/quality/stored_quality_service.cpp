@@ -9,6 +9,7 @@
 #include "app/files/dfq_files.h"
 #include "app/files/table.h"
 #include "app/service/boring/boring_memory.h"
+#include "app/service/change_way.h"
 #include "app/service/quality/dfq_export.h"
 #include "app/service/quality/gauge_records.h"
 #include "app/service/quality/lot_dfq.h"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr std::uint32_t kMostRecords = 100'000;
 constexpr std::uint32_t kMostAlarms = 1'000;
-constexpr const char* kItself = "Kerf";
 constexpr const char* kRulesChosen = "rules of the charts chosen";
 constexpr std::int64_t kBeforeFirstPart_ms = 3'600'000;  // what went wrong while the first part was cut
 

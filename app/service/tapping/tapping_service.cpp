@@ -18,8 +18,6 @@ constexpr std::size_t kCurvePoints = 240;     ///< of a stored curve
 constexpr std::size_t kProductionTaps = 200;  ///< shown
 constexpr double kMargin_s = 0.5;             ///< a control may begin and end a tap late
 
-const std::string kItself = "Kerf";  ///< who loads a job at start
-
 std::string jobText(const TapChoice& choice) {
     return choice.thread + ", " + fixedText(choice.speed_rpm, 0) + " rpm, " + fixedText(choice.depth_rev, 1) + " rev";
 }

@@ -22,31 +22,38 @@ bool sameCut(const TurningSetup& a, const TurningSetup& b) noexcept {
            a.toolRadius_um == b.toolRadius_um;
 }
 
-TurningRecall turningRecall(std::span<const TurningPartView> parts, const TurningSetup& setup) {
-    TurningRecall out;
-    std::vector<const TurningRecord*> same;  // newest first
+TurningPast turningPast(std::span<const TurningPartView> parts, const TurningSetup& setup) {
+    TurningPast past;
+    TurningRecall& out = past.recall;
+    std::vector<const TurningPartView*> same;  // newest first
     for (auto part = parts.rbegin(); part != parts.rend() && same.size() < kPartsLookedAt; ++part) {
-        if (part->complete && !part->record.leftLoop && sameCut(part->record.setup, setup)) {
-            same.push_back(&part->record);
+        if (part->complete && !part->leftOut && !part->record.leftLoop && sameCut(part->record.setup, setup)) {
+            same.push_back(&*part);
         }
     }
     double low = 0.0;
     double high = 0.0;
-    for (const TurningRecord* record : same) {
-        const double g = gain(record->lawProcess);
-        if (!record->identification.sure || !std::isfinite(g) || g <= 0.0) {
+    for (const TurningPartView* part : same) {
+        const TurningProcess& process = part->record.lawProcess;
+        const double g = gain(process);
+        if (!part->record.identification.sure || !std::isfinite(g) || g <= 0.0) {
             continue;
         }
         if (!out.processKnown) {  // the newest
-            out.process = record->lawProcess;
+            out.process = process;
             out.processKnown = true;
+            past.view.part = part->number;
             low = high = g;
         }
+        ++past.view.counted;
         low = std::min(low, g);
         high = std::max(high, g);
     }
     out.processKnown = out.processKnown && high <= kOddGain * low;
-    return out;
+    if (!out.processKnown) {
+        past.view.part.reset();
+    }
+    return past;
 }
 
 }  // namespace kerf

@@ -23,6 +23,7 @@ constexpr const char* kAuthor = "Kerf";
 constexpr const char* kController = "controller";
 constexpr const char* kBrought = "law of before";
 constexpr const char* kPart = "part";
+constexpr const char* kMemory = "memory";  // subject: the part
 constexpr double kHighestShown_Hz = 420.0;
 constexpr double kShareMoved = 0.05;  ///< trust in the tones, weights of the predictions: more are other margins
 constexpr double kWeightMoved = 0.1;
@@ -91,6 +92,11 @@ void StoredTurningService::restore() {
     if (!saysLaw) {
         bringLaw();
     }
+    restoreParts();
+    compare();
+}
+
+void StoredTurningService::restoreParts() {
     const auto rows = m_links.reader.roomRecords(ProcessId::Turning, kPart, {}, kPartsShown);
     if (!rows) {
         m_way.setStoreProblem(rows.error());
@@ -105,7 +111,20 @@ void StoredTurningService::restore() {
     if (!m_view.parts.empty()) {
         m_view.live = m_view.parts.back().spectrum;
     }
-    compare();
+    const auto told = m_links.reader.newestRoomRecords(ProcessId::Turning, kMemory);
+    if (!told) {
+        m_way.setStoreProblem(told.error());
+        return;
+    }
+    for (const RoomRecordRow& row : *told) {
+        const auto part = std::ranges::find_if(
+            m_view.parts, [&](const TurningPartView& one) { return std::to_string(one.id) == row.subject; });
+        if (part != m_view.parts.end()) {
+            part->leftOut = row.bodyJson.find("true") != std::string::npos;
+            part->leftOutReason = row.reason;
+            part->leftOutAuthor = row.author;
+        }
+    }
 }
 
 void StoredTurningService::bringLaw() {
@@ -223,6 +242,34 @@ Result<void> StoredTurningService::mayAccept(const TurningSetup& setup, const st
 void StoredTurningService::setController(TurningController controller, const std::string& author, Done done) {
     accept(permitted(m_links.rights, author, Deed::TurningLaw), {asked().setup, controller}, author, "law chosen",
            std::nullopt, std::move(done));
+}
+
+void StoredTurningService::leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
+                                    Done done) {
+    const auto place = [this, part] { return std::ranges::find(m_view.parts, part, &TurningPartView::id); };
+    Result<void> may = permitted(m_links.rights, author, Deed::TurningMemory, reason);
+    if (may && place() == m_view.parts.end()) {
+        may = fail(KERF_TEXT("There is no such part."));
+    }
+    if (may && m_links.engine.status().turning.stage != TurningStage::Idle) {
+        may = fail(KERF_TEXT("A part is being cut: leave parts out between two of them."));
+    }
+    if (!may) {
+        if (done) {
+            done(may);
+        }
+        return;
+    }
+    store(kMemory, std::to_string(part), out ? R"({"left_out":true})" : R"({"left_out":false})", author, reason,
+          std::move(done), [this, place, out, author, reason] {
+              if (const auto found = place(); found != m_view.parts.end()) {
+                  found->leftOut = out;
+                  found->leftOutReason = reason;
+                  found->leftOutAuthor = author;
+              }
+              m_anewAfter = m_links.engine.status().partSequence;
+              recall();
+          });
 }
 
 void StoredTurningService::send() {
@@ -475,15 +522,22 @@ void StoredTurningService::partStored(const StoredPart& stored) {
         m_view.parts.erase(m_view.parts.begin());
     }
     m_cutSinceStart = true;
+    if (m_anewAfter && stored.record.partSequence > *m_anewAfter) {  // it has begun from what counts
+        m_anewAfter.reset();
+    }
     recall();
     compare();
     changed();
 }
 
-/// What the next part begins from. The process only until the first part after a start: then the loop's own is newer.
+/// What the next part begins from. The process only until the first part after a start: then the loop's own is newer,
+/// until a part that it may rest on is left out.
 void StoredTurningService::recall() {
-    TurningRecall kept = turningRecall(m_view.parts, m_view.setup);
-    kept.processKnown = kept.processKnown && !m_cutSinceStart;
+    const TurningPast past = turningPast(m_view.parts, m_view.setup);
+    m_view.memory = past.view;
+    TurningRecall kept = past.recall;
+    kept.assumed = m_anewAfter && !kept.processKnown;
+    kept.processKnown = kept.processKnown && (!m_cutSinceStart || m_anewAfter);
     m_links.exchange.recall.publish(kept);
 }
 

@@ -22,9 +22,10 @@
 
 namespace kerf {
 
-/// The turning service on the database: setup and law are a recipe, every part is a room record ("part"; a "controller"
-/// of before the law stood in the recipe is brought into it); stored first and then sent to the engine. A restart reads
-/// them again and goes on where it was: the next part begins with the process and the tones of the stored ones
+/// The turning service on the database: setup and law are a recipe, every part is a room record ("part", and "memory"
+/// of a part that is left out; a "controller" of before the law stood in the recipe is brought into it); stored first
+/// and then sent to the engine. A restart reads them again and goes on where it was: the next part begins with the
+/// process and the tones of the stored ones
 /// (turning_memory.h).
 ///
 /// Spectra are made from the surfaces that the loop hands over, margins on a worker. GUI thread only.
@@ -60,6 +61,8 @@ class StoredTurningService final : public TurningService {
     /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision) { m_lots.use(revision); }
     void setController(TurningController controller, const std::string& author, Done done) override;
+    void leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
+                  Done done) override;
     [[nodiscard]] std::unique_ptr<Subscription> onChanged(std::function<void()> changed) override;
 
     /// A few times per second: sends what the engine has not got yet, takes surfaces, follows margins and tones.
@@ -90,6 +93,7 @@ class StoredTurningService final : public TurningService {
     };
 
     void restore();
+    void restoreParts();
     /// Checked, stored as a revision of the recipe, then sent.
     void accept(const Result<void>& may, const TurningRecipe& recipe, const std::string& author,
                 const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done);
@@ -128,6 +132,9 @@ class StoredTurningService final : public TurningService {
     std::future<TurningMargins> m_marginsToCome{};
     std::optional<MarginBasis> m_marginBasis{};
     bool m_cutSinceStart{false};
+    /// What the loop goes by rests on other parts than those that count now: the part after this one, in the machine's
+    /// own count, begins anew.
+    std::optional<std::uint32_t> m_anewAfter{};
     std::vector<double> m_blindTones_Hz{};
     double m_blindSpeed_rpm{0.0};
     Listeners<> m_listeners{};

@@ -40,6 +40,7 @@ struct TurningForceTrace {
 struct TurningRecall {
     bool processKnown{false};  ///< take the law's process from here, once; false: it stays as it is
     TurningProcess process{};
+    bool assumed{false};  ///< not known, and what the loop goes by does not count any more: the assumed process
 };
 
 /// What passes between the loop (engine thread) and the service (one other thread) beside status and part records.

@@ -533,6 +533,8 @@ void TurningLoop::recall() noexcept {
     const turning::ProcessParams process{kept.process.a1, kept.process.b0, kept.process.b1};
     if (kept.processKnown && process.usable() && !tooFar(process)) {
         m_process = process;
+    } else if (kept.assumed) {
+        m_process = {};
     }
 }
 

@@ -5,9 +5,13 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScroller>
 #include <QTableWidget>
 
+#include "ui/link/reason_text.h"
+#include "ui/link/texts.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/widgets/label.h"
 
@@ -17,33 +21,40 @@ constexpr int kRowsShown = 3;
 constexpr double kPercent = 100.0;
 }  // namespace
 
-TurningArchive* TurningArchive::open(SheetHost& host, Look& look, const TurningService& service) {
-    Sheet* sheet = host.open({});
-    auto* archive = new TurningArchive(look, service, sheet);
+TurningArchive* TurningArchive::open(const PageContext& context, TurningService& service) {
+    Sheet* sheet = context.sheets.open({});
+    auto* archive = new TurningArchive(context, service, sheet);
     sheet->body()->addWidget(archive);
     archive->show();
     return archive;
 }
 
-TurningArchive::TurningArchive(Look& look, const TurningService& service, Sheet* sheet)
-    : FaceWidget(look, sheet),
+TurningArchive::TurningArchive(const PageContext& context, TurningService& service, Sheet* sheet)
+    : FaceWidget(context.look, sheet),
+      m_page(context),
       m_service(service),
       m_sheet(sheet),
       m_table(new QTableWidget(this)),
       m_text(makeLabel(TextRole::Small, this, true)),
       m_spectrumTitle(makeLabel(TextRole::Dim, this)),
       m_forceTitle(makeLabel(TextRole::Dim, this)),
-      m_spectrum(new SpectrumChart(look, this)),
-      m_force(new Chart(look, this)),
+      m_spectrum(new SpectrumChart(context.look, this)),
+      m_force(new Chart(context.look, this)),
       m_swing(m_force->addBand(Token::Past)),
       m_mean(m_force->addCurve({Token::Measured, Chart::Kind::Line, Chart::Marker::Disc, Stroke::Normal})),
       m_charts(new QGridLayout),
+      m_reason(new QLineEdit(this)),
+      m_leaveOut(new QPushButton(this)),
+      m_message(makeLabel(TextRole::Body, this, true)),
       m_close(new QPushButton) {
     setObjectName(QStringLiteral("turningArchiveSheet"));
     m_table->setObjectName(QStringLiteral("turningArchiveTable"));
     m_text->setObjectName(QStringLiteral("turningArchiveText"));
     m_spectrum->setObjectName(QStringLiteral("turningArchiveSpectrum"));
     m_force->setObjectName(QStringLiteral("turningArchiveForce"));
+    m_reason->setObjectName(QStringLiteral("turningArchiveReason"));
+    m_leaveOut->setObjectName(QStringLiteral("turningArchiveLeaveOut"));
+    m_message->setObjectName(QStringLiteral("turningArchiveMessage"));
     m_close->setObjectName(QStringLiteral("turningArchiveClose"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -65,7 +76,15 @@ TurningArchive::TurningArchive(Look& look, const TurningService& service, Sheet*
     rows->addWidget(m_table, 1);
     rows->addWidget(m_text);
     rows->addLayout(m_charts, 1);
+    auto* memory = new QHBoxLayout;
+    memory->addWidget(m_reason, 1);
+    memory->addWidget(m_leaveOut);
+    rows->addLayout(memory);
+    rows->addWidget(m_message);
+    m_message->hide();
     sheet->addButton(m_close, {});
+    m_table->setFocus();  // a reason is typed by who wants to, the keys are not waiting for it
+    connect(m_leaveOut, &QPushButton::clicked, this, &TurningArchive::leaveOut);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showPart(row); });
     refresh();
 }
@@ -73,8 +92,8 @@ TurningArchive::TurningArchive(Look& look, const TurningService& service, Sheet*
 void TurningArchive::refresh() {
     if (m_sheet) {
         m_sheet->setTitle(tr("Archive of turned parts"));
-        m_sheet->setText(tr("Touch a part to see its spectrum and its force along the face."));
     }
+    m_reason->setPlaceholderText(tr("Reason to leave this part out of what the next ones begin from"));
     m_close->setText(tr("Close"));
     m_spectrum->retranslate();
     m_spectrumTitle->setText(m_spectrum->axesText());
@@ -134,6 +153,10 @@ void TurningArchive::fill() {
             m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
         }
     }
+    showMemory();
+    for (QWidget* one : {static_cast<QWidget*>(m_reason), static_cast<QWidget*>(m_leaveOut)}) {
+        one->setVisible(m_table->rowCount() > 0);
+    }
     if (m_table->rowCount() > 0) {
         m_table->setCurrentCell(std::min(m_row, m_table->rowCount() - 1), 0);
         showPart(m_table->currentRow());
@@ -158,7 +181,72 @@ QString TurningArchive::textOf(const TurningPartView& part) const {
     if (!part.complete) {
         text += u' ' + tr("It was not cut to the end.");
     }
+    if (part.leftOut) {
+        text +=
+            u'\n' +
+            tr("Left out by %1: %2").arg(QString::fromStdString(part.leftOutAuthor), reasonText(part.leftOutReason));
+    }
     return text;
+}
+
+/// Above the table: what to touch, and what the first part after a start begins from.
+void TurningArchive::showMemory() {
+    if (!m_sheet) {
+        return;
+    }
+    const TurningMemoryView& memory = m_service.view().memory;
+    QString begins = tr("The first part after a start begins from the assumed process: none of this cut is sure.");
+    if (memory.part) {
+        begins = tr("The first part after a start begins from part %1; parts of this cut that count: %2.")
+                     .arg(*memory.part)
+                     .arg(memory.counted);
+    } else if (memory.counted > 0) {
+        begins =
+            tr("The first part after a start begins from the assumed process: the parts of this cut contradict "
+               "each other.");
+    }
+    m_sheet->setText(tr("Touch a part to see its spectrum and its force along the face.") + u' ' + begins);
+}
+
+const TurningPartView* TurningArchive::touched() const {
+    const auto& parts = m_service.view().parts;
+    return m_row < static_cast<int>(parts.size()) ? &parts[parts.size() - 1 - static_cast<std::size_t>(m_row)]
+                                                  : nullptr;
+}
+
+void TurningArchive::leaveOut() {
+    const QString reason = m_reason->text();
+    const QPointer<TurningArchive> self(this);
+    m_page.withPermission(Deed::TurningMemory, [self, reason] {
+        if (TurningArchive* archive = self.data(); archive != nullptr) {
+            archive->sendLeaveOut(reason);
+        }
+    });
+}
+
+void TurningArchive::sendLeaveOut(const QString& reason) {
+    const TurningPartView* part = touched();
+    if (part == nullptr) {
+        return;
+    }
+    m_service.leaveOut(part->id, !part->leftOut, m_page.session.author(), reason.simplified().toStdString(),
+                       [self = QPointer<TurningArchive>(this), reason](const Result<void>& done) {
+                           if (TurningArchive* archive = self.data(); archive != nullptr) {
+                               archive->answered(reason, done);
+                           }
+                       });
+}
+
+void TurningArchive::answered(const QString& reason, const Result<void>& done) {
+    m_message->setText(done ? QString() : sentenceText(done.error(), look().units()));
+    m_message->setVisible(!done);
+    if (!done) {
+        return;
+    }
+    if (m_reason->text() == reason) {  // else the next one is being typed
+        m_reason->clear();
+    }
+    fill();
 }
 
 void TurningArchive::showPart(int row) {
@@ -169,6 +257,7 @@ void TurningArchive::showPart(int row) {
     m_row = row;
     const TurningPartView& part = parts[parts.size() - 1 - static_cast<std::size_t>(row)];
     m_text->setText(textOf(part));
+    m_leaveOut->setText(part.leftOut ? tr("Take in again") : tr("Leave out"));
     m_spectrum->setSpectrum(part.spectrum);
     m_spectrum->setTones({part.record.tones.begin(), part.record.tones.begin() + part.record.toneCount});
     std::vector<Chart::BandPoint> swing;

@@ -84,7 +84,7 @@ void TurningPage::build() {
         });
     });
     connect(m_comparison, &ComparisonPanel::archiveWanted, this,
-            [this] { TurningArchive::open(context().sheets, look(), *m_service); });
+            [this] { TurningArchive::open(context(), *m_service); });
     connect(&client, &EngineClient::statusChanged, this, &TurningPage::onStatus);
     connect(&client, &EngineClient::samplesArrived, m_force, &ForcePanel::addSamples);
     m_subscription = m_service->onChanged([this] { onServiceChanged(); });
