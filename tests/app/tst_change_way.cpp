@@ -6,25 +6,19 @@
 #include "app/service/tapping/tapping_service.h"
 #include "app/service/thermal/thermal_service.h"
 #include "app/service/turning/turning_service.h"
-#include "db/writer_thread.h"
 #include "engine/process/tapping/drive_params.h"
 #include "engine/process/tapping/trial_machine.h"
-#include "tests/db/db_test_support.h"
-#include "tests/support/fake_engine.h"
+#include "tests/support/service_bench.h"
 
 using namespace kerf;
 
 namespace {
 
-using Done = std::function<void(const Result<void>&)>;
+using Done = test::ServiceBench::Done;
 
 /// All five services on one data file and one engine that a test answers for.
-struct Shop {
-    Shop() : writer(scratch.path(), &ring, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
-        if (!writer.start()) {
-            qFatal("no writer");
-        }
-        reader = std::move(*db::DatabaseReader::open(scratch.path()));
+struct Shop : test::FiveServicesBench {
+    Shop() {
         engine.caps.servoGains.fitted = true;
         engine.fake.cycle = 1;
         StoredBoringService::Links links{writer, engine, {}, [] { return LoopMode::Control; }};
@@ -60,8 +54,6 @@ struct Shop {
         turning.reset();
         milling.reset();
         boring.reset();
-        reader.reset();
-        writer.stop();
     }
     void poll() {
         boring->poll();
@@ -69,14 +61,6 @@ struct Shop {
         turning->poll();
         thermal->poll();
         tapping->poll();
-    }
-    Result<void> wait(const std::function<void(const Done&)>& call) {
-        std::optional<Result<void>> result;
-        call([&](const Result<void>& answer) { result = answer; });
-        if (!QTest::qWaitFor([&] { return result.has_value(); })) {
-            return fail("no answer");
-        }
-        return *result;
     }
     /// A part of the lot is bored; its bore waits.
     void bore() {
@@ -101,14 +85,6 @@ struct Shop {
         return wait([&](const Done& done) { boring->service().enter(entry, done); });
     }
 
-    test::ScratchDatabase scratch;
-    test::FakeEngine engine;
-    SpscRing<PartRecord> ring{64};
-    db::WriterThread writer;
-    std::unique_ptr<db::DatabaseReader> reader;
-    std::unique_ptr<TurningExchange> turningExchange{std::make_unique<TurningExchange>()};
-    std::unique_ptr<ThermalExchange> thermalExchange{std::make_unique<ThermalExchange>()};
-    std::unique_ptr<TapExchange> tapExchange{std::make_unique<TapExchange>()};
     std::unique_ptr<StoredBoringLots> boring;
     std::unique_ptr<StoredMillingService> milling;
     std::unique_ptr<StoredTurningService> turning;

@@ -3,26 +3,19 @@
 
 #include "app/service/milling/milling_service.h"
 #include "app/service/turning/turning_service.h"
-#include "db/writer_thread.h"
-#include "tests/db/db_test_support.h"
-#include "tests/support/fake_engine.h"
+#include "tests/support/service_bench.h"
 
 using namespace kerf;
 
 namespace {
 
 /// Two services on one data file, with rights by name: Kim is an operator, Lee a setter.
-struct Bench {
-    Bench() : writer(scratch.path(), nullptr, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
-        if (!writer.start()) {
-            qFatal("no writer");
-        }
-        open();
-    }
+struct Bench : test::ServiceBench {
+    Bench() { open(); }
     void open() {
         milling.reset();
         turning.reset();
-        reader = std::move(*db::DatabaseReader::open(scratch.path()));
+        readAnew();
         const Rights rights = [](const std::string& author, Deed deed) -> std::optional<Sentence> {
             const Trust has = author == "Lee" ? Trust::Engineer : Trust::Operator;
             return has >= permissionOf(deed).least ? std::nullopt : std::optional(Sentence("not trusted with it"));
@@ -30,19 +23,11 @@ struct Bench {
         StoredMillingService::Links links{writer, engine, [] { return std::string("Kerf"); }, {}, rights};
         milling = std::make_unique<StoredMillingService>(std::move(links), *reader, *reader, *reader);
         turning = std::make_unique<StoredTurningService>(
-            StoredTurningService::Links{writer, engine, *exchange, *reader, *reader, rights});
+            StoredTurningService::Links{writer, engine, *turningExchange, *reader, *reader, rights});
         turning->poll();
     }
-    /// The answer of a change; nothing while it has not come.
-    template <class Call>
-    [[nodiscard]] Result<void> done(const Call& call) {
-        std::optional<Result<void>> answer;
-        call([&answer](const Result<void>& result) { answer = result; });
-        (void)QTest::qWaitFor([&] { return answer.has_value(); });
-        return answer.value_or(fail("no answer"));
-    }
     [[nodiscard]] Result<void> openLot(LotService& lots, const std::string& name, const std::string& author) {
-        return done([&](auto answer) { lots.open({name, 20, "end mill 8", "caliper 3"}, author, answer); });
+        return wait([&](const auto& answer) { lots.open({name, 20, "end mill 8", "caliper 3"}, author, answer); });
     }
     /// What the engine was told last of the process.
     [[nodiscard]] std::optional<WorkOrder> told(ProcessId process) const {
@@ -78,11 +63,6 @@ struct Bench {
         engine.fake.cycle = 1;
     }
 
-    test::ScratchDatabase scratch;
-    test::FakeEngine engine;
-    db::WriterThread writer;
-    std::unique_ptr<TurningExchange> exchange{std::make_unique<TurningExchange>()};
-    std::unique_ptr<db::DatabaseReader> reader;
     std::unique_ptr<StoredMillingService> milling;
     std::unique_ptr<StoredTurningService> turning;
 };
@@ -116,17 +96,17 @@ class TestLots : public QObject {
         QVERIFY(!bench.openLot(lots, "R7", "Lee"));  // the name is taken
         QVERIFY(bench.openLot(lots, "R8", "Lee"));
         QCOMPARE(bench.told(ProcessId::Milling)->lot, lots.current()->id);
-        QVERIFY(bench.done([&](auto answer) { lots.choose(first->id, "Lee", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { lots.choose(first->id, "Lee", answer); }));
         QCOMPARE(bench.told(ProcessId::Milling)->lot, first->id);
-        QVERIFY(bench.done([&](auto answer) { lots.leave("Lee", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { lots.leave("Lee", answer); }));
         QVERIFY(!lots.current());
         QCOMPARE(bench.told(ProcessId::Milling)->lot, std::int64_t{0});
         QCOMPARE(bench.told(ProcessId::Milling)->recipe, order->recipe);  // the recipe stays what it is
-        QVERIFY(bench.done([&](auto answer) { lots.choose(first->id, "Lee", answer); }));
-        QVERIFY(!bench.done([&](auto answer) { lots.close("Lee", " ", answer); }));  // for no reason
-        QVERIFY(bench.done([&](auto answer) { lots.close("Lee", "all cut", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { lots.choose(first->id, "Lee", answer); }));
+        QVERIFY(!bench.wait([&](const auto& answer) { lots.close("Lee", " ", answer); }));  // for no reason
+        QVERIFY(bench.wait([&](const auto& answer) { lots.close("Lee", "all cut", answer); }));
         QVERIFY(!lots.current());
-        QVERIFY(!bench.done([&](auto answer) { lots.choose(first->id, "Lee", answer); }));
+        QVERIFY(!bench.wait([&](const auto& answer) { lots.choose(first->id, "Lee", answer); }));
         QVERIFY(bench.reader->verifyAudit()->finding.empty());
     }
     void aLotOutlivesTheConsoleAndWaitsForItsPartType() {
@@ -137,15 +117,16 @@ class TestLots : public QObject {
         bench.engine.commands.clear();
         bench.open();
         QCOMPARE(bench.told(ProcessId::Milling), std::optional(order));  // with the setup, before any part
-        QVERIFY(bench.done([&](auto answer) { bench.milling->choosePartType("Bracket", "Lee", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.milling->choosePartType("Bracket", "Lee", answer); }));
         QVERIFY(!bench.milling->lots()->current());  // it is no lot of brackets
         const auto bracket = bench.told(ProcessId::Milling);
         QCOMPARE(bracket->lot, std::int64_t{0});
         QVERIFY(bracket->recipe != order.recipe);
-        const auto refused = bench.done([&](auto answer) { bench.milling->lots()->choose(order.lot, "Lee", answer); });
+        const auto refused =
+            bench.wait([&](const auto& answer) { bench.milling->lots()->choose(order.lot, "Lee", answer); });
         QVERIFY(!refused);
         QVERIFY(refused.error().english().find("Rail") != std::string::npos);
-        QVERIFY(bench.done([&](auto answer) { bench.milling->choosePartType("Rail", "Lee", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.milling->choosePartType("Rail", "Lee", answer); }));
         QCOMPARE(bench.told(ProcessId::Milling), std::optional(order));
     }
     void anotherRevisionGoesWithTheSetupAndTheLotStays() {
@@ -155,7 +136,7 @@ class TestLots : public QObject {
         const WorkOrder before = *bench.told(ProcessId::Milling);
         MillingSetup setup = bench.milling->view().setup;
         setup.reference_N = 300.0;
-        QVERIFY(bench.done([&](auto answer) { bench.milling->saveSetup(setup, "Lee", "softer", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.milling->saveSetup(setup, "Lee", "softer", answer); }));
         const WorkOrder after = *bench.told(ProcessId::Milling);
         QCOMPARE(after.lot, before.lot);
         QVERIFY(after.recipe > before.recipe);
@@ -202,7 +183,7 @@ class TestLots : public QObject {
         TurningSetup setup = bench.turning->view().setup;
         setup.depth_um = 4.5;
         const WorkOrder before = *bench.told(ProcessId::Turning);
-        QVERIFY(bench.done([&](auto answer) { bench.turning->loadSetup(setup, "Lee", "deeper", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.turning->loadSetup(setup, "Lee", "deeper", answer); }));
         QCOMPARE(bench.told(ProcessId::Turning)->lot, before.lot);
         QVERIFY(bench.told(ProcessId::Turning)->recipe > before.recipe);
     }

@@ -2,25 +2,18 @@
 #include <QTest>
 
 #include "app/service/milling/milling_service.h"
-#include "db/writer_thread.h"
-#include "tests/db/db_test_support.h"
-#include "tests/support/fake_engine.h"
+#include "tests/support/service_bench.h"
 
 using namespace kerf;
 
 namespace {
 
 /// The service on a real database, with rights by name: Kim is an operator, Lee a setter, Park an engineer.
-struct Bench {
-    Bench() : writer(scratch.path(), nullptr, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
-        if (!writer.start()) {
-            qFatal("no writer");
-        }
-        open();
-    }
+struct Bench : test::ServiceBench {
+    Bench() { open(); }
     void open() {
         service.reset();
-        reader = std::move(*db::DatabaseReader::open(scratch.path()));
+        readAnew();
         StoredMillingService::Links links{writer, engine, [] { return std::string("Kerf"); }, {}, {}};
         links.rights = [](const std::string& author, Deed deed) -> std::optional<Sentence> {
             const Trust has = author == "Park" ? Trust::Engineer : author == "Lee" ? Trust::Setter : Trust::Operator;
@@ -28,23 +21,13 @@ struct Bench {
         };
         service = std::make_unique<StoredMillingService>(std::move(links), *reader, *reader, *reader);
     }
-    template <class Call>
-    [[nodiscard]] bool done(const Call& call) {
-        std::optional<bool> ok;
-        call([&ok](const Result<void>& result) { ok = result.has_value(); });
-        return QTest::qWaitFor([&] { return ok.has_value(); }) && *ok;
+    [[nodiscard]] Result<void> save(const MillingSetup& setup, const char* author) {
+        return wait([&](const auto& answer) { service->saveSetup(setup, author, "drawing", answer); });
     }
-    [[nodiscard]] bool save(const MillingSetup& setup, const char* author) {
-        return done([&](auto answer) { service->saveSetup(setup, author, "drawing", answer); });
-    }
-    [[nodiscard]] bool choose(const std::string& name, const char* author) {
-        return done([&](auto answer) { service->choosePartType(name, author, answer); });
+    [[nodiscard]] Result<void> choose(const std::string& name, const char* author) {
+        return wait([&](const auto& answer) { service->choosePartType(name, author, answer); });
     }
 
-    test::ScratchDatabase scratch;
-    test::FakeEngine engine;
-    db::WriterThread writer;
-    std::unique_ptr<db::DatabaseReader> reader;
     std::unique_ptr<StoredMillingService> service;
 };
 
@@ -75,7 +58,7 @@ class TestMillingService : public QObject {
         QVERIFY(!bench.save(setup, "Kim"));
         QVERIFY(bench.save(setup, "Lee"));  // a setter lowers it
         QVERIFY(!bench.choose("Bracket", "Kim"));
-        QVERIFY(bench.done([&](auto answer) { bench.service->newTool("Kim", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.service->newTool("Kim", answer); }));
     }
     void aNewToolBeginsFromTheOnesBefore() {
         Bench bench;
@@ -124,9 +107,10 @@ class TestMillingService : public QObject {
                                                                                    {7.9, millingToolWeights(1), true}}})
                                  .kxLogWeight);
         // The odd one is left out, with a reason; all after it is computed again, over a restart too.
-        QVERIFY(!bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Lee", "", answer); }));
-        QVERIFY(!bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Kim", "other bar", answer); }));
-        QVERIFY(bench.done([&](auto answer) { bench.service->leaveOut(20, true, "Lee", "other bar", answer); }));
+        QVERIFY(!bench.wait([&](const auto& answer) { bench.service->leaveOut(20, true, "Lee", "", answer); }));
+        QVERIFY(
+            !bench.wait([&](const auto& answer) { bench.service->leaveOut(20, true, "Kim", "other bar", answer); }));
+        QVERIFY(bench.wait([&](const auto& answer) { bench.service->leaveOut(20, true, "Lee", "other bar", answer); }));
         for (int restart = 0; restart < 2; ++restart) {
             QVERIFY(memory().tools.front().leftOut);
             QCOMPARE(memory().tools.front().reason, std::string("other bar"));
@@ -137,7 +121,8 @@ class TestMillingService : public QObject {
             QCOMPARE(std::ranges::max_element(weights) - weights.begin(), std::ptrdiff_t{1});
             bench.open();
         }
-        QVERIFY(bench.done([&](auto answer) { bench.service->leaveOut(20, false, "Lee", "was right", answer); }));
+        QVERIFY(
+            bench.wait([&](const auto& answer) { bench.service->leaveOut(20, false, "Lee", "was right", answer); }));
         QCOMPARE(memory().lnKx->tools, 3U);
         // Another part type: the tool's k_x counts, the material's ln(C b) does not.
         QVERIFY(bench.choose("Soft", "Park"));

@@ -11,17 +11,14 @@
 #include "app/service/tapping/tapping_service.h"
 #include "app/service/thermal/thermal_service.h"
 #include "app/service/turning/turning_service.h"
-#include "db/writer_thread.h"
 #include "engine/process/boring/plant.h"
-#include "tests/db/db_test_support.h"
-#include "tests/support/fake_engine.h"
+#include "tests/support/service_bench.h"
 #include "ui/services/command_deeds.h"
 
 using namespace kerf;
 
 namespace {
 
-constexpr db::WriterThread::Options kQuick{.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2};
 constexpr const char* kReason = "drawing B";
 
 Trust trustOf(const std::string& author) {
@@ -30,12 +27,8 @@ Trust trustOf(const std::string& author) {
 
 /// All five services and the gate on a real database, with rights by name: Kim is an operator, Lee a setter, Park a
 /// process engineer.
-struct Shop {
-    using Done = std::function<void(const Result<void>&)>;
-
-    Shop() : writer(scratch.path(), &ring, kQuick) {
-        if (!writer.start()) qFatal("no writer");
-        reader = std::move(*db::DatabaseReader::open(scratch.path()));
+struct Shop : test::FiveServicesBench {
+    Shop() {
         engine.caps.servoGains.fitted = true;
         engine.caps.temperatureCount = kMaxTemperatures;
         openBoring();
@@ -95,12 +88,6 @@ struct Shop {
         if (!ring.tryPush(record)) qFatal("ring");
         if (!QTest::qWaitFor([&] { return !lots->service().view().parts.empty(); })) qFatal("no part");
     }
-    Result<void> wait(const std::function<void(const Done&)>& call) {
-        std::optional<Result<void>> result;
-        call([&](const Result<void>& answer) { result = answer; });
-        if (!QTest::qWaitFor([&] { return result.has_value(); })) return fail("no answer");
-        return *result;
-    }
     /// Everything handed over is on the disk.
     void settle() {
         (void)wait([this](const Done& done) {
@@ -147,14 +134,6 @@ struct Shop {
         const Trust least = permissionOf(deed).least;
         return trustOf(author) >= least ? std::nullopt : std::optional(onlyWho(least));
     };
-    test::ScratchDatabase scratch;
-    test::FakeEngine engine;
-    SpscRing<PartRecord> ring{64};
-    db::WriterThread writer;
-    std::unique_ptr<db::DatabaseReader> reader;
-    std::unique_ptr<TurningExchange> turningExchange{std::make_unique<TurningExchange>()};
-    std::unique_ptr<ThermalExchange> thermalExchange{std::make_unique<ThermalExchange>()};
-    std::unique_ptr<TapExchange> tapExchange{std::make_unique<TapExchange>()};
     std::unique_ptr<StoredBoringLots> lots;
     std::unique_ptr<StoredMillingService> milling;
     std::unique_ptr<StoredTurningService> turning;

@@ -240,17 +240,8 @@ class TestConsoleWedge : public QObject {
 
  private slots:
     void initTestCase() {
-        console::Options options;
-        options.preparedParts = 3;
-        options.simulationSpeed = 400.0;
-        m_bench.start(options);
-        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench.console().shift()->prepared(), 240'000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 120'000);
-        m_bench.pause();
-        window()->setUpdatesEnabled(false);
-        QVERIFY(window()->session().signOn(QStringLiteral("Lee"), ui::Role::Operator));
-        QVERIFY(window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
+        m_walk.begin("", false);
+        if (QTest::currentTestFailed()) return;
         QVERIFY(wedge() != nullptr);
         wedge()->setClock([this] { return m_now_ms; });
         settle();

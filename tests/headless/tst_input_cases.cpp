@@ -6,33 +6,21 @@
 
 #include "tests/support/golden.h"
 #include "tests/support/kerf_program.h"
+#include "tests/support/table_files.h"
 
+using kerf::test::bytesOf;
 using kerf::test::csvRows;
+using kerf::test::day;
 using kerf::test::KerfRun;
+using kerf::test::put;
 using kerf::test::runKerf;
+using kerf::test::withColumn;
 using nlohmann::json;
 
 namespace {
 
 QString caseFile(const char* name) {
     return QString::fromStdString(kerf::test::fixture(std::string("cases/") + name));
-}
-
-QByteArray bytesOf(const QString& name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QByteArray day(const char* name) {
-    return bytesOf(QString::fromStdString(kerf::test::fixture(std::string("thermal/") + name + ".csv")));
-}
-
-QString put(const QString& name, const QByteArray& bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate) || file.write(bytes) != bytes.size()) {
-        return {};
-    }
-    return name;
 }
 
 /// One cell of a day replaced, by line (the header is 0) and column.
@@ -42,17 +30,6 @@ QByteArray withCell(const QByteArray& text, int line, const QByteArray& column, 
     QList<QByteArray> cells = lines[line].split(',');
     cells[at] = value;
     lines[line] = cells.join(',');
-    return lines.join('\n');
-}
-
-/// A further column behind the others.
-QByteArray withColumn(const QByteArray& text, const QByteArray& name, const std::function<QByteArray(int)>& value) {
-    QList<QByteArray> lines = text.split('\n');
-    for (int k = 0; k < lines.size(); ++k) {
-        if (!lines[k].isEmpty()) {
-            lines[k] += ',' + (k == 0 ? name : value(k));
-        }
-    }
     return lines.join('\n');
 }
 

@@ -3,44 +3,20 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/golden.h"
 #include "tests/support/kerf_program.h"
+#include "tests/support/table_files.h"
 
+using kerf::test::bytesOf;
+using kerf::test::day;
 using kerf::test::KerfRun;
+using kerf::test::put;
 using kerf::test::runKerf;
+using kerf::test::withColumn;
 using nlohmann::json;
 
 namespace {
 
 using Cell = std::function<QByteArray(int)>;
-
-QByteArray bytesOf(const QString& name) {
-    QFile file(name);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QByteArray day(const char* name) {
-    return bytesOf(QString::fromStdString(kerf::test::fixture(std::string("thermal/") + name + ".csv")));
-}
-
-QString put(const QString& name, const QByteArray& bytes) {
-    QFile file(name);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate) || file.write(bytes) != bytes.size()) {
-        return {};
-    }
-    return name;
-}
-
-/// A further column behind the others.
-QByteArray withColumn(const QByteArray& text, const QByteArray& name, const std::function<QByteArray(int)>& value) {
-    QList<QByteArray> lines = text.split('\n');
-    for (int k = 0; k < lines.size(); ++k) {
-        if (!lines[k].isEmpty()) {
-            lines[k] += ',' + (k == 0 ? name : value(k));
-        }
-    }
-    return lines.join('\n');
-}
 
 }  // namespace
 

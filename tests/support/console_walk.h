@@ -16,6 +16,22 @@ class ConsoleWalk {
  public:
     explicit ConsoleWalk(ConsoleBench& bench) : m_bench(bench) {}
 
+    /// A console with a few parts made, a bore that waits, and an operator and an engineer who are known; the machine
+    /// stands still.
+    void begin(const char* language, bool painted) {
+        console::Options options;
+        options.preparedParts = 3;
+        options.simulationSpeed = 400.0;
+        options.language = language;
+        m_bench.start(options);
+        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.console().shift()->prepared(), 240'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 120'000);
+        m_bench.pause();
+        window()->setUpdatesEnabled(painted);  // painting is half of the walk's time
+        QVERIFY(window()->session().signOn(QStringLiteral("Lee"), ui::Role::Operator));
+        QVERIFY(window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
+    }
     [[nodiscard]] ui::MainWindow* window() { return m_bench.console().window(); }
     [[nodiscard]] ui::SheetHost* host() { return &window()->sheets(); }
     static void settle() {
