@@ -13,6 +13,7 @@
 #include "app/files/replay_file.h"
 #include "app/files/table.h"
 #include "app/machines/machine_module_loader.h"
+#include "engine/core/utf8.h"
 #include "engine/cycle/machine_alarms.h"
 #include "engine/machine/linuxcnc/port_exposure.h"
 #include "ui/link/texts.h"
@@ -64,6 +65,7 @@ ConsoleApplication::~ConsoleApplication() {
     m_stops.reset();
     m_rooms.clear();
     m_sensorService.reset();
+    m_sensorChoice.reset();
     m_writer.reset();
 }
 
@@ -161,15 +163,33 @@ void ConsoleApplication::openRooms() {
     if (!m_shop->fault().empty()) {
         spdlog::error("shop: {}", m_shop->fault());
     }
-    if (m_sensors) {
-        const QDir place(QString::fromStdString(folder));
-        place.mkpath(QStringLiteral("sensors"));
-        m_sensors->record(place.filePath(QStringLiteral("sensors")).toStdString());
-        m_sensorService = std::make_unique<StoredSensorService>(
-            *m_sensors, *m_writer, *m_reader, place.filePath(QStringLiteral("sensors")).toStdString());
-    }
+    openSensors();
     m_modes = std::make_unique<LoopModes>(
         *m_engine, *m_reader, [this](const std::string& key, const std::string& value) { saveSetting(key, value); });
+}
+
+std::string ConsoleApplication::sensorFolder() const {
+    return QFileInfo(QString::fromStdString(m_databasePath)).absolutePath().toStdString() + "/sensors";
+}
+
+std::string ConsoleApplication::chosenSensorFile() const {
+    const auto chosen = m_reader->setting(SensorChoice::kSetting);
+    return chosen ? chosen->value_or(std::string()) : std::string();
+}
+
+void ConsoleApplication::openSensors() {
+    const std::string folder = sensorFolder();
+    QDir().mkpath(QString::fromStdString(folder));
+    SensorChoice::Links links{*m_writer, rights(), folder, chosenSensorFile()};
+    links.byCommandLine = !m_options.sensors.empty();
+    if (m_sensors) {
+        m_sensors->record(folder);
+        m_sensorService = std::make_unique<StoredSensorService>(*m_sensors, *m_writer, *m_reader, folder, rights());
+        links.inUse = links.byCommandLine
+                          ? QFileInfo(QString::fromStdString(m_options.sensors)).fileName().toStdString()
+                          : links.chosen;
+    }
+    m_sensorChoice = std::make_unique<SensorChoice>(std::move(links));
 }
 
 Result<void> ConsoleApplication::openData() {
@@ -251,13 +271,18 @@ Result<void> ConsoleApplication::openRecordedDay() {
 }
 
 Result<void> ConsoleApplication::joinSensors() {
-    if (!m_options.sensors.empty()) {
-        auto sensors = ConsoleSensors::open(m_options.sensors, *m_machine);
-        if (!sensors) {
+    const std::string chosen = chosenSensorFile();
+    const bool named = !m_options.sensors.empty();
+    if (named || !chosen.empty()) {
+        auto sensors = ConsoleSensors::open(named ? m_options.sensors : sensorFolder() + '/' + chosen, *m_machine);
+        if (sensors) {
+            m_sensors = std::move(*sensors);
+            m_machine = &m_sensors->port();
+        } else if (named) {
             return tl::unexpected(sensors.error());
+        } else {  // who chose it on the screen can choose another one there
+            m_notRead = chosen;
         }
-        m_sensors = std::move(*sensors);
-        m_machine = &m_sensors->port();
     }
     return m_machine->connect();
 }
@@ -407,6 +432,12 @@ std::vector<Sentence> ConsoleApplication::startFindings() const {
         sentences.emplace_back(
             KERF_TEXT("A backup has taken the place of the data; what was there is kept as %1."),
             SentenceArg(QFileInfo(QString::fromStdString(finding.setAside)).fileName().toStdString()));
+    }
+    if (!m_notRead.empty()) {
+        sentences.emplace_back(
+            KERF_TEXT("The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says "
+                      "why."),
+            SentenceArg(beginOf(m_notRead, SentenceArg{}.name.size() - 1)));
     }
     if (finding.partsFound > 0) {
         sentences.emplace_back(KERF_TEXT("%1 finished parts had waited beside the data file; they are stored now."),

@@ -13,6 +13,7 @@
 #include "app/console/quality_desk.h"
 #include "app/console/rooms/boring_room.h"
 #include "app/console/rooms/room.h"
+#include "app/console/sensor_choice.h"
 #include "app/console/sensor_service.h"
 #include "app/console/sensors.h"
 #include "app/console/shift_desk.h"
@@ -80,6 +81,9 @@ class ConsoleApplication : public QObject {
     [[nodiscard]] Result<void> joinSensors();
     void makeEngine();
     void openRooms();
+    void openSensors();
+    [[nodiscard]] std::string sensorFolder() const;
+    [[nodiscard]] std::string chosenSensorFile() const;
     void waitForRoom(std::size_t next);
     /// Null where nothing is bored.
     [[nodiscard]] BoringRoom* boring() const noexcept;
@@ -112,6 +116,8 @@ class ConsoleApplication : public QObject {
     std::vector<std::string> m_recordedSensors;            ///< of a recorded day
     std::unique_ptr<StoredSensorService> m_sensorService;  ///< null without a sensor file
     std::unique_ptr<ConsoleSensors> m_sensors;             ///< null without a sensor file
+    std::unique_ptr<SensorChoice> m_sensorChoice;          ///< which sensor file the next start reads
+    std::string m_notRead;                                 ///< sensor file that was chosen but could not be used
     MachinePort* m_machine{nullptr};
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<DataKeeper> m_keeper;

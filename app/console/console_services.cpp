@@ -31,16 +31,13 @@ ui::Services ConsoleApplication::services() {
             }});
     }
     ui::Services services{*m_gate};
-    if (m_sensors && !m_sensors->file().gauges.empty()) {
+    if (m_sensorService && !m_sensors->file().gauges.empty()) {
         services.nextGaugeFrame = [this]() -> std::optional<ui::GaugeLineFrame> {
-            const auto seen = m_sensors->nextGaugeFrame();
+            const auto seen = m_sensorService->nextReading();
             if (!seen) {
                 return std::nullopt;
             }
-            if (m_sensorService) {
-                m_sensorService->sawGaugeFrame(seen->gauge, seen->frame);
-            }
-            ui::GaugeLineFrame out{QString::fromStdString(seen->frame), {}};
+            ui::GaugeLineFrame out{QString::fromStdString(seen->frame), {}, m_sensors->file().gauges[seen->gauge].name};
             if (seen->depth) {
                 out.depth = static_cast<std::uint8_t>(*seen->depth - 1);
             }
@@ -48,6 +45,7 @@ ui::Services ConsoleApplication::services() {
         };
     }
     services.sensorService = m_sensorService.get();
+    services.sensorSetup = m_sensorChoice.get();
     services.parts = m_reader.get();
     services.openParts = [path = m_databasePath]() -> std::unique_ptr<PartReader> {
         auto reader = db::DatabaseReader::open(path);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/sensors/cause_text.h"
 #include "app/sensors/monotonic.h"
@@ -16,6 +17,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::int64_t kTestRead_ns = 3'000'000'000;  ///< a gauge that has not answered by then does not
+constexpr std::size_t kMostReadings = 64;
 constexpr const char* kPlaces = "sensor-places";
 
 std::string addressOf(const sensors::Module& module) {
@@ -33,8 +36,8 @@ std::string addressOf(const sensors::Module& module) {
 }  // namespace
 
 StoredSensorService::StoredSensorService(ConsoleSensors& sensors, StoreWriter& writer, RoomRecordReader& reader,
-                                         std::string folder)
-    : m_sensors(sensors), m_writer(writer) {
+                                         std::string folder, Rights rights)
+    : m_sensors(sensors), m_writer(writer), m_rights(std::move(rights)) {
     m_view.pictureFolder = std::move(folder);
     for (const sensors::Module& module : sensors.file().modules) {
         m_view.modules.push_back({module.name, addressOf(module), 0, 0});
@@ -49,8 +52,9 @@ StoredSensorService::StoredSensorService(ConsoleSensors& sensors, StoreWriter& w
         ++m_view.modules[channel.module].channels;
     }
     for (const sensors::Gauge& gauge : sensors.file().gauges) {
-        m_view.gauges.push_back({gauge.name, gauge.device, false, !gauge.ask.empty(), {}});
+        m_view.gauges.push_back({gauge.name, gauge.device, false, !gauge.ask.empty()});
     }
+    m_testUntil_ns.resize(m_view.gauges.size());
     const auto rows = reader.roomRecords(ProcessId::Thermal, kPlaces, {}, 1);
     const json places = rows && !rows->empty() ? json::parse(rows->front().bodyJson, nullptr, false) : json::object();
     for (SensorChannelView& channel : m_view.channels) {
@@ -84,11 +88,18 @@ void StoredSensorService::lookForFinger(bool on) {
     ++m_view.revision;
 }
 
-void StoredSensorService::askGauge(std::size_t gauge) {
-    m_sensors.session().askGauge(gauge);
+void StoredSensorService::askGauge(std::size_t gauge, bool test) {
+    if (gauge < m_testUntil_ns.size()) {
+        hearGauges();  // what came before is no answer to this
+        m_testUntil_ns[gauge] = test ? sensors::monotonic_ns() + kTestRead_ns : 0;
+        m_sensors.session().askGauge(gauge);
+    }
 }
 
 Result<void> StoredSensorService::place(std::size_t channel, double x, double y, const std::string& author) {
+    if (auto may = permitted(m_rights, author, Deed::SensorPlace); !may) {
+        return may;
+    }
     if (channel >= m_view.channels.size() || !(x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0)) {
         return fail(KERF_TEXT("That is not on the picture."));
     }
@@ -113,14 +124,35 @@ Result<void> StoredSensorService::place(std::size_t channel, double x, double y,
     return {};
 }
 
-void StoredSensorService::sawGaugeFrame(std::size_t gauge, const std::string& frame) {
-    if (gauge < m_view.gauges.size()) {
-        m_view.gauges[gauge].frame = frame;
+void StoredSensorService::hearGauges() {
+    while (auto heard = m_sensors.nextGaugeFrame()) {
+        SensorGaugeView& gauge = m_view.gauges[heard->gauge];
+        gauge.frame = heard->sent;
+        gauge.understood = !heard->frame.empty();
         ++m_view.revision;
+        std::int64_t& testUntil_ns = m_testUntil_ns[heard->gauge];
+        const bool test = sensors::monotonic_ns() < std::exchange(testUntil_ns, 0);
+        if (gauge.understood && !test) {
+            m_readings.push_back(std::move(*heard));
+        }
+    }
+    while (m_readings.size() > kMostReadings) {  // no page takes diameters here
+        m_readings.pop_front();
     }
 }
 
+std::optional<ConsoleSensors::GaugeFrame> StoredSensorService::nextReading() {
+    hearGauges();
+    if (m_readings.empty()) {
+        return std::nullopt;
+    }
+    const ConsoleSensors::GaugeFrame next = std::move(m_readings.front());
+    m_readings.pop_front();
+    return next;
+}
+
 void StoredSensorService::poll() {
+    hearGauges();
     m_view.restarts = m_sensors.session().restarts();
     m_view.reading = m_sensors.session().latest(m_frame);
     takeFrame();

@@ -57,13 +57,16 @@ ConsoleSensors::ConsoleSensors(sensors::SensorFile file, std::unique_ptr<sensors
 std::optional<ConsoleSensors::GaugeFrame> ConsoleSensors::nextGaugeFrame() {
     sensors::GaugeEvent event;
     while (m_session->nextGauge(event)) {
-        if (!event.understood || event.gauge >= m_file.gauges.size()) {
-            spdlog::warn("gauge {}: '{}' is no reading", event.gauge, event.frame.data());
+        if (event.gauge >= m_file.gauges.size()) {
             continue;
         }
         const sensors::Gauge& gauge = m_file.gauges[event.gauge];
+        if (!event.understood) {
+            spdlog::warn("gauge {}: '{}' is no reading", gauge.name, event.frame.data());
+            return GaugeFrame{event.gauge, {}, event.frame.data(), {}};
+        }
         return GaugeFrame{event.gauge, sensors::wedgeFrame(gauge, event.channel.data(), event.value, event.inch),
-                          sensors::depthOf(gauge, event.channel.data())};
+                          event.frame.data(), sensors::depthOf(gauge, event.channel.data())};
     }
     return std::nullopt;
 }

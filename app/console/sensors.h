@@ -29,10 +29,11 @@ class ConsoleSensors {
     [[nodiscard]] std::vector<ThermalSensorView> thermalSensors() const;
     struct GaugeFrame {
         std::size_t gauge{0};
-        std::string frame{};         ///< as its keyboard wedge would type it
+        std::string frame{};         ///< as its keyboard wedge would type it; empty: what came is no reading
+        std::string sent{};          ///< as it came
         std::optional<int> depth{};  ///< number of the measured depth, from 1, where the sensor file says it
     };
-    /// The next reading of a gauge on a serial line.
+    /// What a gauge on a serial line has sent next.
     [[nodiscard]] std::optional<GaugeFrame> nextGaugeFrame();
     /// From now on every minute goes into a day file of this folder, named after the time.
     void record(const std::string& folder);

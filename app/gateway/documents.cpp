@@ -303,7 +303,11 @@ QByteArray errorDocument(const Observations& observations, const QString& uri, c
     xml.writeStartElement(L("Errors"));
     xml.writeStartElement(L(fault.element));
     if (qstrcmp(fault.element, "AssetNotFound") == 0) {
-        xml.writeTextElement(L("AssetId"), fault.parameter);
+        QString id = fault.parameter;
+        for (QChar& letter : id) {  // XML has no control characters, and the schema no empty name
+            letter = letter.isPrint() ? letter : QChar(u'?');
+        }
+        xml.writeTextElement(L("AssetId"), id);
     } else if (!fault.parameter.isEmpty()) {
         xml.writeStartElement(L("QueryParameter"));
         xml.writeAttribute(L("name"), fault.parameter);
@@ -322,7 +326,33 @@ QByteArray errorDocument(const Observations& observations, const QString& uri, c
     return text;
 }
 
+namespace {
+
+/// Paths inside predicates are looked through for every element, and again inside those: forty characters would keep
+/// everybody waiting for hours. Without them the work grows with the elements alone.
+bool isBounded(const QString& path) {
+    QChar quote;
+    bool predicate = false;
+    for (const QChar letter : path) {
+        if (!quote.isNull()) {
+            quote = letter == quote ? QChar() : quote;
+        } else if (letter == u'\'' || letter == u'"') {
+            quote = letter;
+        } else if (predicate && (letter == u'/' || letter == u'[' || letter == u':')) {
+            return false;
+        } else if (letter == u'[' || letter == u']') {
+            predicate = letter == u'[';
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<Ids> itemsOfPath(const QByteArray& devices, const QString& path) {
+    if (!isBounded(path)) {
+        return std::nullopt;
+    }
     pugi::xml_document document;
     if (!document.load_buffer(devices.constData(), static_cast<std::size_t>(devices.size()))) {
         return std::nullopt;

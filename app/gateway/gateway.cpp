@@ -87,7 +87,8 @@ void Gateway::serve(const HttpRequest& request, HttpClient& client) {
         current(request, client);
     } else if (path == QLatin1String("/sample")) {
         sample(request, client);
-    } else if (path == QLatin1String("/assets") || path == QLatin1String("/asset")) {
+    } else if (path == QLatin1String("/assets") || path == QLatin1String("/asset") ||
+               path == QLatin1String("/assets/") || path == QLatin1String("/asset/")) {
         client.reply(200, "text/xml", assetsDocument(m_source.device(), m_observations, m_source.assets()));
     } else if (path.startsWith(QLatin1String("/assets/")) || path.startsWith(QLatin1String("/asset/"))) {
         const QString id = path.section(u'/', 2);
@@ -125,9 +126,12 @@ bool Gateway::select(const HttpRequest& request, HttpClient& client, std::option
     ids = path.size() > kMaxPath ? std::nullopt
                                  : itemsOfPath(devicesDocument(m_source.device(), m_observations, 0), path);
     if (!ids) {
-        refuse(request, client, 400,
-               {"InvalidXPath",
-                tr("path must be an XPath of at most %1 characters that selects something in /probe.").arg(kMaxPath)});
+        refuse(
+            request, client, 400,
+            {"InvalidXPath",
+             tr("path must be an XPath of at most %1 characters, without a path inside [ ], that selects something in "
+                "/probe.")
+                 .arg(kMaxPath)});
     }
     return ids.has_value();
 }
@@ -183,11 +187,12 @@ void Gateway::sample(const HttpRequest& request, HttpClient& client) {
                 static_cast<qint64>(m_observations.capacity())});
         return;
     }
-    if (!integerOf(request.query, "interval", 0, kMaxInterval_ms, interval_ms) ||
-        !integerOf(request.query, "heartbeat", kMinHeartbeat_ms, kMaxInterval_ms, heartbeat_ms)) {
+    const bool beats = integerOf(request.query, "heartbeat", kMinHeartbeat_ms, kMaxInterval_ms, heartbeat_ms);
+    if (!integerOf(request.query, "interval", 0, kMaxInterval_ms, interval_ms) || !beats) {
+        const QString name = beats ? QStringLiteral("interval") : QStringLiteral("heartbeat");
         refuse(request, client, 400,
-               {"InvalidParameterValue", tr("interval must be a number within its range."), QStringLiteral("interval"),
-                request.query.queryItemValue(QStringLiteral("interval")), static_cast<qint64>(0),
+               {"InvalidParameterValue", tr("%1 must be a number within its range.").arg(name), name,
+                request.query.queryItemValue(name), static_cast<qint64>(beats ? 0 : kMinHeartbeat_ms),
                 static_cast<qint64>(kMaxInterval_ms)});
         return;
     }

@@ -1195,6 +1195,54 @@
             <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
             <translation>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</translation>
         </message>
+        <message>
+            <source>Place on the picture</source>
+            <translation>Place on the picture</translation>
+        </message>
+        <message>
+            <source>The channel that was touched gets its point on the picture of the machine: touch where it sits.</source>
+            <translation>The channel that was touched gets its point on the picture of the machine: touch where it sits.</translation>
+        </message>
+        <message>
+            <source>Sensor file and modules</source>
+            <translation>Sensor file and modules</translation>
+        </message>
+        <message>
+            <source>Which sensor file the next start reads, and what answers at an address of the network.</source>
+            <translation>Which sensor file the next start reads, and what answers at an address of the network.</translation>
+        </message>
+        <message>
+            <source>Use this file</source>
+            <translation>Use this file</translation>
+        </message>
+        <message>
+            <source>The sensor file that was touched is read from the next start of the console on. For process engineers.</source>
+            <translation>The sensor file that was touched is read from the next start of the console on. For process engineers.</translation>
+        </message>
+        <message>
+            <source>Use none</source>
+            <translation>Use none</translation>
+        </message>
+        <message>
+            <source>From the next start on only what the machine itself brings is read.</source>
+            <translation>From the next start on only what the machine itself brings is read.</translation>
+        </message>
+        <message>
+            <source>Look again</source>
+            <translation>Look again</translation>
+        </message>
+        <message>
+            <source>Looks through the folder for sensor files again.</source>
+            <translation>Looks through the folder for sensor files again.</translation>
+        </message>
+        <message>
+            <source>Ask what is there</source>
+            <translation>Ask what is there</translation>
+        </message>
+        <message>
+            <source>Asks units 1 to 32 at the address for their first registers. Nothing is written.</source>
+            <translation>Asks units 1 to 32 at the address for their first registers. Nothing is written.</translation>
+        </message>
     </context>
     <context>
     <name>LotReport</name>
@@ -7650,6 +7698,18 @@
             <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
             <translation>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</translation>
         </message>
+        <message>
+            <source>One address is asked after the other.</source>
+            <translation>One address is asked after the other.</translation>
+        </message>
+        <message>
+            <source>That sensor file cannot be used.</source>
+            <translation>That sensor file cannot be used.</translation>
+        </message>
+        <message>
+            <source>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</source>
+            <translation>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>
@@ -11180,6 +11240,18 @@
             <source>Touch a channel, then its place on the picture.</source>
             <translation>Touch a channel, then its place on the picture.</translation>
         </message>
+        <message>
+            <source>Sensor file and modules</source>
+            <translation>Sensor file and modules</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Close</translation>
+        </message>
+        <message>
+            <source>%1: no reading</source>
+            <translation>%1: no reading</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::Sheet</name>
@@ -12001,6 +12073,133 @@
         <message>
             <source>Must be from %1 to %2.</source>
             <translation>Must be from %1 to %2.</translation>
+        </message>
+    </context>
+<context>
+    <name>kerf::ui::SensorSetupPanel</name>
+        <message>
+            <source>none is chosen</source>
+            <translation>none is chosen</translation>
+        </message>
+        <message>
+            <source>being asked: units 1 to 32</source>
+            <translation>being asked: units 1 to 32</translation>
+        </message>
+        <message>
+            <source>enter its address first</source>
+            <translation>enter its address first</translation>
+        </message>
+        <message>
+            <source>Sensor file</source>
+            <translation>Sensor file</translation>
+        </message>
+        <message>
+            <source>What answers at an address</source>
+            <translation>What answers at an address</translation>
+        </message>
+        <message>
+            <source>Address of a temperature module (Modbus TCP), with its port where that is not 502. It is only read. What a module has in its registers says which channel is which.</source>
+            <translation>Address of a temperature module (Modbus TCP), with its port where that is not 502. It is only read. What a module has in its registers says which channel is which.</translation>
+        </message>
+        <message>
+            <source>Use this file from the next start</source>
+            <translation>Use this file from the next start</translation>
+        </message>
+        <message>
+            <source>Use none</source>
+            <translation>Use none</translation>
+        </message>
+        <message>
+            <source>Look again</source>
+            <translation>Look again</translation>
+        </message>
+        <message>
+            <source>Ask what is there</source>
+            <translation>Ask what is there</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>File</translation>
+        </message>
+        <message>
+            <source>What is in it</source>
+            <translation>What is in it</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unit</translation>
+        </message>
+        <message>
+            <source>Module</source>
+            <translation>Module</translation>
+        </message>
+        <message>
+            <source>First registers</source>
+            <translation>First registers</translation>
+        </message>
+        <message>
+            <source>In use: %1. It was named at the start (--sensors), so it stays.</source>
+            <translation>In use: %1. It was named at the start (--sensors), so it stays.</translation>
+        </message>
+        <message>
+            <source>In use: %1.</source>
+            <translation>In use: %1.</translation>
+        </message>
+        <message>
+            <source>In use: %1. From the next start none is used.</source>
+            <translation>In use: %1. From the next start none is used.</translation>
+        </message>
+        <message>
+            <source>In use: %1. From the next start: %2.</source>
+            <translation>In use: %1. From the next start: %2.</translation>
+        </message>
+        <message>
+            <source>From the next start: %1. Until then only what the machine itself brings is read.</source>
+            <translation>From the next start: %1. Until then only what the machine itself brings is read.</translation>
+        </message>
+        <message>
+            <source>None is in use: only what the machine itself brings is read.</source>
+            <translation>None is in use: only what the machine itself brings is read.</translation>
+        </message>
+        <message>
+            <source>modules: %1, channels: %2, gauges: %3</source>
+            <translation>modules: %1, channels: %2, gauges: %3</translation>
+        </message>
+        <message>
+            <source>cannot be used: %1</source>
+            <translation>cannot be used: %1</translation>
+        </message>
+        <message>
+            <source>%1 is asked; that takes up to 20 s.</source>
+            <translation>%1 is asked; that takes up to 20 s.</translation>
+        </message>
+        <message>
+            <source>%1 takes a connection, but no unit from 1 to 32 answers.</source>
+            <translation>%1 takes a connection, but no unit from 1 to 32 answers.</translation>
+        </message>
+        <message>
+            <source>%1 answers; register numbers are as on the wire, from 0.</source>
+            <translation>%1 answers; register numbers are as on the wire, from 0.</translation>
+        </message>
+        <message>
+            <source>no sensor file is there yet</source>
+            <translation>no sensor file is there yet</translation>
+        </message>
+        <message>
+            <source>touch a file first</source>
+            <translation>touch a file first</translation>
+        </message>
+        <message>
+            <source>this one cannot be used</source>
+            <translation>this one cannot be used</translation>
+        </message>
+        <message>
+            <source>it is chosen already</source>
+            <translation>it is chosen already</translation>
+        </message>
+        <message>
+            <source>A sensor file (JSON) says which temperature modules and gauges hang on this machine: where each channel sits, its register, its scale. Put it into %1; docs/sensors.md has every key and an example.</source>
+            <translation>A sensor file (JSON) says which temperature modules and gauges hang on this machine: where each channel sits, its register, its scale. Put it into %1; docs/sensors.md has every key and an example.</translation>
         </message>
     </context>
 </TS>

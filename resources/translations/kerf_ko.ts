@@ -1195,6 +1195,54 @@
             <source>The parts turned so far, with surface, force and trim of each; one can be left out of what the next begin from, with a reason.</source>
             <translation>지금까지 선삭한 공작물과 각각의 표면, 힘, 보정입니다. 이유를 적고 하나를 다음 공작물이 시작하는 근거에서 뺄 수 있습니다.</translation>
         </message>
+        <message>
+            <source>Place on the picture</source>
+            <translation>그림에 놓기</translation>
+        </message>
+        <message>
+            <source>The channel that was touched gets its point on the picture of the machine: touch where it sits.</source>
+            <translation>누른 채널을 기계 그림 위에 놓습니다. 센서가 있는 곳을 누르십시오.</translation>
+        </message>
+        <message>
+            <source>Sensor file and modules</source>
+            <translation>센서 파일과 모듈</translation>
+        </message>
+        <message>
+            <source>Which sensor file the next start reads, and what answers at an address of the network.</source>
+            <translation>다음에 시작할 때 읽을 센서 파일과, 네트워크 주소에서 응답하는 모듈입니다.</translation>
+        </message>
+        <message>
+            <source>Use this file</source>
+            <translation>이 파일 사용</translation>
+        </message>
+        <message>
+            <source>The sensor file that was touched is read from the next start of the console on. For process engineers.</source>
+            <translation>누른 센서 파일을 콘솔을 다음에 시작할 때부터 읽습니다. 공정 엔지니어용입니다.</translation>
+        </message>
+        <message>
+            <source>Use none</source>
+            <translation>사용 안 함</translation>
+        </message>
+        <message>
+            <source>From the next start on only what the machine itself brings is read.</source>
+            <translation>다음 시작부터는 기계가 직접 주는 값만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>Look again</source>
+            <translation>다시 찾기</translation>
+        </message>
+        <message>
+            <source>Looks through the folder for sensor files again.</source>
+            <translation>폴더에서 센서 파일을 다시 찾습니다.</translation>
+        </message>
+        <message>
+            <source>Ask what is there</source>
+            <translation>무엇이 있는지 묻기</translation>
+        </message>
+        <message>
+            <source>Asks units 1 to 32 at the address for their first registers. Nothing is written.</source>
+            <translation>그 주소의 1번부터 32번 유닛에 첫 레지스터를 묻습니다. 아무것도 쓰지 않습니다.</translation>
+        </message>
     </context>
     <context>
     <name>LotReport</name>
@@ -7645,6 +7693,18 @@
             <source>Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where both limits are equally far by the law.</source>
             <translation>공차를 확신하기에는 아는 것이 너무 적습니다. 이송은 법칙으로 볼 때 두 한계가 똑같이 먼 %1 mm를 겨냥합니다.</translation>
         </message>
+        <message>
+            <source>One address is asked after the other.</source>
+            <translation>주소는 하나씩 차례로 묻습니다.</translation>
+        </message>
+        <message>
+            <source>That sensor file cannot be used.</source>
+            <translation>그 센서 파일은 쓸 수 없습니다.</translation>
+        </message>
+        <message>
+            <source>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</source>
+            <translation>센서 파일 %1을(를) 쓸 수 없습니다. 기계가 직접 주는 값만 읽습니다. 이유는 센서 화면에 있습니다.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>
@@ -11169,6 +11229,18 @@
             <source>Touch a channel, then its place on the picture.</source>
             <translation>채널을 누른 다음 그림에서 위치를 누르십시오.</translation>
         </message>
+        <message>
+            <source>Sensor file and modules</source>
+            <translation>센서 파일과 모듈</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>닫기</translation>
+        </message>
+        <message>
+            <source>%1: no reading</source>
+            <translation>%1: 측정값이 아님</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::Sheet</name>
@@ -11989,6 +12061,133 @@
         <message>
             <source>Must be from %1 to %2.</source>
             <translation>%1에서 %2 사이여야 합니다.</translation>
+        </message>
+    </context>
+<context>
+    <name>kerf::ui::SensorSetupPanel</name>
+        <message>
+            <source>none is chosen</source>
+            <translation>선택한 파일이 없습니다</translation>
+        </message>
+        <message>
+            <source>being asked: units 1 to 32</source>
+            <translation>묻는 중: 유닛 1~32</translation>
+        </message>
+        <message>
+            <source>enter its address first</source>
+            <translation>먼저 주소를 입력하십시오</translation>
+        </message>
+        <message>
+            <source>Sensor file</source>
+            <translation>센서 파일</translation>
+        </message>
+        <message>
+            <source>What answers at an address</source>
+            <translation>주소에서 응답하는 것</translation>
+        </message>
+        <message>
+            <source>Address of a temperature module (Modbus TCP), with its port where that is not 502. It is only read. What a module has in its registers says which channel is which.</source>
+            <translation>온도 모듈(Modbus TCP)의 주소입니다. 포트가 502가 아니면 포트도 적으십시오. 읽기만 합니다. 레지스터 값을 보면 어느 채널인지 알 수 있습니다.</translation>
+        </message>
+        <message>
+            <source>Use this file from the next start</source>
+            <translation>다음 시작부터 이 파일 사용</translation>
+        </message>
+        <message>
+            <source>Use none</source>
+            <translation>사용 안 함</translation>
+        </message>
+        <message>
+            <source>Look again</source>
+            <translation>다시 찾기</translation>
+        </message>
+        <message>
+            <source>Ask what is there</source>
+            <translation>무엇이 있는지 묻기</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>파일</translation>
+        </message>
+        <message>
+            <source>What is in it</source>
+            <translation>내용</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>유닛</translation>
+        </message>
+        <message>
+            <source>Module</source>
+            <translation>모듈</translation>
+        </message>
+        <message>
+            <source>First registers</source>
+            <translation>첫 레지스터</translation>
+        </message>
+        <message>
+            <source>In use: %1. It was named at the start (--sensors), so it stays.</source>
+            <translation>사용 중: %1. 시작할 때 지정했으므로(--sensors) 그대로입니다.</translation>
+        </message>
+        <message>
+            <source>In use: %1.</source>
+            <translation>사용 중: %1.</translation>
+        </message>
+        <message>
+            <source>In use: %1. From the next start none is used.</source>
+            <translation>사용 중: %1. 다음 시작부터는 사용하지 않습니다.</translation>
+        </message>
+        <message>
+            <source>In use: %1. From the next start: %2.</source>
+            <translation>사용 중: %1. 다음 시작부터: %2.</translation>
+        </message>
+        <message>
+            <source>From the next start: %1. Until then only what the machine itself brings is read.</source>
+            <translation>다음 시작부터: %1. 그때까지는 기계가 직접 주는 값만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>None is in use: only what the machine itself brings is read.</source>
+            <translation>사용 중인 파일이 없습니다. 기계가 직접 주는 값만 읽습니다.</translation>
+        </message>
+        <message>
+            <source>modules: %1, channels: %2, gauges: %3</source>
+            <translation>모듈 %1개, 채널 %2개, 게이지 %3개</translation>
+        </message>
+        <message>
+            <source>cannot be used: %1</source>
+            <translation>쓸 수 없음: %1</translation>
+        </message>
+        <message>
+            <source>%1 is asked; that takes up to 20 s.</source>
+            <translation>%1에 묻고 있습니다. 최대 20초 걸립니다.</translation>
+        </message>
+        <message>
+            <source>%1 takes a connection, but no unit from 1 to 32 answers.</source>
+            <translation>%1에 연결은 되지만 1번부터 32번까지 응답하는 유닛이 없습니다.</translation>
+        </message>
+        <message>
+            <source>%1 answers; register numbers are as on the wire, from 0.</source>
+            <translation>%1이(가) 응답합니다. 레지스터 번호는 통신상의 번호로 0부터입니다.</translation>
+        </message>
+        <message>
+            <source>no sensor file is there yet</source>
+            <translation>센서 파일이 아직 없습니다</translation>
+        </message>
+        <message>
+            <source>touch a file first</source>
+            <translation>먼저 파일을 누르십시오</translation>
+        </message>
+        <message>
+            <source>this one cannot be used</source>
+            <translation>이 파일은 쓸 수 없습니다</translation>
+        </message>
+        <message>
+            <source>it is chosen already</source>
+            <translation>이미 선택되어 있습니다</translation>
+        </message>
+        <message>
+            <source>A sensor file (JSON) says which temperature modules and gauges hang on this machine: where each channel sits, its register, its scale. Put it into %1; docs/sensors.md has every key and an example.</source>
+            <translation>센서 파일(JSON)에는 이 기계에 어떤 온도 모듈과 게이지가 연결되어 있는지, 각 채널의 위치, 레지스터, 배율이 적혀 있습니다. %1에 넣으십시오. 모든 키와 예제는 docs/sensors.md에 있습니다.</translation>
         </message>
     </context>
 </TS>

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <deque>
 #include <nlohmann/json.hpp>
 
 #include "app/console/lot_report.h"
@@ -342,11 +343,21 @@ class TestConsoleQuality : public QObject {
         QVERIFY2(said.find("nelson") == std::string::npos && said.find("ewma") == std::string::npos, said.c_str());
     }
     void theGaugeAtHandIsNamedWithItsReadings() {
-        test::FakeBoringService bores(30, {{"top", 40.0}, {"middle", 175.0}, {"bottom", 310.0}});
+        test::FakeBoringService bores(
+            30, {{"top", 40.0}, {"second", 100.0}, {"middle", 175.0}, {"fourth", 240.0}, {"bottom", 310.0}});
         bores.cutPart();
         m_bench->services.boringService = &bores;
         QStringList kept;
         m_bench->services.saveSetting = [&](const QString& key, const QString& value) { kept << key + u' ' + value; };
+        std::deque<ui::GaugeLineFrame> line;
+        m_bench->services.nextGaugeFrame = [&line]() -> std::optional<ui::GaugeLineFrame> {
+            if (line.empty()) {
+                return std::nullopt;
+            }
+            const ui::GaugeLineFrame next = line.front();
+            line.pop_front();
+            return next;
+        };
         auto* page = m_bench->show<ui::BoringPage>();
         const auto readingTaken = [&] {
             page->entry()->takeGauge(*ui::parseGaugeFrame(QStringLiteral("50.011")));
@@ -371,6 +382,14 @@ class TestConsoleQuality : public QObject {
         QCOMPARE(button->text(), QStringLiteral("G-08"));
         QCOMPARE(readingTaken().gauge, std::string("G-08"));
         QCOMPARE(kept, QStringList{QStringLiteral("gauge.at_hand 0=G-08")});
+        // A gauge on a serial line is who the sensor file says, where the register knows it.
+        const auto sent = [&](const char* gauge) {
+            line.push_back({QStringLiteral("+50.01100mm"), {}, gauge});
+            (void)QTest::qWaitFor([&] { return m_bench->client.tick(), line.empty(); }, 5000);
+            return bores.entries.back().gauge;
+        };
+        QCOMPARE(sent("G-07"), std::string("G-07"));
+        QCOMPARE(sent("nobody's"), std::string("G-08"));
         // Of a switch each channel has its own, and what is typed has none.
         auto gauges = ui::GaugesAtHand::fromText(QStringLiteral("0=G-08;2=G%2D07;x=1;3"));
         QCOMPARE(gauges.of(2, m_service->gauges(), 50.0), std::string("G-07"));

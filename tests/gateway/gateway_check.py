@@ -117,7 +117,7 @@ def documents(gateway):
     uuid = re.search(r'assetId="([^"]+)"', gateway.get("/assets")[1]).group(1)
     good = {"/probe": "Devices", "/current": "Streams", "/sample": "Streams", "/sample?from=1&count=500": "Streams",
             "/sample?count=1": "Streams", "/current?path=//DataItem[@type=%22POSITION%22]": "Streams", "/current?path=//Axes": "Streams",
-            "/sample?path=//Path": "Streams", "/current?at=30": "Streams", "/assets": "Assets", f"/assets/{uuid}": "Assets",
+            "/sample?path=//Path": "Streams", "/current?at=30": "Streams", "/assets": "Assets", "/assets/": "Assets", f"/assets/{uuid}": "Assets",
             "/VB-1/current": "Streams"}
     for path, kind in good.items():
         status, text = gateway.get(path)
@@ -130,6 +130,9 @@ def documents(gateway):
     for path, expected in bad.items():
         status, text = gateway.get(path)
         check(status == expected and not invalid(text, "Error"), f"{path[:60]} is {status} and a valid error {invalid(text, 'Error')}")
+    check('name="heartbeat"' in gateway.get("/sample?heartbeat=1&interval=100")[1], "the parameter that is wrong is named")
+    check(gateway.get("/current?path=//DataItem[@id='a/b[::']")[0] == 400 and gateway.get("/current?path=//*[@id='avail']")[0] == 200,
+          "an attribute may be asked for")
     text = gateway.get("/current")[1]
     check("CHARACTERISTIC_STATUS" in text and "UNCERTAINTY" in text, "bores with their interval")
     check(re.search(r"<(Warning|Fault)[^>]*nativeCode", text) is not None, "a standing alarm is a condition")

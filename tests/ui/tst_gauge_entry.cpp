@@ -7,11 +7,31 @@
 #include "tests/support/fake_boring_service.h"
 #include "tests/support/page_bench.h"
 #include "ui/pages/boring/boring_page.h"
+#include "ui/services/sensor_service.h"
 
 using namespace kerf;
 using namespace kerf::ui;
 using kerf::test::FakeBoringService;
 using kerf::test::PageBench;
+
+namespace {
+
+class FakeSensors final : public SensorService {
+ public:
+    FakeSensors() { seen.gauges = {{"G1", "/dev/ttyUSB0", true, false}, {"G2", "/dev/ttyUSB1", false, true}}; }
+    [[nodiscard]] const SensorServiceView& view() const override { return seen; }
+    void lookForFinger(bool) override {}
+    void askGauge(std::size_t gauge, bool test) override {
+        if (!test) {
+            asked.push_back(gauge);
+        }
+    }
+    [[nodiscard]] Result<void> place(std::size_t, double, double, const std::string&) override { return {}; }
+    SensorServiceView seen{};
+    std::vector<std::size_t> asked{};
+};
+
+}  // namespace
 
 /// Readings of hand gauges on the boring page: where they go, and what is said when they go nowhere.
 class TestGaugeEntry : public QObject {
@@ -84,6 +104,22 @@ class TestGaugeEntry : public QObject {
         QCOMPARE(m_service->entries[1].part, m_service->entries[0].part);
         QVERIFY(text("boringEntryMessage").contains(QStringLiteral("depth 8 of the sensor file")));
         QVERIFY(!visible("boringChannels"));  // nothing was learnt
+    }
+    void theGaugeButtonAsksOneOnALine() {
+        FakeSensors sensors;
+        m_service->gaugeFitted = false;
+        m_bench->services.sensorService = &sensors;
+        m_service->cutPart();
+        show();
+        m_bench->client.tick();
+        QVERIFY(!m_bench->press("boringGauge"));  // not plugged in
+        sensors.seen.gauges[1].connected = true;
+        auto* button = m_bench->find<QPushButton>("boringGauge");
+        QTRY_VERIFY((m_bench->client.tick(), button->isEnabled()));
+        QVERIFY(m_bench->press("boringGauge"));
+        QCOMPARE(sensors.asked, std::vector<std::size_t>{1});  // the other one has no such command
+        QVERIFY(m_service->entries.empty());                   // until it answers
+        m_bench.reset();                                       // the page goes before what it asks
     }
     void aFrameTooManyIsSaid() {
         m_service->cutPart();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
+#include <QLineEdit>
 #include <QTableWidget>
 #include <QTest>
 
@@ -35,7 +36,7 @@ class FakeSensorService final : public SensorService {
     }
     [[nodiscard]] const SensorServiceView& view() const override { return fake; }
     void lookForFinger(bool on) override { fake.finger = {on, {}, 0.0}; }
-    void askGauge(std::size_t gauge) override { asked.push_back(gauge); }
+    void askGauge(std::size_t gauge, bool test) override { (test ? asked : read).push_back(gauge); }
     [[nodiscard]] Result<void> place(std::size_t channel, double x, double y, const std::string& author) override {
         fake.channels[channel].placed = true;
         fake.channels[channel].x = x;
@@ -44,8 +45,39 @@ class FakeSensorService final : public SensorService {
         return {};
     }
     SensorServiceView fake{};
-    std::vector<std::size_t> asked{};
+    std::vector<std::size_t> asked{}, read{};
     std::string placedBy{};
+};
+
+class FakeSensorSetup final : public SensorSetup {
+ public:
+    FakeSensorSetup() {
+        fake.revision = 1;
+        fake.folder = "/data/sensors";
+        fake.files = {{"vmc-3.json", 2, 12, 1, {}, false},
+                      {"old.json", 0, 0, 0, "channels[0].adress: unknown key of a Modbus channel.", false}};
+    }
+    [[nodiscard]] const SensorSetupView& view() const override { return fake; }
+    void lookForFiles() override { ++looks; }
+    [[nodiscard]] Result<void> choose(const std::string& name, const std::string& author) override {
+        chosen.push_back(name + " by " + author);
+        for (SensorFileView& file : fake.files) {
+            file.chosen = file.name == name;
+        }
+        ++fake.revision;
+        return {};
+    }
+    [[nodiscard]] Result<void> scan(const std::string& address, const std::string& author) override {
+        fake.scanned = address;
+        fake.scanning = true;
+        scannedBy = author;
+        ++fake.revision;
+        return {};
+    }
+    SensorSetupView fake{};
+    int looks{0};
+    std::vector<std::string> chosen{};
+    std::string scannedBy{};
 };
 
 }  // namespace
@@ -57,6 +89,71 @@ class TestSensorsPage : public QObject {
         PageBench bench;
         bench.show<SensorsPage>();
         QVERIFY(bench.window.findChild<QLabel*>()->text().contains(QStringLiteral("--sensors")));
+    }
+    void withoutASensorFileOneIsChosenByTouch() {
+        FakeSensorSetup setup;
+        PageBench bench;
+        bench.session.signOn(QStringLiteral("Lee"), Role::Engineer);
+        bench.services.sensorSetup = &setup;
+        bench.show<SensorsPage>();
+        QVERIFY(setup.looks > 0);
+        QVERIFY(bench.find<QLabel>("sensorFileNow")->text().contains(QStringLiteral("None is in use")));
+        auto* files = bench.find<QTableWidget>("sensorFiles");
+        QCOMPARE(files->rowCount(), 2);
+        QVERIFY(files->item(0, 1)->text().contains(QStringLiteral("channels: 12")));
+        QVERIFY(files->item(1, 1)->text().contains(QStringLiteral("adress")));
+        QVERIFY(!bench.press("sensorFileUse"));  // nothing touched yet
+        files->selectRow(1);
+        QVERIFY(!bench.press("sensorFileUse"));  // one that is refused
+        files->selectRow(0);
+        QVERIFY(bench.press("sensorFileUse"));
+        QCOMPARE(setup.chosen, std::vector<std::string>{"vmc-3.json by Lee"});
+        bench.client.tick();
+        QVERIFY(bench.find<QLabel>("sensorFileNow")->text().contains(QStringLiteral("vmc-3.json")));
+        QVERIFY(bench.press("sensorFileNone"));
+        QCOMPARE(setup.chosen.back(), std::string(" by Lee"));
+    }
+    void whatAnswersAtAnAddressIsShown() {
+        FakeSensorSetup setup;
+        PageBench bench;
+        bench.session.signOn(QStringLiteral("Lee"), Role::Engineer);
+        bench.services.sensorSetup = &setup;
+        bench.show<SensorsPage>();
+        QVERIFY(!bench.press("sensorScan"));  // no address yet
+        QTest::keyClicks(bench.find<QLineEdit>("sensorScanAddress"), QStringLiteral(" 192.168.0.11:1502 "));
+        QVERIFY(bench.press("sensorScan"));
+        QCOMPARE(setup.fake.scanned, std::string("192.168.0.11:1502"));
+        QCOMPARE(setup.scannedBy, std::string("Lee"));
+        QVERIFY(!bench.press("sensorScan"));  // one after the other
+        setup.fake.scanning = false;
+        setup.fake.found = {{3, "ICP DAS tM-TH8 2.1", "4: 203 247"}};
+        ++setup.fake.revision;
+        bench.client.tick();
+        auto* found = bench.find<QTableWidget>("sensorFound");
+        QCOMPARE(found->rowCount(), 1);
+        QCOMPARE(found->item(0, 1)->text(), QStringLiteral("ICP DAS tM-TH8 2.1"));
+        setup.fake.found.clear();
+        setup.fake.refused = "nothing takes a connection there";
+        ++setup.fake.revision;
+        bench.client.tick();
+        QVERIFY(bench.find<QLabel>("sensorScanAnswer")->text().contains(QStringLiteral("nothing takes")));
+    }
+    void whoMayNotIsTold() {
+        FakeSensorSetup setup;
+        FakeSensorService service;
+        PageBench bench;
+        QVERIFY(bench.session.signOn(QStringLiteral("Lee"), Role::Engineer));
+        QVERIFY(bench.session.signOn(QStringLiteral("Park"), Role::Operator));
+        QVERIFY(!bench.session.whyNot(Deed::SensorPlace).isEmpty());
+        bench.services.sensorSetup = &setup;
+        bench.services.sensorService = &service;
+        bench.show<SensorsPage>();
+        QVERIFY(bench.press("sensorSetupOpen"));
+        QApplication::processEvents();
+        bench.find<QTableWidget>("sensorFiles")->selectRow(0);
+        QVERIFY(!bench.press("sensorFileUse"));
+        QVERIFY(bench.find<ActionButton>("sensorFileUse")->reason().contains(QStringLiteral("engineer")));
+        QVERIFY(setup.chosen.empty());
     }
     void aValueThatIsNotGoodIsNoNumber() {
         FakeSensorService service;
@@ -90,6 +187,11 @@ class TestSensorsPage : public QObject {
         QCOMPARE(service.placedBy, std::string("Lee"));
         QVERIFY(bench.press("askGauge"));
         QCOMPARE(service.asked, std::vector<std::size_t>{0});
+        QVERIFY(service.read.empty());  // a test read is no diameter
+        service.fake.gauges[0].frame = "ERR0";
+        service.fake.gauges[0].understood = false;
+        QTRY_VERIFY(
+            (bench.client.tick(), bench.find<QTableWidget>("sensorModules")->item(1, 2)->text() == "ERR0: no reading"));
         QVERIFY(page->isVisible());
     }
     void oneThatRisesAloneIsFound() {

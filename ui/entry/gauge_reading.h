@@ -4,6 +4,7 @@
 #include <QString>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "ui/units/unit_system.h"
 
@@ -16,7 +17,8 @@ struct GaugeReading {
     QString frame{};                   ///< what was sent, without the end key
     std::optional<int> channel{};      ///< of a multiplexer, 1 …; empty: the frame carries none
     std::optional<std::uint8_t>
-        depth{};  ///< where it was measured, from 0, as the sensor file says; goes before channel
+        depth{};          ///< where it was measured, from 0, as the sensor file says; goes before channel
+    std::string gauge{};  ///< identity in the register, where the sensor file says it; else by channel
 };
 
 /// Reads the frames in use. Anything else, and anything without a decimal mark, is no gauge frame: whole numbers are

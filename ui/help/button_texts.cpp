@@ -189,6 +189,19 @@ std::vector<HelpText> buttonTexts() {
               Help::tr("Warm a thermocouple with a finger: the one that rises first is named, so that its place on the "
                        "picture can be set.")),
         about("askGauge", Help::tr("Ask the gauge"), Help::tr("Asks a gauge for a reading, to see that it answers.")),
+        about("placeSensor", Help::tr("Place on the picture"),
+              Help::tr("The channel that was touched gets its point on the picture of the machine: touch where it "
+                       "sits.")),
+        about("sensorSetupOpen", Help::tr("Sensor file and modules"),
+              Help::tr("Which sensor file the next start reads, and what answers at an address of the network.")),
+        about("sensorFileUse", Help::tr("Use this file"),
+              Help::tr("The sensor file that was touched is read from the next start of the console on. For process "
+                       "engineers.")),
+        about("sensorFileNone", Help::tr("Use none"),
+              Help::tr("From the next start on only what the machine itself brings is read.")),
+        about("sensorFileLook", Help::tr("Look again"), Help::tr("Looks through the folder for sensor files again.")),
+        about("sensorScan", Help::tr("Ask what is there"),
+              Help::tr("Asks units 1 to 32 at the address for their first registers. Nothing is written.")),
         about("backup", Help::tr("Back up all data"),
               Help::tr("A checked copy of everything in one file, made while everything goes on.")),
         about("restore", Help::tr("Restore a backup"),

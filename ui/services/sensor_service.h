@@ -39,7 +39,8 @@ struct SensorGaugeView {
     std::string device{};
     bool connected{false};
     bool canAsk{false};
-    std::string frame{};  ///< last one that came
+    std::string frame{};    ///< last one that came
+    bool understood{true};  ///< it is a reading
 };
 
 /// "Which one rises?": a finger on a thermocouple shows its channel.
@@ -71,8 +72,9 @@ class SensorService {
 
     [[nodiscard]] virtual const SensorServiceView& view() const = 0;
     virtual void lookForFinger(bool on) = 0;
-    /// A test read.
-    virtual void askGauge(std::size_t gauge) = 0;
+    /// Asks a gauge for a reading. A test read is shown and goes no further; the other is entered like one that the
+    /// gauge's own key has sent.
+    virtual void askGauge(std::size_t gauge, bool test) = 0;
     /// Where channel sits on the picture; stored.
     [[nodiscard]] virtual Result<void> place(std::size_t channel, double x, double y, const std::string& author) = 0;
 };

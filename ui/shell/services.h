@@ -19,6 +19,7 @@ class LotReader;
 class MillingService;
 class PartReader;
 class SensorService;
+class SensorSetup;
 class QualityService;
 class SettingsReader;
 class ShiftService;
@@ -36,6 +37,7 @@ struct ShopView;
 struct GaugeLineFrame {
     QString frame{};                      ///< as a keyboard wedge would type it
     std::optional<std::uint8_t> depth{};  ///< measured depth, from 0, where the sensor file says which; else learnt
+    std::string gauge{};                  ///< which gauge, by the sensor file
 };
 
 /// Everything the console's face may use, handed to it by the application. Only `engine` must be there; a page says
@@ -49,6 +51,7 @@ struct Services {
     ThermalService* thermalService{nullptr};
     TappingService* tappingService{nullptr};
     SensorService* sensorService{nullptr};  ///< null: no sensor file
+    SensorSetup* sensorSetup{nullptr};      ///< which sensor file; null: not on this console
     QualityService* qualityService{nullptr};
     ShiftService* shiftService{nullptr};
     PartReader* parts{nullptr};

@@ -20,6 +20,7 @@
 #include "ui/pages/boring/lot_form.h"
 #include "ui/pages/boring/measurement_list.h"
 #include "ui/services/quality_service.h"
+#include "ui/services/sensor_service.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -69,6 +70,8 @@ void BoringPage::build() {
                              {[this] { return context().session.author(); }, context().withOperator,
                               [this](int channel) { return gaugeOn(channel); }},
                              this);
+
+    m_entry->setAskGauges([this](bool really) { return askGauges(really); });
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;
@@ -219,6 +222,7 @@ void BoringPage::onStatus(const Status& status) {
         while (const std::optional<GaugeLineFrame> frame = nextFrame()) {
             if (std::optional<GaugeReading> reading = parseGaugeFrame(frame->frame)) {
                 reading->depth = frame->depth;
+                reading->gauge = registered(frame->gauge);
                 onGauge(*reading);
             }
         }
@@ -226,6 +230,7 @@ void BoringPage::onStatus(const Status& status) {
     if (!isVisible()) {
         return;
     }
+    m_entry->reconsiderGauge();
     m_feed->setStatus(status);
     m_next->setLoop(status.loops[static_cast<std::size_t>(ProcessId::Boring)]);
 }
@@ -324,7 +329,7 @@ void BoringPage::onGauge(const GaugeReading& reading) {
     // A value is being corrected, on whatever page: the gauge means that one.
     if (const Sheet* sheet = context().sheets.waiting()) {
         if (auto* form = sheet->findChild<MeasurementForm*>()) {
-            form->takeGauge(reading, gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel)));
+            form->takeGauge(reading, m_entry->gaugeOf(reading));
             context().notify(form->message());
             return;
         }
@@ -442,6 +447,27 @@ std::vector<Gauge> BoringPage::suitable() const {
 
 std::string BoringPage::gaugeOn(int channel) const {
     return m_gauges.of(channel, suitable(), m_service->view().targetDiameter_mm);
+}
+
+std::string BoringPage::registered(const std::string& identity) const {
+    const QualityService* quality = context().services.qualityService;
+    const std::vector<Gauge> gauges = quality != nullptr ? quality->gauges() : std::vector<Gauge>{};
+    return std::ranges::find(gauges, identity, &Gauge::identity) != gauges.end() ? identity : std::string();
+}
+
+bool BoringPage::askGauges(bool really) {
+    SensorService* sensors = context().services.sensorService;
+    bool there = false;
+    for (std::size_t i = 0; sensors != nullptr && i < sensors->view().gauges.size(); ++i) {
+        const SensorGaugeView& gauge = sensors->view().gauges[i];
+        if (gauge.connected && gauge.canAsk) {
+            there = true;
+            if (really) {
+                sensors->askGauge(i, false);
+            }
+        }
+    }
+    return there;
 }
 
 void BoringPage::keepGauge(int channel, const std::string& identity) {

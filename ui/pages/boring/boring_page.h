@@ -63,6 +63,10 @@ class BoringPage : public Page {
     void undoLast();
     void openList();
     void openForm(PartId part, std::uint8_t depth, MeasurementId id, MeasurementForm::Start start);
+    /// The identity, where a gauge of it is in the register; else empty.
+    [[nodiscard]] std::string registered(const std::string& identity) const;
+    /// Some gauge on a serial line can be asked; and it is, for a diameter.
+    bool askGauges(bool really);
     void onGauge(const GaugeReading& reading);
     void takeUnsigned();
     void tellElsewhere(const QString& sentence);

@@ -101,7 +101,9 @@ EntryPanel::EntryPanel(Look& look, BoringService& service, Signing signing, QWid
         if (!m_target) {
             return tr("no part waits");
         }
-        return m_service.gaugeReading_mm(m_target->part, m_target->depth) ? QString() : tr("none fitted");
+        const bool there =
+            m_service.gaugeReading_mm(m_target->part, m_target->depth) || (m_askGauges && m_askGauges(false));
+        return there ? QString() : tr("none fitted");
     });
     m_undo->setPredicate([this]() -> QString {
         return lastMeasurement(m_service.view()).measurement == nullptr ? tr("nothing entered") : QString();
@@ -451,12 +453,19 @@ void EntryPanel::stored(const BoreEntry& entry, const Result<void>& result) {
     takeNextWaiting();
 }
 
+void EntryPanel::reconsiderGauge() {
+    m_gauge->reconsider();
+}
+
 void EntryPanel::readGauge() {
     if (!m_target || m_pending) {
         return;
     }
     const std::optional<double> reading_mm = m_service.gaugeReading_mm(m_target->part, m_target->depth);
     if (!reading_mm) {
+        if (m_askGauges && m_askGauges(true)) {
+            m_field->setFocus();
+        }
         m_gauge->reconsider();
         return;
     }

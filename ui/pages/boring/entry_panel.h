@@ -59,6 +59,12 @@ class EntryPanel : public Card {
     /// Another gauge is at hand, or the register has changed.
     void showChannels();
     [[nodiscard]] std::string gaugeOn(int channel) const;
+    /// Which gauge of the register has sent it.
+    [[nodiscard]] std::string gaugeOf(const GaugeReading& reading) const;
+    /// Whether a gauge on a serial line can be asked; told so, it is. Its reading comes by takeGauge().
+    void setAskGauges(std::function<bool(bool really)> ask) { m_askGauges = std::move(ask); }
+    /// Gauges come and go while the console runs.
+    void reconsiderGauge();
     /// There are gauges in the register for this bore: one of them may be named.
     void setGaugesThere(bool there);
     [[nodiscard]] DiameterField* field() const { return m_field; }
@@ -113,6 +119,7 @@ class EntryPanel : public Card {
     Look& m_look;
     BoringService& m_service;
     Signing m_signing;
+    std::function<bool(bool really)> m_askGauges{};
     QLabel* m_prompt;
     QLabel* m_gaugeDue;
     DiameterField* m_field;

@@ -34,6 +34,10 @@ std::string EntryPanel::gaugeOn(int channel) const {
     return m_signing.gauge ? m_signing.gauge(channel) : std::string();
 }
 
+std::string EntryPanel::gaugeOf(const GaugeReading& reading) const {
+    return reading.gauge.empty() ? gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel)) : reading.gauge;
+}
+
 void EntryPanel::setGaugesThere(bool there) {
     m_askGauge = there;
     showChannels();
@@ -161,7 +165,7 @@ void EntryPanel::judgeAndSubmit(const GaugeReading& reading, const Target& targe
     entry.diameter_mm = judgement.value_mm;
     entry.author = m_signing.author();
     entry.fromGauge = true;
-    entry.gauge = gaugeOn(reading.channel.value_or(GaugesAtHand::kNoChannel));
+    entry.gauge = gaugeOf(reading);
     m_gaugeOfField = entry.gauge;
     m_question.reset();
     m_confirmWords = nullptr;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/sensors/sensors_page.h"
 
-#include <QHeaderView>
-#include <QScroller>
 #include <cmath>
 
 #include "ui/link/texts.h"
+#include "ui/pages/sensors/sensor_table.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -15,22 +14,15 @@ constexpr int kPeriod_ms = 500;
 enum Column { kName, kPlace, kValue, kAge, kState, kColumns };
 enum ModuleColumn { kModule, kAddress, kReads, kModuleColumns };
 
-void setCell(QTableWidget* table, int row, int column, const QString& text) {
-    QTableWidgetItem* item = table->item(row, column);
-    if (item == nullptr) {
-        item = new QTableWidgetItem;
-        table->setItem(row, column, item);
-    }
-    if (item->text() != text) {
-        item->setText(text);
-    }
-}
-
 }  // namespace
 
 SensorsPage::SensorsPage(const PageContext& context, QWidget* parent)
     : Page(context, parent), m_service(context.services.sensorService) {
-    if (m_service == nullptr) {
+    if (m_service == nullptr && context.services.sensorSetup != nullptr) {
+        auto* rows = new QVBoxLayout(this);
+        m_panel = new SensorSetupPanel(context, *context.services.sensorSetup, this);
+        rows->addWidget(m_panel);
+    } else if (m_service == nullptr) {
         auto* rows = new QVBoxLayout(this);
         m_missing = makeLabel(TextRole::Body, this, true);
         m_missing->setAlignment(Qt::AlignCenter);
@@ -43,30 +35,14 @@ SensorsPage::SensorsPage(const PageContext& context, QWidget* parent)
     refresh();
 }
 
-QTableWidget* SensorsPage::makeTable(const char* name, int columns) {
-    auto* table = new QTableWidget(0, columns, this);
-    table->setObjectName(QLatin1String(name));
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setWordWrap(true);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    QScroller::grabGesture(table->viewport(), QScroller::TouchGesture);
-    return table;
-}
-
 void SensorsPage::build() {
     auto* columns = new QHBoxLayout(this);
     m_list = new Card(look(), this);
     m_side = new Card(look(), this);
     columns->addWidget(m_list, 3);
     columns->addWidget(m_side, 2);
-    m_channels = makeTable("sensorChannels", kColumns);
-    m_modules = makeTable("sensorModules", kModuleColumns);
+    m_channels = makeSensorTable("sensorChannels", kColumns, this);
+    m_modules = makeSensorTable("sensorModules", kModuleColumns, this);
     m_list->body()->addWidget(m_channels, 3);
     m_list->body()->addWidget(m_modules, 1);
     m_picture = new SensorPicture(look(), this);
@@ -78,11 +54,19 @@ void SensorsPage::build() {
     m_place->setObjectName(QStringLiteral("placeSensor"));
     m_ask = new ActionButton(look(), this);
     m_ask->setObjectName(QStringLiteral("askGauge"));
+    m_setup = new ActionButton(look(), this);
+    m_setup->setObjectName(QStringLiteral("sensorSetupOpen"));
+    m_setup->setVisible(context().services.sensorSetup != nullptr);
+    for (const int column : {kName, kValue, kAge}) {  // the rest is for words
+        m_channels->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    }
+    m_modules->horizontalHeader()->setSectionResizeMode(kModule, QHeaderView::ResizeToContents);
     m_side->body()->addWidget(m_picture, 1);
     m_side->body()->addWidget(m_hint);
-    for (ActionButton* button : {m_finger, m_place, m_ask}) {
+    for (ActionButton* button : {m_finger, m_place, m_ask, m_setup}) {
         m_side->body()->addWidget(button);
     }
+    allowOnly(m_place, context().session, Deed::SensorPlace);
     m_place->setPredicate([this] { return m_chosen ? QString() : tr("touch a channel first"); });
     m_ask->setPredicate([this] {
         for (const SensorGaugeView& gauge : m_service->view().gauges) {
@@ -101,16 +85,22 @@ void SensorsPage::build() {
         show(m_service->view());
     });
     connect(m_place, &QPushButton::clicked, this, [this] {
-        context().withRole(Role::Engineer, [this] {
+        context().withPermission(Deed::SensorPlace, [this] {
             m_placing = true;
             show(m_service->view());
         });
+    });
+    connect(m_setup, &QPushButton::clicked, this, [this] {
+        Sheet* sheet = context().sheets.open(tr("Sensor file and modules"));
+        sheet->setWide();
+        sheet->body()->addWidget(new SensorSetupPanel(context(), *context().services.sensorSetup, sheet), 1);
+        sheet->addButton(tr("Close"), [] {});
     });
     connect(m_ask, &QPushButton::clicked, this, [this] {
         const auto& gauges = m_service->view().gauges;
         for (std::size_t i = 0; i < gauges.size(); ++i) {
             if (gauges[i].connected && gauges[i].canAsk) {
-                m_service->askGauge(i);
+                m_service->askGauge(i, true);
             }
         }
     });
@@ -118,12 +108,14 @@ void SensorsPage::build() {
 
 void SensorsPage::refresh() {
     setObjectName(QStringLiteral("sensorsPage"));
-    if (m_service == nullptr) {
+    const int gap = look().space(Space::Medium);
+    if (m_panel != nullptr) {
+        layout()->setContentsMargins(gap, gap, gap, gap);
+    } else if (m_service == nullptr) {
         m_missing->setText(
             tr("This console was started without a sensor file (--sensors): only what the machine itself brings is "
                "read."));
     } else {
-        const int gap = look().space(Space::Medium);
         layout()->setContentsMargins(gap, gap, gap, gap);
         layout()->setSpacing(gap);
         m_list->setTitle(tr("Sensors and gauges"));
@@ -135,6 +127,7 @@ void SensorsPage::refresh() {
         }
         m_place->setText(tr("Place on the picture"));
         m_ask->setText(tr("Test read of the gauges"));
+        m_setup->setText(tr("Sensor file and modules"));
         m_shown = 0;
         show(m_service->view());
     }
@@ -162,14 +155,14 @@ void SensorsPage::showChannels(const SensorServiceView& view) {
     m_channels->setRowCount(static_cast<int>(view.channels.size()));
     for (int row = 0; row < m_channels->rowCount(); ++row) {
         const SensorChannelView& channel = view.channels[static_cast<std::size_t>(row)];
-        setCell(m_channels, row, kName, QString::fromStdString(channel.name));
-        setCell(m_channels, row, kPlace, QString::fromStdString(channel.place));
-        setCell(m_channels, row, kValue,
-                channel.value ? look().units().withUnit(*channel.value, channel.unit, 1) : QStringLiteral("–"));
-        setCell(m_channels, row, kAge,
-                channel.age_s ? tr("%1 s").arg(*channel.age_s, 0, 'f', *channel.age_s < 10.0 ? 1 : 0)
-                              : QStringLiteral("–"));
-        setCell(m_channels, row, kState, channel.value ? tr("good") : engineText(channel.why));
+        setSensorCell(m_channels, row, kName, QString::fromStdString(channel.name));
+        setSensorCell(m_channels, row, kPlace, QString::fromStdString(channel.place));
+        setSensorCell(m_channels, row, kValue,
+                      channel.value ? look().units().withUnit(*channel.value, channel.unit, 1) : QStringLiteral("–"));
+        setSensorCell(m_channels, row, kAge,
+                      channel.age_s ? tr("%1 s").arg(*channel.age_s, 0, 'f', *channel.age_s < 10.0 ? 1 : 0)
+                                    : QStringLiteral("–"));
+        setSensorCell(m_channels, row, kState, channel.value ? tr("good") : engineText(channel.why));
     }
 }
 
@@ -178,18 +171,19 @@ void SensorsPage::showModules(const SensorServiceView& view) {
     m_modules->setRowCount(modules + static_cast<int>(view.gauges.size()));
     for (int row = 0; row < modules; ++row) {
         const SensorModuleView& module = view.modules[static_cast<std::size_t>(row)];
-        setCell(m_modules, row, kModule, QString::fromStdString(module.name));
-        setCell(m_modules, row, kAddress, QString::fromStdString(module.address));
-        setCell(m_modules, row, kReads, tr("%1 of %2").arg(module.good).arg(module.channels));
+        setSensorCell(m_modules, row, kModule, QString::fromStdString(module.name));
+        setSensorCell(m_modules, row, kAddress, QString::fromStdString(module.address));
+        setSensorCell(m_modules, row, kReads, tr("%1 of %2").arg(module.good).arg(module.channels));
     }
     for (int k = 0; k < static_cast<int>(view.gauges.size()); ++k) {
         const SensorGaugeView& gauge = view.gauges[static_cast<std::size_t>(k)];
-        setCell(m_modules, modules + k, kModule, QString::fromStdString(gauge.name));
-        setCell(m_modules, modules + k, kAddress, QString::fromStdString(gauge.device));
-        setCell(m_modules, modules + k, kReads,
-                !gauge.connected      ? tr("not plugged in")
-                : gauge.frame.empty() ? tr("connected")
-                                      : QString::fromStdString(gauge.frame));
+        setSensorCell(m_modules, modules + k, kModule, QString::fromStdString(gauge.name));
+        setSensorCell(m_modules, modules + k, kAddress, QString::fromStdString(gauge.device));
+        setSensorCell(m_modules, modules + k, kReads,
+                      !gauge.connected      ? tr("not plugged in")
+                      : gauge.frame.empty() ? tr("connected")
+                      : gauge.understood    ? QString::fromStdString(gauge.frame)
+                                            : tr("%1: no reading").arg(QString::fromStdString(gauge.frame)));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/pages/sensors/sensor_picture.h"
+#include "ui/pages/sensors/sensor_setup_panel.h"
 #include "ui/services/sensor_service.h"
 #include "ui/shell/page.h"
 #include "ui/widgets/action_button.h"
@@ -31,10 +32,10 @@ class SensorsPage : public Page {
     void showFinger(const SensorServiceView& view);
     void choose(std::optional<std::size_t> channel);
     void placeAt(double x, double y);
-    [[nodiscard]] QTableWidget* makeTable(const char* name, int columns);
 
     SensorService* m_service;
     QLabel* m_missing{nullptr};
+    SensorSetupPanel* m_panel{nullptr};  ///< where there is no sensor file
     Card* m_list{nullptr};
     Card* m_side{nullptr};
     QTableWidget* m_channels{nullptr};
@@ -44,6 +45,7 @@ class SensorsPage : public Page {
     ActionButton* m_finger{nullptr};
     ActionButton* m_place{nullptr};
     ActionButton* m_ask{nullptr};
+    ActionButton* m_setup{nullptr};
     std::optional<std::size_t> m_chosen{};
     bool m_placing{false};
     QElapsedTimer m_since;
