@@ -90,7 +90,7 @@ std::string drawOnShop(db::DatabaseReader& reader, const std::string& file, cons
 std::vector<Depth> depthsOf(const BoringRecipe& recipe, const boring::MemoryStart& start) {
     const boring::EstimatorParams params = recipe.estimator(boring::EstimatorKind::Kalman);
     const boring::EstimatorState state = boring::stateFrom(start, params.kalman);
-    const BoringSchedule schedule = boring::adviseFeed(state, recipe.feedLaw(boring::EstimatorKind::Kalman)).schedule;
+    const BoringSchedule schedule = boring::adviseFeed(state, recipe.feedLawWithMemory()).schedule;
     std::vector<Depth> depths;
     for (const DepthView& depth : recipe.depths) {
         const double feed_mmPerRev = schedule.feed_mmPerRev(depth.overhang_mm);

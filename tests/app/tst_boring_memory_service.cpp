@@ -174,8 +174,11 @@ class TestBoringMemoryService : public QObject {
         QCOMPARE(view.parts.size(), std::size_t{0});
         QVERIFY(bench.loaded().constantFeed_mmPerRev == 0.0);  // from memory, not the recipe's first feed
         QVERIFY(view.nextPrediction[0] && view.nextPrediction[1]);
-        QVERIFY(std::abs(view.nextPrediction[0]->diameter_mm - 50.0) < 1e-6);
-        QVERIFY(view.nextPrediction[0]->half95_mm > 0.01);  // one lot is little
+        // One lot is little: the feed aims where 49.985 and 50.015 mm are equally far in ln d, a thousandth above 50.
+        const double d0_mm = BoringRecipe{}.targetDeflection_mm;
+        const double aim_mm = 50.0 + d0_mm - std::sqrt((d0_mm - 0.015) * (d0_mm + 0.015));
+        QVERIFY(std::abs(view.nextPrediction[0]->diameter_mm - aim_mm) < 1e-6);
+        QVERIFY(view.nextPrediction[0]->half95_mm > 0.01);
         QVERIFY(QString::fromStdString(view.nextRestsOn.english()).startsWith("Expected from 1 earlier lots"));
         bench.boreAndMeasure();
         for (const BoreMeasurementView& m : view.parts[0].measurements) {

@@ -112,6 +112,17 @@ boring::FeedLawParams BoringRecipe::feedLaw(boring::EstimatorKind kind) const {
     return law;
 }
 
+boring::FeedLawParams BoringRecipe::feedLawWithMemory() const {
+    constexpr double kLeastAllowed = 0.05;  // of d0, where the largest diameter wants less bending than there can be
+    boring::FeedLawParams law = feedLaw(boring::EstimatorKind::Kalman);
+    const auto deflection = [&](double diameter_mm) {
+        return boring::deflectionFromDiameter_mm(diameter_mm, targetDiameter_mm, targetDeflection_mm, phi_deg);
+    };
+    law.allowedFrom_mm = std::max(kLeastAllowed * targetDeflection_mm, deflection(upperTolerance_mm));
+    law.allowedTo_mm = deflection(lowerTolerance_mm);
+    return law;
+}
+
 std::span<const ParamSpec> boringRecipeSpecs() {
     static const auto kSpecs = [] {
         std::array<ParamSpec, std::tuple_size_v<std::remove_cvref_t<decltype(fields())>>> specs{};

@@ -48,6 +48,8 @@ struct BoringRecipe {
     [[nodiscard]] bool drawsOnShop() const noexcept { return usesMemory() && shopMemory >= 0.5; }
     [[nodiscard]] bool teaches() const noexcept { return firstPartTeaches >= 0.5; }
     [[nodiscard]] boring::FeedLawParams feedLaw(boring::EstimatorKind kind) const;
+    /// Of a lot that has drawn on memory: where its law is known too badly for the tolerance, the feed aims within it.
+    [[nodiscard]] boring::FeedLawParams feedLawWithMemory() const;
 };
 
 /// The numbers of a recipe, in the order a page shows them.

@@ -12,6 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr double kMicrometre = 1000.0;  // per mm
+constexpr double kShownAim_mm = 0.002;  // an aim further from the target diameter than this is told
 
 boring::CutPart cutPartOf(const ServicePart& part) {
     return {part.number, part.schedule, part.feed};
@@ -204,7 +205,8 @@ EntryCheck LotRecords::check(PartId id, std::uint8_t depth, double diameter_mm) 
 }
 
 boring::FeedAdvice LotRecords::advice() const noexcept {
-    const boring::FeedLawParams law = m_recipe.feedLaw(m_kind);
+    const bool memory = m_kind == boring::EstimatorKind::Kalman && m_tracker.drewOnMemory();
+    const boring::FeedLawParams law = memory ? m_recipe.feedLawWithMemory() : m_recipe.feedLaw(m_kind);
     boring::FeedAdvice advice = boring::adviseFeed(m_tracker.state(), law);
     if (m_recipe.teaches() && !boring::estimateOf(m_tracker.state()).ready) {
         advice.schedule = boring::teachSchedule(law);
@@ -229,6 +231,14 @@ Predictions LotRecords::predictionFor(const BoringSchedule& schedule) const {
 }
 
 Sentence LotRecords::reason() const {
+    const double aim_mm = advice().schedule.targetDeflection_mm;
+    const double aimed_mm = boring::diameterFromDeflection_mm(aim_mm, m_recipe.targetDiameter_mm,
+                                                              m_recipe.targetDeflection_mm, m_recipe.phi_deg);
+    if (std::abs(aimed_mm - m_recipe.targetDiameter_mm) >= kShownAim_mm) {
+        return Sentence(KERF_TEXT("Too little is known to be sure of the tolerance: the feed aims at %1 mm, from where "
+                                  "both limits are equally far by the law."),
+                        SentenceArg(aimed_mm, 3));
+    }
     if (announcedNext() != nullptr && m_tracker.begin().memory) {
         return Sentence(KERF_TEXT("A change is announced for part %1: it begins from what such changes have brought."),
                         SentenceArg(nextNumber(), 0));

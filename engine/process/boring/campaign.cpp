@@ -17,16 +17,24 @@ constexpr double kExpansion_perK = 20e-6;
 constexpr double kThermometer_K = 0.5;
 constexpr std::uint32_t kUnstableParts = 10;
 constexpr std::uint32_t kSteadyFrom = 4;
+constexpr double kLeastAllowed = 0.05;  // of d0, where the band reaches down to 0
 constexpr double kTwoSided95 = 1.959963984540054;
 
 BoringSchedule scheduleFor(const CampaignParams& params, const EstimatorState& state, const TruthPlan& truth,
-                           std::uint32_t part) {
-    FeedAdvice advice = adviseFeed(state, params.feed);
+                           std::uint32_t part, bool drewOnMemory) {
+    FeedLawParams feed = params.feed;
+    if (drewOnMemory) {
+        feed.allowedFrom_mm =
+            std::max(kLeastAllowed * feed.targetDeflection_mm, feed.targetDeflection_mm - params.scrapBand_mm);
+        feed.allowedTo_mm = feed.targetDeflection_mm + params.scrapBand_mm;
+    }
+    FeedAdvice advice = adviseFeed(state, feed);
     const auto useTruth = [&](const LawConstants& law) {
         advice.schedule.constantFeed_mmPerRev = 0.0;
         advice.schedule.lnC = law.lnC;
         advice.schedule.alpha = law.alpha;
         advice.schedule.beta = law.beta;
+        advice.schedule.targetDeflection_mm = params.feed.targetDeflection_mm;
     };
     switch (params.policy) {
         case FeedPolicy::FixedFeed:
@@ -89,12 +97,12 @@ class LotMemory {
  public:
     LotMemory(const CampaignParams& params, const LotPlace& place) : m_params(params), m_place(place) {}
 
-    void begin(EstimatorState& state) const {
+    void begin(EstimatorState& state) {
         if (m_params.memory) {
             use(Memory(m_place.past, {}, m_params.estimator.kalman), StretchKind::Insert, state);
         }
     }
-    void announce(std::uint32_t part, EstimatorState& state) const {
+    void announce(std::uint32_t part, EstimatorState& state) {
         const auto change = std::ranges::find(m_place.announced, part, &AnnouncedChange::part);
         if (m_params.memory && part > 1 && change != m_place.announced.end()) {
             use(Memory(m_place.past, {}, m_params.estimator.kalman, stretches()), change->kind, state);
@@ -105,19 +113,23 @@ class LotMemory {
             m_visits.push_back(visit);
         }
     }
+    /// The lot has begun from it, or an announced change has.
+    [[nodiscard]] bool drawnOn() const noexcept { return m_drawnOn; }
     [[nodiscard]] std::vector<Stretch> stretches() const {
         return stretchesOf(m_visits, m_place.announced, m_params.estimator.kalman);
     }
 
  private:
-    void use(const Memory& memory, StretchKind kind, EstimatorState& state) const {
+    void use(const Memory& memory, StretchKind kind, EstimatorState& state) {
         if (memory.usable()) {
+            m_drawnOn = true;
             state = stateFrom(memory.start(kind), m_params.estimator.kalman);
         }
     }
     const CampaignParams& m_params;
     const LotPlace& m_place;
     std::vector<PartVisit> m_visits{};
+    bool m_drawnOn{false};
 };
 
 /// What the shop floor adds to the law, part by part. The reference machine adds nothing, to the last digit.
@@ -189,7 +201,8 @@ LotResult simulateLot(const CampaignParams& params, const TruthPlan& truth, std:
         memory.announce(part, state);
         shop.nextPart();
         const bool teaching = params.teach && part == 1 && !estimateOf(state).ready;
-        const BoringSchedule schedule = teaching ? teachSchedule(params.feed) : scheduleFor(params, state, truth, part);
+        const BoringSchedule schedule =
+            teaching ? teachSchedule(params.feed) : scheduleFor(params, state, truth, part, memory.drawnOn());
         const std::vector<double> measureAt_mm = teaching ? teachDepths_mm(params) : params.measureAt_mm;
         bool scrap = false;
         double feedError = 0.0;

@@ -10,13 +10,37 @@ namespace {
 constexpr double kPaperMinAlpha = 1e-3;
 constexpr double kPaperMaxAlpha = 1e3;
 constexpr double kTwoSided95 = 1.959963984540054;
+constexpr double kRoomSpreads = 3.0;  // standard deviations that shall fit between the aim and the nearer limit
 
 bool atLimit(const BoringSchedule& schedule, double overhang_mm) noexcept {
     const double wanted = schedule.unclampedFeed_mmPerRev(overhang_mm);
     return !(wanted >= schedule.minFeed_mmPerRev && wanted <= schedule.maxFeed_mmPerRev);
 }
 
+/// Standard deviation of ln d where the bore is known worse: at its top or at its bottom.
+double spreadAlong(const Estimate& estimate, const BoringSchedule& schedule) noexcept {
+    double widest = 0.0;
+    for (const double overhang_mm : {schedule.overhangFrom_mm, schedule.overhangTo_mm}) {
+        const Eigen::Vector3d x(1.0, std::log(schedule.feed_mmPerRev(overhang_mm)), std::log(overhang_mm));
+        widest = std::max(widest, x.dot(matrixOf(estimate.covariance) * x));
+    }
+    return std::sqrt(widest);
+}
+
 }  // namespace
+
+double aimedDeflection_mm(const FeedLawParams& params, double spreadLn) noexcept {
+    if (!(params.allowedFrom_mm > 0.0 && params.allowedTo_mm > params.allowedFrom_mm)) {
+        return params.targetDeflection_mm;
+    }
+    const double target = std::log(params.targetDeflection_mm);
+    const double least = std::log(params.allowedFrom_mm);
+    const double most = std::log(params.allowedTo_mm);
+    const double middle = 0.5 * (least + most);
+    const double room = kRoomSpreads * spreadLn;
+    return std::exp(target > middle ? std::max(middle, std::min(target, most - room))
+                                    : std::min(middle, std::max(target, least + room)));
+}
 
 FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev) {
     FeedLawParams params;
@@ -54,6 +78,9 @@ FeedAdvice adviseFeed(const Estimate& estimate, double workingPoint, const FeedL
         advice.reason = Sentence(KERF_TEXT("The estimated exponent α = %1 is outside %2 to %3 and was clipped."),
                                  SentenceArg(estimate.law.alpha, 3), SentenceArg(params.minAlpha, 2),
                                  SentenceArg(params.maxAlpha, 2));
+    }
+    if (params.allowedTo_mm > 0.0) {
+        schedule.targetDeflection_mm = aimedDeflection_mm(params, spreadAlong(estimate, schedule));
     }
     for (const double overhang_mm : {params.overhangFrom_mm, params.overhangTo_mm}) {
         if (atLimit(schedule, overhang_mm)) {

@@ -19,10 +19,20 @@ struct FeedLawParams {
     double overhangFrom_mm{kTableOverhangFrom_mm};
     double overhangTo_mm{kTableOverhangTo_mm};
     double spindleSpeed_rpm{400.0};
+    /// Deflections of a good bore, both > 0 and d0 between them: where the feed is chosen for a law that is known too
+    /// badly to keep them, see aimedDeflection_mm(). 0: the feed is always chosen for d0.
+    double allowedFrom_mm{0.0}, allowedTo_mm{0.0};
 };
 /// Limits that belong to an estimator. Both clamp the feed as the paper does, to [.005, 2]; a part type's recipe may be
 /// narrower. The paper leaves α alone, so its clip is a mere guard against a division by zero.
 [[nodiscard]] FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev);
+
+/// What the feed is chosen for. d0, as long as three standard deviations s of ln d (the wider one of the bore's two
+/// ends) fit between it and the nearer limit, in ln; else as far from that limit as they need, but no further than the
+/// middle of the limits in ln, from where both are missed equally often. A deflection errs by factors and is allowed
+/// millimetres, so that the middle lies below d0: towards less feed.
+///   mm; s dimensionless; between allowedFrom_mm and allowedTo_mm
+[[nodiscard]] double aimedDeflection_mm(const FeedLawParams& params, double spreadLn) noexcept;
 
 struct FeedAdvice {
     BoringSchedule schedule{};

@@ -95,6 +95,8 @@ class LotTracker {
     [[nodiscard]] const LotBegin& begin() const noexcept { return m_begin; }
     /// The lot began from the lots before it.
     [[nodiscard]] bool fromMemory() const noexcept { return estimateOf(m_initial).ready; }
+    /// It began so, or an announced change has drawn on memory since.
+    [[nodiscard]] bool drewOnMemory() const noexcept { return fromMemory() || !m_changed.empty(); }
     [[nodiscard]] const std::vector<AnnouncedChange>& announced() const noexcept { return m_announced; }
     /// Memory with what the lot has shown up to the newest measured part.
     [[nodiscard]] Memory memoryNow() const;

@@ -48,6 +48,25 @@ const LawConstants kTruth = TruthPlan::table().at(1);
 class TestBoringLaws : public QObject {
     Q_OBJECT
  private slots:
+    void whatIsKnownTooBadlyIsAimedWithinTheLimits() {
+        FeedLawParams params;
+        params.targetDeflection_mm = 0.1165;
+        QCOMPARE(aimedDeflection_mm(params, 0.3), 0.1165);  // nobody has said what is allowed
+        params.allowedFrom_mm = 0.1165 - 0.0487;
+        params.allowedTo_mm = 0.1165 + 0.0487;
+        const double room = std::log(params.allowedTo_mm / 0.1165);
+        const double middle_mm = std::sqrt(params.allowedFrom_mm * params.allowedTo_mm);
+        QVERIFY(std::abs(aimedDeflection_mm(params, 0.99 * room / 3.0) - 0.1165) < 1e-12);
+        // Three standard deviations just fit above the aim; never below the middle, from where both limits are equally
+        // far.
+        const double between_mm = aimedDeflection_mm(params, 1.1 * room / 3.0);
+        QVERIFY(std::abs(std::log(params.allowedTo_mm / between_mm) - 1.1 * room) < 1e-12);
+        QVERIFY(std::abs(aimedDeflection_mm(params, 2.0) - middle_mm) < 1e-12);
+        params.targetDeflection_mm = 0.08;  // nearer to the other limit: the same upwards
+        QVERIFY(std::abs(aimedDeflection_mm(params, 2.0) - middle_mm) < 1e-12);
+        QVERIFY(aimedDeflection_mm(params, 0.08) > 0.08);
+        QCOMPARE(aimedDeflection_mm(params, 0.0), std::exp(std::log(0.08)));
+    }
     void firstPartIsCutAtTheConstantFeed() {
         const auto advice = adviseFeed(EstimatorState{KalmanState{}}, FeedLawParams{});
         QCOMPARE(advice.schedule.feed_mmPerRev(40.0), 0.5);
