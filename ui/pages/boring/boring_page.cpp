@@ -230,7 +230,10 @@ void BoringPage::onStatus(const Status& status) {
     if (!isVisible()) {
         return;
     }
-    m_entry->reconsiderGauge();
+    if (const bool there = askGauges(false); there != m_gaugeThere) {  // plugged in or out
+        m_gaugeThere = there;
+        m_entry->reconsiderGauge();
+    }
     m_feed->setStatus(status);
     m_next->setLoop(status.loops[static_cast<std::size_t>(ProcessId::Boring)]);
 }

@@ -94,6 +94,7 @@ class BoringPage : public Page {
     NextPartPanel* m_next{nullptr};
     EstimatePanel* m_estimates{nullptr};
     EntryPanel* m_entry{nullptr};
+    bool m_gaugeThere{false};  ///< one on a serial line can be asked
     GaugesAtHand m_gauges{};
     QLabel* m_missing{nullptr};
     QVBoxLayout* m_rows{nullptr};
