@@ -20,7 +20,6 @@ constexpr std::uint32_t kRecordsRead = 50;
 constexpr std::int64_t kWriteEvery_ms = 10'000;
 constexpr std::int64_t kDay_ms = 12LL * 3600 * 1000;  ///< so old may be what was learnt of today
 constexpr double kSameZero_um = 1e-6;
-constexpr const char* kAuthor = "Kerf";
 constexpr const char* kNamelessMachine = "Machine";  // as migration 006 calls it
 
 /// Newest first, as many as are shown.
@@ -115,7 +114,7 @@ void StoredThermalService::keep(const char* kind, std::string body, const std::s
                          kind,
                          std::string(m_links.engine.capabilities().machineName.data()),
                          std::move(body),
-                         author.empty() ? kAuthor : author,
+                         author.empty() ? kItself : author,
                          std::move(reason)};
     m_way.keep([&](StoreWriter::Done answer) { m_links.writer.submit(std::move(record), std::move(answer)); },
                [stored = std::move(stored)](const Receipt&) {
@@ -195,7 +194,7 @@ void StoredThermalService::accept(const ThermalSetup& setup, const std::string& 
     ThermalSetup next = setup;
     next.revision = m_view.setup.revision + 1;
     const auto store = [&](StoreWriter::Done stored) {
-        m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kAuthor);
+        m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kItself);
         m_recipes.keep(recipeName(), records::setupToJson(next), author, reason, restoredFrom, std::move(stored));
     };
     m_way.change(

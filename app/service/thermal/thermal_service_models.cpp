@@ -16,7 +16,6 @@ namespace {
 namespace records = thermal_records;
 
 constexpr std::uint32_t kModelsRead = 2;
-constexpr const char* kAuthor = "Kerf";
 constexpr const char* kBuiltInDays = "built-in:";
 constexpr const char* kFile = "file:";
 constexpr const char* kSession = "session:";
@@ -289,7 +288,7 @@ void StoredThermalService::takeTraining() {
             training.detail += (training.detail.empty() ? "" : "\n");
             training.detail += note;
         }
-        if (m_firstModel) (void)goLive(kAuthor);
+        if (m_firstModel) (void)goLive(kItself);
     }
     m_firstModel = false;
     changed();
