@@ -7622,6 +7622,10 @@
             <source>typed</source>
             <translation>typed</translation>
         </message>
+        <message>
+            <source>Blank height</source>
+            <translation>Blank height</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

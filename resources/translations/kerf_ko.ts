@@ -7617,6 +7617,10 @@
             <source>typed</source>
             <translation>직접 입력</translation>
         </message>
+        <message>
+            <source>Blank height</source>
+            <translation>소재 높이</translation>
+        </message>
     </context>
     <context>
         <name>kerf::ui::ActionChart</name>

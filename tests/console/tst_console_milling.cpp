@@ -258,6 +258,10 @@ class TestConsoleMilling : public QObject {
         const QString difference = m_bench->text("recipeDifference");
         QVERIFY2(difference.contains(QStringLiteral("Law: Preview → Model")), qPrintable(difference));
         QVERIFY2(difference.contains(QStringLiteral("Blank profile: ") + file), qPrintable(difference));
+        for (int i = 0; i < 3; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
         m_bench->console().window()->grab().save(QStringLiteral("milling_revisions.png"));
         QVERIFY(m_bench->press("sheetSafe"));
         restart();
