@@ -82,8 +82,10 @@ class TestConsoleSheets : public QObject {
         look(QStringLiteral("revisions_%1").arg(QLatin1String(page)));
         type("recipeReason", m_korean ? QStringLiteral("이전 값이 나았음") : QStringLiteral("as before"));
         press("recipeRestore");
-        QTRY_VERIFY(m_bench->find<QTableWidget>("recipeRevisions") != nullptr &&
-                    m_bench->find<QTableWidget>("recipeRevisions")->rowCount() == rows + 1);
+        const auto said = [this] { return m_bench->text("recipeMessage") + u'|' + window().bottomLine(); };
+        QTRY_VERIFY2(m_bench->find<QTableWidget>("recipeRevisions") != nullptr &&
+                         m_bench->find<QTableWidget>("recipeRevisions")->rowCount() == rows + 1,
+                     qPrintable(said()));
         look(QStringLiteral("revisions_%1_back").arg(QLatin1String(page)));
         press("sheetSafe");
     }
@@ -266,6 +268,7 @@ class TestConsoleSheets : public QObject {
         start("diamond-lathe");
         QVERIFY(window().session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
         window().showPage("turning");
+        m_bench->pause();  // what is live behind the sheets is another test's matter
         for (const char* to : {"0.8", "0.9"}) {
             press("turningSetup");
             QTRY_VERIFY(m_bench->find<QLineEdit>("turningField5Edit") != nullptr);
