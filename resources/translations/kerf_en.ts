@@ -7710,6 +7710,10 @@
             <source>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</source>
             <translation>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</translation>
         </message>
+        <message>
+            <source>Blank height</source>
+            <translation>Blank height</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>

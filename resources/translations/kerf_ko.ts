@@ -7705,6 +7705,10 @@
             <source>The sensor file %1 cannot be used: only what the machine itself brings is read. Sensors says why.</source>
             <translation>센서 파일 %1을(를) 쓸 수 없습니다. 기계가 직접 주는 값만 읽습니다. 이유는 센서 화면에 있습니다.</translation>
         </message>
+        <message>
+            <source>Blank height</source>
+            <translation>소재 높이</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>

@@ -250,6 +250,20 @@ class TestConsoleMilling : public QObject {
         QVERIFY(before.wear > 0.0 && before.wearPerPart > 0.0);
         QTRY_VERIFY_WITH_TIMEOUT(m_bench->text("millingLastCut").contains(QStringLiteral("Cut 4")), 5'000);
         const QString lastCut = m_bench->text("millingLastCut");
+        // What the recipe was before blank and law: told in words.
+        QVERIFY(m_bench->press("millingSetup"));
+        QVERIFY(m_bench->press("recipeHistory"));
+        QTRY_VERIFY(m_bench->find<QTableWidget>("recipeRevisions") != nullptr);
+        m_bench->find<QTableWidget>("recipeRevisions")->selectRow(2);
+        const QString difference = m_bench->text("recipeDifference");
+        QVERIFY2(difference.contains(QStringLiteral("Law: Preview → Model")), qPrintable(difference));
+        QVERIFY2(difference.contains(QStringLiteral("Blank profile: ") + file), qPrintable(difference));
+        for (int i = 0; i < 3; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+        m_bench->console().window()->grab().save(QStringLiteral("milling_revisions.png"));
+        QVERIFY(m_bench->press("sheetSafe"));
         restart();
         QTRY_COMPARE_WITH_TIMEOUT(milling().tool, before.tool, 10'000);
         QTRY_COMPARE_WITH_TIMEOUT(milling().law, MillingLaw::Preview, 10'000);

@@ -48,7 +48,9 @@ ordered_json blankDocument(const NamedBlank& named) {
         json["height_mm"].push_back(named.blank.height_mm[i]);
     }
     json["end_mm"] = named.blank.end_mm;
-    json["source"] = named.source;
+    if (named.blank.count > 0) {
+        json["source"] = named.source;
+    }
     return json;
 }
 

@@ -55,12 +55,16 @@ QString cutText(const MillingCutView& view, const UnitSystem& units) {
 
 const ParamSpec* millingRecipeSpec(const MillingService& service, const std::string& key) {
     static const ParamSpec kLaw{"milling.law", KERF_TEXT("Law"), "", 0.0, 0.0, 0.0, 0, ""};
-    static const ParamSpec kBlank{"blank", KERF_TEXT("Blank profile"), "mm", 0.0, 0.0, 0.0, 3, ""};
+    static const ParamSpec kBlank{"blank.source", KERF_TEXT("Blank profile"), "", 0.0, 0.0, 0.0, 0, ""};
+    static const ParamSpec kHeight{"blank.height_mm.", KERF_TEXT("Blank height"), "mm", 0.0, 0.0, 0.0, 3, ""};
     if (key == kLaw.key) {
         return &kLaw;
     }
-    if (key.starts_with("blank.")) {
+    if (key == kBlank.key) {
         return &kBlank;
+    }
+    if (key.starts_with(kHeight.key)) {  // of one step; where they begin is only counted
+        return &kHeight;
     }
     const auto fields = service.fields();
     const auto found =

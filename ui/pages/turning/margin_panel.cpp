@@ -127,9 +127,17 @@ void MarginPanel::showMargins() {
     m_note->setText(!m_margins.known       ? tr("Margins appear as soon as a law acts.")
                     : m_margins.identified ? tr("Guaranteed for every process within the 95 % intervals.")
                                            : tr("For the process the law assumes; it is not identified."));
-    m_trim->setText(tr("trim %1 of ± %2", "applied trim, authority")
-                        .arg(m_look.units().withUnit(m_applied_um, "um", kDepthDecimals),
-                             m_look.units().withUnit(m_authority_um, "um", kDepthDecimals)));
+    const auto words = [this](double trim_um) {
+        return tr("trim %1 of ± %2", "applied trim, authority")
+            .arg(m_look.units().withUnit(trim_um, "um", kDepthDecimals),
+                 m_look.units().withUnit(m_authority_um, "um", kDepthDecimals));
+    };
+    m_trim->setText(words(m_applied_um));
+    // A minus sign that comes and goes must not move the bar, nor be cut off until it has moved.
+    const QFontMetrics metrics = m_trim->fontMetrics();
+    const QString widest = words(-m_authority_um);
+    m_trim->setMinimumWidth(std::max(metrics.size(0, widest).width(), metrics.boundingRect(widest).width()) +
+                            metrics.averageCharWidth());
     m_bar->set(m_applied_um, m_authority_um);
 }
 
