@@ -13,7 +13,6 @@
 namespace kerf::headless {
 namespace {
 
-constexpr double kMaxPart = 1e6;
 constexpr double kMaxOverhang_mm = 1e5;
 constexpr double kMaxFeed_mmPerRev = 1e3;
 constexpr double kSmallest = 1e-9;

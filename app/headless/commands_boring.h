@@ -34,6 +34,8 @@ struct BoringOptions {
     [[nodiscard]] boring::EstimatorParams params() const;
 };
 
+/// Largest number of a part in a file.
+inline constexpr double kMaxPart = 1e6;
 /// Of the rows that `kerf boring simulate --csv` writes.
 inline constexpr const char* kSimulatedDeflection = "deflection_measured_mm";
 

@@ -12,7 +12,6 @@ namespace kerf::headless {
 namespace {
 
 constexpr double kMaxRun = 1e7;
-constexpr double kMaxPart = 1e6;
 
 std::uint32_t wholeNumber(const Table& table, std::size_t row, const char* name) {
     const double value = table.column(name)[row];

@@ -129,7 +129,7 @@ void printCsv(const CutResult& result) {
     csv.flush();
 }
 
-struct SimulateOptions {
+struct MillingSimulateOptions {
     LawOptions law{};
     std::optional<std::vector<double>> blank_mm{};
     double segment_mm{20.0};
@@ -150,7 +150,7 @@ struct SimulateOptions {
     std::shared_ptr<files::ReadOptions> read{};
 };
 
-void simulate(const SimulateOptions& options) {
+void simulate(const MillingSimulateOptions& options) {
     CutCase cut = caseOf(options.law);
     const milling::HardMachine machine = milling::hardMachine(options.machineSeed);
     if (options.machineSeed != 0) {
@@ -188,7 +188,7 @@ void simulate(const SimulateOptions& options) {
 }
 
 void addSimulate(CLI::App& parent) {
-    auto options = std::make_shared<SimulateOptions>();
+    auto options = std::make_shared<MillingSimulateOptions>();
     CLI::App* command = parent.add_subcommand("simulate", "One cut along a stepped blank, revolution by revolution");
     options->law.addTo(*command);
     command->add_option("--blank", options->blank_mm, "heights of the blank's steps in mm")->delimiter(',');

@@ -42,12 +42,12 @@ std::array<NamedBlank, 3> blanks() {
 }
 
 /// Means over the seeds.
-struct Outcome {
+struct NoiseOutcome {
     double waviness_um{0.0}, peak_kgf{0.0};
 };
 
-Outcome milledBy(milling::LawKind law, const milling::CutCase& cutCase, const NoiseOptions& options) {
-    Outcome mean;
+NoiseOutcome milledBy(milling::LawKind law, const milling::CutCase& cutCase, const NoiseOptions& options) {
+    NoiseOutcome mean;
     for (int i = 0; i < options.seeds; ++i) {
         milling::CutCase cut = cutCase;
         cut.law = law;
@@ -71,8 +71,8 @@ void printNoiseTable(const NoiseOptions& options) {
                 cut.wholePulses = true;
                 cut.lag = late;
                 cut.forceNoise_N = noise_kgf * kNewtonPerKilogramForce;
-                const Outcome paper = milledBy(milling::LawKind::Pi, cut, options);
-                const Outcome ours = milledBy(milling::LawKind::Model, cut, options);
+                const NoiseOutcome paper = milledBy(milling::LawKind::Pi, cut, options);
+                const NoiseOutcome ours = milledBy(milling::LawKind::Model, cut, options);
                 csv.row(named.name, late ? 1 : 0, noise_kgf, paper.waviness_um, paper.peak_kgf, ours.waviness_um,
                         ours.peak_kgf, ours.waviness_um > paper.waviness_um || ours.peak_kgf > paper.peak_kgf);
             }

@@ -14,12 +14,12 @@ namespace kerf::headless {
 namespace {
 
 /// One machine under one law.
-struct Outcome {
+struct CutOutcome {
     double waviness_um{0.0}, peak_N{0.0};
     bool unstable{false};
 };
 
-Outcome milledBy(milling::LawKind law, const milling::HardMachine& machine, std::uint64_t noiseSeed) {
+CutOutcome milledBy(milling::LawKind law, const milling::HardMachine& machine, std::uint64_t noiseSeed) {
     constexpr double kFromAir_mm = 5.0;
     milling::CutCase cut;
     milling::putOn(machine, cut);
@@ -44,8 +44,8 @@ void robust(const RobustOptions& options) {
     for (std::uint32_t i = 1; i <= options.machines; ++i) {
         const std::uint64_t seed = options.machineSeed(i);
         const milling::HardMachine machine = milling::hardMachine(seed);
-        const Outcome ours = milledBy(milling::LawKind::Model, machine, options.seed);
-        const Outcome simple = milledBy(milling::LawKind::Pi, machine, options.seed);
+        const CutOutcome ours = milledBy(milling::LawKind::Model, machine, options.seed);
+        const CutOutcome simple = milledBy(milling::LawKind::Pi, machine, options.seed);
         const double ratio = ours.waviness_um / simple.waviness_um;
         const double peakRatio = ours.peak_N / simple.peak_N;
         const bool worse = ratio > 1.0 || peakRatio > 1.0;

@@ -20,7 +20,7 @@ namespace {
 using namespace turning;
 
 constexpr std::size_t kSamples = 10000;  // 2 s
-constexpr double kRunaway = 3.0;         // times the open loop
+constexpr double kTimesOpenLoop = 3.0;   // and more: unstable
 constexpr double kTwoPoints = 0.02;      // of the open loop
 
 struct TurningRobustOptions {
@@ -92,7 +92,7 @@ void robust(const TurningRobustOptions& options) {
             const double paper_um = rms_um(ControllerKind::Paper);
             const double pi_um = rms_um(ControllerKind::Pi);
             const double ours_um = rms_um(ControllerKind::Default);
-            const auto runsAway = [&](double value_um) { return !(value_um < kRunaway * moved_um); };
+            const auto runsAway = [&](double value_um) { return !(value_um < kTimesOpenLoop * moved_um); };
             const double simple_um = std::min(paper_um, pi_um);
             const double ratio = ours_um / simple_um;
             const bool bothRunAway = runsAway(paper_um) && runsAway(pi_um);
