@@ -31,7 +31,7 @@ enum class World { PaperChanges, NoChange, RandomChanges, Drift };
 
 boring::CampaignSummary campaign(const TableOptions& options, const Policy& policy, double sigma_mm, double alpha0,
                                  World world) {
-    constexpr std::uint64_t kTruthStream = 3;
+    constexpr std::uint64_t kTableStream = 3;
     constexpr double kDrift_percentPerPart = 1.5;
     constexpr double kFirstFeed_mmPerRev = 0.5;
     boring::CampaignParams params;
@@ -44,7 +44,7 @@ boring::CampaignSummary campaign(const TableOptions& options, const Policy& poli
         boring::TruthPlan truth =
             world == World::PaperChanges ? boring::TruthPlan::paper() : boring::TruthPlan::table();
         if (world == World::RandomChanges) {
-            Random random = Random(options.seed).stream(run).stream(kTruthStream);
+            Random random = Random(options.seed).stream(run).stream(kTableStream);
             truth = boring::randomChanges(random, boring::kTableTargetDeflection_mm);
         } else if (world == World::Drift) {
             truth.drift_percentPerPart = kDrift_percentPerPart;

@@ -80,11 +80,11 @@ std::unique_ptr<MachinePort> connected(const MachineDescription& described, bool
 
 /// A machine that does not answer, or that another program commands, is no place to rehearse on.
 void waitForMachine(MachinePort& machine) {
-    using Clock = std::chrono::steady_clock;
+    using Steady = std::chrono::steady_clock;
     constexpr auto kPatience = std::chrono::seconds(1);
     MachineInputs inputs;
-    for (const auto end = Clock::now() + kPatience; inputs.link != LinkState::Up && Clock::now() < end;) {
-        machine.read((Clock::now() - end).count(), inputs);  // before the rehearsal's time, which begins at 0
+    for (const auto end = Steady::now() + kPatience; inputs.link != LinkState::Up && Steady::now() < end;) {
+        machine.read((Steady::now() - end).count(), inputs);  // before the rehearsal's time, which begins at 0
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (inputs.link != LinkState::Up) {
