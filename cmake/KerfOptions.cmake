@@ -19,6 +19,10 @@ target_compile_options(kerf_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align
   -Wdouble-promotion -Wformat=2 -Wnull-dereference -Wduplicated-cond -Wlogical-op
   -ffp-contract=off)  # same digits with and without fused multiply-add hardware
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # The compiler tidies its memory a tenth of its time; below a gigabyte it need not.
+  target_compile_options(kerf_options INTERFACE --param=ggc-min-heapsize=1000000)
+endif()
 if(KERF_WERROR)
   target_compile_options(kerf_options INTERFACE -Werror)
 endif()
