@@ -8,11 +8,25 @@ function(kerf_pch kind)
   add_library(kerf_pch_${kind} OBJECT ${CMAKE_BINARY_DIR}/pch/kerf_pch_${kind}.cpp)
   target_link_libraries(kerf_pch_${kind} PRIVATE kerf_options ${ARG_LINK})
   target_precompile_headers(kerf_pch_${kind} PRIVATE ${ARG_HEADERS})
+  kerf_optimise(kerf_pch_${kind} ${kind})
 endfunction()
 function(kerf_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM kerf_pch_${kind})
-  if(kind MATCHES "headless|test")  # the header was compiled so, and is taken only with the same
+  kerf_optimise(${target} ${kind})
+endfunction()
+
+# How far each kind is optimised, given after the build type's own; a precompiled header is taken only with the same.
+set(KERF_QUICK_CODE -O1 CACHE STRING "Optimisation of what is compiled once and run a few times: tests and commands")
+set(KERF_CONSOLE_CODE -O2 CACHE STRING "Optimisation of screens, services and data; the loops have the build type's own")
+function(kerf_optimise target kind)
+  if(kind MATCHES "headless|test")
     target_compile_options(${target} PRIVATE ${KERF_QUICK_CODE})
+  elseif(kind MATCHES "ui|data" AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${target} PRIVATE ${KERF_CONSOLE_CODE})
+  endif()
+  # Qt Test's headers look at it, and a target that has it would not be taken the header of one that has not.
+  if(kind MATCHES "test")
+    target_compile_options(${target} PRIVATE -UQT_NETWORK_LIB)
   endif()
 endfunction()
 
@@ -33,11 +47,6 @@ kerf_pch(engine HEADERS ${kerf_common_headers} <Eigen/Dense> LINK Eigen3::Eigen)
 kerf_pch(test HEADERS ${kerf_common_headers} <QtTest> <nlohmann/json.hpp> <fstream> LINK kerf_qt_test nlohmann_json::nlohmann_json)
 kerf_pch(gui_test HEADERS ${kerf_common_headers} <QtTest> <QtWidgets> <QtCharts> <nlohmann/json.hpp>
          LINK kerf_qt_test Qt6::Widgets Qt6::Charts nlohmann_json::nlohmann_json)
-# What is compiled once and run a few times: tests and command-line files.
-set(KERF_QUICK_CODE -O1 CACHE STRING "Optimisation of tests and commands, given after the build type's own")
-target_compile_options(kerf_pch_headless PRIVATE ${KERF_QUICK_CODE})
-target_compile_options(kerf_pch_test PRIVATE ${KERF_QUICK_CODE})
-target_compile_options(kerf_pch_gui_test PRIVATE ${KERF_QUICK_CODE})
 
 # Several files of a target compiled as one: most of a file's time goes into what it includes. The loops stay apart: short
 # files with heavy mathematics.
@@ -74,7 +83,7 @@ function(kerf_add_test name)
     set(ARG_SOURCES ${name}.cpp)
   endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 120)
+    set(ARG_TIMEOUT 600)  # against hanging only: beside other work a test takes several times as long
   endif()
   # moc straight, a twentieth of a second for each file: AUTOMOC takes a target, a run of CMake and an empty file to compile.
   set(mocs "")
