@@ -9,6 +9,7 @@
 #include "engine/limits/stop_latch.h"
 #include "engine/process/tapping/drift_watch.h"
 #include "engine/process/tapping/tap_exchange.h"
+#include "engine/process/tapping/tap_recorder.h"
 
 namespace kerf {
 
@@ -23,7 +24,7 @@ namespace kerf {
 class TappingLoop final : public ProcessLoop {
  public:
     /// `exchange` outlives the loop.
-    explicit TappingLoop(TapExchange& exchange) noexcept : m_exchange(exchange) {}
+    explicit TappingLoop(TapExchange& exchange) noexcept : m_exchange(exchange), m_tap(exchange.records) {}
 
     [[nodiscard]] ProcessId id() const noexcept override { return ProcessId::Tapping; }
     [[nodiscard]] std::span<const AlarmSpec> alarms() const noexcept override;
@@ -41,16 +42,12 @@ class TappingLoop final : public ProcessLoop {
     [[nodiscard]] bool refused(const MachineInputs& inputs) const noexcept;
     void beginRestore() noexcept;
     void recover(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
-    void follow(double spindle_rev, double z_mm) noexcept;
-    void keep(bool good) noexcept;
-    void fillGap(std::int64_t now_ns) noexcept;
     [[nodiscard]] bool gainsInForce(const MachineInputs& inputs) const noexcept;
     void request(LoopOutputs& outputs, const decltype(PortRequest::action)& action) noexcept;
     void setGains(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
     void startProgram(const MachineInputs& inputs, LoopOutputs& outputs) noexcept;
     void record(const MachineInputs& inputs, LoopOutputs& outputs, EventSink& events) noexcept;
     void watch(LoopOutputs& outputs, EventSink& events) noexcept;
-    [[nodiscard]] bool pitchFits() const noexcept;
     void abortInSync(LoopOutputs& outputs) noexcept;
     void endTap(TapOutcome outcome, EventSink& events) noexcept;
     void restoreAccepted() noexcept;
@@ -61,6 +58,7 @@ class TappingLoop final : public ProcessLoop {
     [[nodiscard]] LoopVerdict describe() const noexcept;
 
     TapExchange& m_exchange;
+    TapRecorder m_tap;
     StopWatch m_stopWatch{};
     LoopMode m_mode{LoopMode::Off};
     TappingStatus m_status{};
@@ -76,24 +74,12 @@ class TappingLoop final : public ProcessLoop {
     bool m_interrupted{false};    ///< the loop was stopped during this tap
     bool m_gainsSent{false};
     bool m_startSent{false};
-    bool m_recording{false};
     ProgramFollower m_program{ProcessId::Tapping};
     std::uint32_t m_requestNumber{0};
     std::uint32_t m_lastSequence{0};
     std::int64_t m_phaseSince_ns{0};
-    std::int64_t m_tapBegin_ns{0};
     std::int64_t m_tick_ns{1'000'000};
     std::int64_t m_now_ns{0};
-    double m_spindleZero_rev{0.0};
-    double m_zZero_mm{0.0};
-    double m_squares_um2{0.0};
-    double m_low_um{0.0};
-    double m_high_um{0.0};
-    double m_deepest_rev{0.0};
-    double m_deepest_mm{0.0};
-    bool m_engaged{false};
-    std::uint32_t m_lostInARow{0};
-    bool m_signalLost{false};  ///< for too long, in this tap
     DriftWatch m_drift{};
 };
 

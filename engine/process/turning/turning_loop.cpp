@@ -23,10 +23,9 @@ constexpr double kTouchShare = 0.10;  // of the target force
 constexpr int kTouchSamples = 4;
 constexpr double kExitShare = 0.30;
 constexpr int kExitSamples = 5;
-constexpr double kMeanShare = 1.0 / 250.0;       // mean force over .05 s
-constexpr std::uint32_t kReferenceAfter = 2000;  // .4 s after the touch the force is what this tool takes
-constexpr double kChipRatio = 1.25;              // slower than the watch sees
-constexpr double kGoneRatio = 0.75;              // below, the cut is being taken away
+constexpr double kMeanShare = 1.0 / 250.0;  // mean force over .05 s
+constexpr double kChipRatio = 1.25;         // slower than the watch sees
+constexpr double kGoneRatio = 0.75;         // below, the cut is being taken away
 constexpr int kChipSamples = 50;
 constexpr std::int64_t kGap_ns = 300'000;  // a sample and a half
 constexpr double kTrimMeanShare = 1.0 / 5000.0;
@@ -35,42 +34,6 @@ constexpr double kLimitAlarm = 0.2;  // share of the samples at the limit
 constexpr double kLimitShare = 1.0 / 2500.0;
 constexpr double kRampDown_um = 0.2;  // per sample, the machine's own limit: 2 µm in 2 ms
 constexpr double kForgetting = 0.98;
-constexpr double kStartVariance = 1.0;  // of a1, b0, b1 at the start of a cut, over the noise
-constexpr double kSureExcitation = 3.0;
-constexpr double kSureHalf95 = 0.02;   // of b0, in N/µm as of b0 itself, and of a1
-constexpr double kRetuneAbove = 0.05;  // mismatch of gain or phase that is worth a new tuning
-constexpr int kMovedSamples = 500;     // .1 s in a row
-constexpr double kFarthestRetune = 3.0;
-
-turning::ControllerKind kindOf(TurningController controller) noexcept {
-    switch (controller) {
-        case TurningController::Open:
-            return turning::ControllerKind::Open;
-        case TurningController::Paper:
-            return turning::ControllerKind::Paper;
-        case TurningController::Pi:
-            return turning::ControllerKind::Pi;
-        case TurningController::Tones:
-            break;
-    }
-    return turning::ControllerKind::Default;
-}
-
-/// How far two processes differ where the tones are: largest |P_a/P_b − 1| from 10 to 150 Hz.
-double mismatch(const turning::ProcessParams& a, const turning::ProcessParams& b) noexcept {
-    double worst = 0.0;
-    for (const double frequency_Hz : {10.0, 50.0, 150.0}) {
-        const double omega = 2.0 * std::numbers::pi * frequency_Hz / turning::kSampleRate_Hz;
-        worst = std::max(worst, std::abs(a.response(omega) / b.response(omega) - 1.0));
-    }
-    return worst;
-}
-
-/// A gain further off is no wear but a fault.
-bool tooFar(const turning::ProcessParams& process) noexcept {
-    const double far = process.dcGain() / turning::ProcessParams{}.dcGain();
-    return far > kFarthestRetune || far < 1.0 / kFarthestRetune;
-}
 
 }  // namespace
 
@@ -91,58 +54,6 @@ TurningLoop::TurningLoop(TurningExchange* exchange) noexcept
       m_control(controlParams(TurningSetup{})),
       m_identifier({kForgetting, turning::Forgetting::Robust, 1e4, 0.0}),
       m_trace(exchange) {}
-
-std::span<const AlarmSpec> TurningLoop::alarms() const noexcept {
-    return turning_alarm::kSpecs;
-}
-
-std::optional<Sentence> TurningLoop::whyUnusable(const TurningSetup& setup) noexcept {
-    return turning::whyUnusable(setup);
-}
-
-CommandResult TurningLoop::handle(const Command& command) noexcept {
-    if (const auto* load = std::get_if<LoadTurningSetup>(&command.action)) {
-        if (const auto why = whyUnusable(load->setup)) {
-            return CommandResult::refused(*why);
-        }
-        m_next = load->setup;
-        m_status.nextSetup = m_next.revision;
-        return CommandResult::ok();
-    }
-    if (const auto* set = std::get_if<SetTurningController>(&command.action)) {
-        if (static_cast<std::size_t>(set->controller) >= kTurningControllers) {
-            return CommandResult::refused(Sentence(KERF_TEXT("The turning loop does not know this controller.")));
-        }
-        m_controller = set->controller;
-        m_status.controller = m_controller;
-        m_control.select(kindOf(m_controller));
-        return CommandResult::ok();
-    }
-    if (std::holds_alternative<StartPart>(command.action)) {
-        if (m_next.revision == 0) {
-            return CommandResult::refused(Sentence(KERF_TEXT("No turning setup is loaded: enter the cut first.")));
-        }
-        m_startWanted = true;
-        return CommandResult::ok();
-    }
-    return CommandResult::refused(Sentence(KERF_TEXT("The turning loop does not know this command.")));
-}
-
-void TurningLoop::setMode(LoopMode mode) noexcept {
-    m_mode = mode;
-}
-
-void TurningLoop::startRequest(LoopOutputs& outputs) noexcept {
-    StartProgram program;
-    program.process = ProcessId::Turning;
-    program.programmedFeed_mmPerRev = m_next.feed_umPerRev / 1000.0;
-    program.spindleSpeed_rpm = m_next.spindleSpeed_rpm;
-    program.from_mm = m_next.faceFrom_mm;
-    program.to_mm = m_next.faceTo_mm;
-    program.depth_um = m_next.depth_um;
-    outputs.request.number = m_program.nextRequest();
-    outputs.request.action = program;
-}
 
 LoopVerdict TurningLoop::step(const MachineInputs& inputs, const Capabilities& capabilities, LoopOutputs& outputs,
                               EventSink& events) noexcept {
@@ -473,69 +384,10 @@ void TurningLoop::watchSurface(double force_N) noexcept {
     }
 }
 
-void TurningLoop::identify(double force_N, const MachineInputs& inputs) noexcept {
-    TurningIdentification& shown = m_status.identification;
-    shown.available = inputs.toolMotion_um.good();
-    if (!shown.available) {
-        return;
-    }
-    const double inner_um = inputs.toolMotion_um.value;
-    // The build-up of the depth is no chip the model knows: from the second revolution on.
-    const double chip_um = m_setup.depth_um + m_motion.oldest() - inner_um;
-    if (m_cutSamples == m_motion.samples()) {
-        m_identifier.start(m_process, kStartVariance, force_N, chip_um);
-    } else if (m_cutSamples > m_motion.samples()) {
-        m_identifier.update(force_N, chip_um);
-    }
-    m_motion.push(inner_um);
-    const auto estimate = m_identifier.estimate();
-    shown.value = {estimate.process.a1, estimate.process.b0, estimate.process.b1};
-    shown.half95 = {estimate.half95[0], estimate.half95[1], estimate.half95[2]};
-    shown.trace = m_identifier.trace();
-    shown.excitation = m_identifier.excitation();
-    shown.residual_N = m_identifier.residual_N();
-    shown.sure = m_cutSamples > kReferenceAfter && shown.excitation > kSureExcitation &&
-                 estimate.half95.maxCoeff() < kSureHalf95 && estimate.process.usable();
-    const bool moved = shown.sure && mismatch(estimate.process, m_process) > kRetuneAbove;
-    m_moved = moved ? m_moved + 1 : 0;
-    if (m_moved >= kMovedSamples) {
-        m_moved = 0;
-        retune(estimate.process);
-    }
-}
-
-/// The process has moved and the identification is sure of it: the law works with the new one, without a bump.
-void TurningLoop::retune(const turning::ProcessParams& found) noexcept {
-    if (tooFar(found)) {
-        return;
-    }
-    m_process = found;
-    m_control.setProcess(found);
-    m_watch.reset(m_process);
-    ++m_status.retuned;
-    ++m_part.turning.retuned;
-    m_status.lawProcess = {found.a1, found.b0, found.b1};
-    m_status.forceTarget_N = found.dcGain() * m_setup.depth_um;
-}
-
 void TurningLoop::noteForce(double force_N) noexcept {
     m_forceLow_N = m_forceTaken ? force_N : std::min(m_forceLow_N, force_N);
     m_forceHigh_N = m_forceTaken ? force_N : std::max(m_forceHigh_N, force_N);
     m_forceTaken = false;
-}
-
-/// What the service has handed over since the last part.
-void TurningLoop::recall() noexcept {
-    if (m_exchange == nullptr || !m_exchange->recall.refresh()) {
-        return;
-    }
-    const TurningRecall& kept = m_exchange->recall.value();
-    const turning::ProcessParams process{kept.process.a1, kept.process.b0, kept.process.b1};
-    if (kept.processKnown && process.usable() && !tooFar(process)) {
-        m_process = process;
-    } else if (kept.assumed) {
-        m_process = {};
-    }
 }
 
 }  // namespace kerf

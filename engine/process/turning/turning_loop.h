@@ -48,6 +48,9 @@ class TurningLoop final : public ProcessLoop {
     [[nodiscard]] static std::optional<Sentence> whyUnusable(const TurningSetup& setup) noexcept;
 
  private:
+    static constexpr std::uint32_t kReferenceAfter = 2000;  ///< .4 s after the touch the force is what this tool takes
+
+    [[nodiscard]] static turning::ControllerKind kindOf(TurningController controller) noexcept;
     void beginPart(const MachineInputs& inputs) noexcept;
     void endPart(const MachineInputs& inputs, bool complete, EventSink& events) noexcept;
     void touch(const MachineInputs& inputs) noexcept;
