@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/process/milling/force_bounds.h"
 #include "engine/process/milling/milling_alarms.h"
 #include "engine/process/milling/milling_loop.h"
 #include "engine/process/milling/milling_setup.h"
@@ -69,7 +70,7 @@ CommandResult MillingLoop::load(const MillingSetup& setup) noexcept {
     const auto kx = m_controller.kxLogWeights();  // the tool's, not the setup's
     m_setup = setup;
     m_law = setup.law;
-    m_controller = FeedController(milling::controllerParams(setup), m_law);
+    m_controller = milling::FeedController(milling::controllerParams(setup), m_law);
     m_controller.setBlank(milling::profileOf(m_blank));
     (void)m_controller.restoreKx(kx);
     return CommandResult::ok();
