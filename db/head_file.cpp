@@ -68,10 +68,16 @@ Head headOf(const QSqlDatabase& database) {
         head.auditId = audit.integer(0);
         head.auditHash = audit.text(1);
     }
-    Statement rows(database, "SELECT name, seq FROM sqlite_sequence");
+    // Of tables that SQLite keeps no highest number for (migration 008) it is that of the newest row.
+    Statement rows(database,
+                   "SELECT name, seq FROM sqlite_sequence UNION ALL SELECT 'measurements', max(id) FROM measurements "
+                   "UNION ALL SELECT 'estimator_states', max(id) FROM estimator_states UNION ALL SELECT 'audit', "
+                   "max(id) FROM audit UNION ALL SELECT 'outbox', max(seq) FROM outbox");
     rows.run();
     while (rows.next()) {
-        head.rows[rows.text(0)] = rows.integer(1);
+        if (!rows.isNull(1)) {
+            head.rows[rows.text(0)] = rows.integer(1);
+        }
     }
     return head;
 }

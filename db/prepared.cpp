@@ -3,21 +3,25 @@
 
 #include <sqlite3.h>
 
-#include <functional>
 #include <mutex>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 namespace kerf::db {
+
+struct PreparedPlace {
+    const std::string* words{nullptr};
+    sqlite3_stmt* statement{nullptr};  ///< null while in use
+};
+
 namespace {
 
-struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view text) const noexcept { return std::hash<std::string_view>{}(text); }
+/// By the words; their address only says where to look first.
+struct Kept {
+    std::unordered_map<std::string, PreparedPlace> byWords{};
+    std::unordered_map<const char*, PreparedPlace*> byAddress{};
 };
-/// By the words, not by their address: null while in use.
-using Kept = std::unordered_map<std::string, sqlite3_stmt*, Hash, std::equal_to<>>;
 
 std::mutex keptLock;
 std::unordered_map<sqlite3*, Kept>& kept() {
@@ -38,35 +42,37 @@ void dropPrepared(sqlite3* connection) noexcept {
     if (mine == kept().end()) {
         return;
     }
-    for (const auto& [words, statement] : mine->second) {
-        sqlite3_finalize(statement);
+    for (const auto& [words, place] : mine->second.byWords) {
+        sqlite3_finalize(place.statement);
     }
     kept().erase(mine);
 }
 
-sqlite3_stmt* takePrepared(sqlite3* connection, std::string_view sql) {
+PreparedPlace* takePrepared(sqlite3* connection, const char* sql, sqlite3_stmt*& statement) {
     const std::lock_guard lock(keptLock);
+    statement = nullptr;
     const auto mine = kept().find(connection);
     if (mine == kept().end()) {
         return nullptr;
     }
-    const auto found = mine->second.find(sql);
-    if (found == mine->second.end()) {
-        mine->second.emplace(sql, nullptr);  // its place, so that giving back allocates nothing
-        return nullptr;
+    PreparedPlace*& place = mine->second.byAddress[sql];
+    if (place == nullptr || *place->words != sql) {
+        const auto found = mine->second.byWords.try_emplace(sql).first;
+        place = &found->second;
+        place->words = &found->first;
     }
-    return std::exchange(found->second, nullptr);
+    statement = std::exchange(place->statement, nullptr);
+    return place;
 }
 
-void giveBackPrepared(sqlite3* connection, std::string_view sql, sqlite3_stmt* statement) noexcept {
+void giveBackPrepared(sqlite3* connection, PreparedPlace* place, sqlite3_stmt* statement) noexcept {
     const std::lock_guard lock(keptLock);
-    if (const auto mine = kept().find(connection); mine != kept().end()) {
-        if (const auto found = mine->second.find(sql); found != mine->second.end() && found->second == nullptr) {
-            found->second = statement;
-            return;
-        }
+    // A place goes with its connection.
+    if (place != nullptr && kept().contains(connection) && place->statement == nullptr) {
+        place->statement = statement;
+    } else {
+        sqlite3_finalize(statement);
     }
-    sqlite3_finalize(statement);
 }
 
 }  // namespace kerf::db

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
-
 struct sqlite3;
 struct sqlite3_stmt;
 
@@ -12,14 +10,18 @@ struct sqlite3_stmt;
 /// Any thread; a connection and its statements stay on one.
 namespace kerf::db {
 
+/// Where the statement of some words is kept.
+struct PreparedPlace;
+
 /// From now on the statements of this connection are kept.
 void keepPrepared(sqlite3* connection);
 /// Before the connection is closed: what is kept is finalised.
 void dropPrepared(sqlite3* connection) noexcept;
 
-/// None is kept, or it is in use by another statement just now: null.
-[[nodiscard]] sqlite3_stmt* takePrepared(sqlite3* connection, std::string_view sql);
-/// A finished one, for the next taker. Without keepPrepared() it is finalised.
-void giveBackPrepared(sqlite3* connection, std::string_view sql, sqlite3_stmt* statement) noexcept;
+/// The place for these words; null: nothing is kept for this connection. `statement`: what is kept there, null when
+/// there is none, or it is in use by another statement just now.
+[[nodiscard]] PreparedPlace* takePrepared(sqlite3* connection, const char* sql, sqlite3_stmt*& statement);
+/// Reset and without values. Finalised when it is not kept.
+void giveBackPrepared(sqlite3* connection, PreparedPlace* place, sqlite3_stmt* statement) noexcept;
 
 }  // namespace kerf::db

@@ -70,7 +70,7 @@ sqlite3* handleOf(const QSqlDatabase& database) {
 }
 
 Statement::Statement(const QSqlDatabase& database, const char* sql) : m_connection(handleOf(database)), m_words(sql) {
-    m_statement = takePrepared(m_connection, m_words);
+    m_place = takePrepared(m_connection, m_words, m_statement);
     if (m_statement == nullptr) {
         prepare(m_words, SQLITE_PREPARE_PERSISTENT);
     }
@@ -87,7 +87,7 @@ Statement::~Statement() {
     }
     sqlite3_reset(m_statement);
     sqlite3_clear_bindings(m_statement);
-    giveBackPrepared(m_connection, m_words, m_statement);
+    giveBackPrepared(m_connection, m_place, m_statement);
 }
 
 void Statement::prepare(std::string_view sql, unsigned flags) {

@@ -19,6 +19,8 @@ struct sqlite3_stmt;
 
 namespace kerf::db {
 
+struct PreparedPlace;
+
 /// Thrown inside the database room only; every public function turns it into a Result.
 class SqlFailure : public std::runtime_error {
  public:
@@ -96,6 +98,7 @@ class Statement {
 
     sqlite3* m_connection;
     const char* m_words{nullptr};  ///< null: not kept
+    PreparedPlace* m_place{nullptr};
     sqlite3_stmt* m_statement{nullptr};
     int m_next{0};
     At m_at{At::Start};

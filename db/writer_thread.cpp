@@ -23,6 +23,8 @@ constexpr std::size_t kPartsPerTransaction = 32;
 constexpr qint64 kRoomWanted_bytes = 1'000'000;
 constexpr int kFull = 13;  // SQLite's own number
 constexpr std::uint32_t kNoPageLimit = 0xFFFFFFFE;
+/// Each table and index of an acceptance may need a page more; one free page of the file is no room for it.
+constexpr const char* kAsMuchAsAnEntry = "INSERT INTO room_probe VALUES (zeroblob(50000))";
 
 /// Errors that go away by themselves or by a person's hand: what failed is tried again. Others are the command's own.
 bool passes(const Sentence& failure) {
@@ -239,6 +241,7 @@ class WriterThread::Worker {
             return guarded([&] {
                 Transaction transaction(m_connection.database());
                 execute(m_connection.database(), QStringLiteral("CREATE TABLE room_probe (x)"));
+                execute(m_connection.database(), QString::fromLatin1(kAsMuchAsAnEntry));
                 execute(m_connection.database(), QStringLiteral("DROP TABLE room_probe"));
                 transaction.commit();
             });

@@ -190,9 +190,10 @@ Result<std::optional<PartDetail>> DatabaseReader::part(PartId id) {
             detail.feed = unpackTrace(trace.blob(0));
         }
         Statement states(database(),
-                         QStringLiteral("SELECT %1 FROM measurements m JOIN estimator_states e ON e.id = (SELECT "
-                                        "max(x.id) FROM estimator_states x WHERE x.measurement_id = m.id) WHERE "
-                                        "m.part_id = ? ORDER BY m.id")
+                         QStringLiteral("SELECT %1 FROM parts p JOIN measurements m ON m.part_id = p.id JOIN "
+                                        "estimator_states e ON e.id = (SELECT max(x.id) FROM estimator_states x WHERE "
+                                        "x.lot_id = p.lot_id AND x.measurement_id = m.id) WHERE p.id = ? ORDER BY "
+                                        "m.id")
                              .arg(QLatin1String(kStateColumns)));
         states.bind(id).run();
         while (states.next()) {

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/stores/audit_log.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <QCryptographicHash>
 #include <initializer_list>
+#include <iterator>
+#include <string_view>
 
 #include "db/row_io.h"
 #include "db/statement.h"
 
 namespace kerf::db {
 namespace {
-/// The first entry follows this.
-const std::string kGenesis(64, '0');
-
-std::string hashOf(std::initializer_list<std::string> fields) {
+std::string hashOf(std::initializer_list<std::string_view> fields) {
     std::string text;
-    for (const std::string& field : fields) {
-        text += std::to_string(field.size()) + ':' + field;
+    text.reserve(1024);
+    for (const std::string_view field : fields) {
+        fmt::format_to(std::back_inserter(text), FMT_COMPILE("{}:{}"), field.size(), field);
     }
-    return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().toStdString();
+    const QByteArrayView bytes(text.data(), static_cast<qsizetype>(text.size()));
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString();
 }
 }  // namespace
 

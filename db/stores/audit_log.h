@@ -9,6 +9,9 @@
 
 namespace kerf::db {
 
+/// The first entry follows this.
+inline const std::string kGenesis(64, '0');
+
 /// SHA-256 over the previous hash and every field of the entry, each with its length in front, as hexadecimal text.
 /// The lengths make the text unambiguous: moving a character from one field to the next changes the hash.
 [[nodiscard]] std::string auditHash(const AuditRow& row);
@@ -17,8 +20,8 @@ namespace kerf::db {
 /// @throws SqlFailure, also when the author is empty.
 void appendAudit(const QSqlDatabase& database, AuditRow row);
 
-/// What the audit log says about a measurement when it is accepted; compared again by verifyAudit(). `withSource`: its
-/// source is kept in full (measurement_sources), which those accepted before version 5 have not.
+/// What the audit log says about a measurement when it is accepted; compared again by verifyAudit(). `withSource`: with
+/// the name of gauge or file, if any; of those accepted before version 5 the log does not say it.
 [[nodiscard]] std::string measurementText(const MeasurementRow& row, bool withSource = true);
 
 /// What the audit log says about a room record, or a recipe of KeepRecipe: subject or part type, and the hash of the

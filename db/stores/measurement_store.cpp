@@ -106,11 +106,13 @@ MeasurementId accept(const QSqlDatabase& database, const AcceptMeasurement& comm
         .bind(row.acceptedUtc_ms)
         .run();
     row.id = insert.lastId();
-    Statement(database, "INSERT INTO measurement_sources (measurement_id, source, name) VALUES (?, ?, ?)")
-        .bind(row.id)
-        .bind(sourceKey(row.source))
-        .bind(row.sourceName)
-        .run();
+    if (row.source == MeasurementSource::File || !row.sourceName.empty()) {  // more than the row itself says
+        Statement(database, "INSERT INTO measurement_sources (measurement_id, source, name) VALUES (?, ?, ?)")
+            .bind(row.id)
+            .bind(sourceKey(row.source))
+            .bind(row.sourceName)
+            .run();
+    }
     for (const EstimatorStateRow& state : command.states) {
         EstimatorStateRow stored = state;
         const auto place = static_cast<std::size_t>(-state.measurement);

@@ -46,7 +46,8 @@ void adoptPeople(const QSqlDatabase& database) {
 }
 
 void redactSeals(const QSqlDatabase& database) {
-    Statement find(database, QStringLiteral("SELECT %1 FROM audit u WHERE u.object = 'setting operators' ORDER BY u.id")
+    Statement find(database, QStringLiteral("SELECT %1 FROM audit u WHERE u.object = 'setting operators' AND u.object "
+                                            "<> 'measurement' ORDER BY u.id")
                                  .arg(QLatin1String(kAuditColumns)));
     find.run();
     std::vector<AuditRow> entries;
@@ -68,9 +69,10 @@ void sealRoomRecords(const QSqlDatabase& database) {
     // Records without a hash of their own, not yet under a common one.
     Statement find(
         database,
-        "SELECT max(o.id) FROM room_records o JOIN audit u ON u.object = 'room record' AND u.object_id = o.id "
-        "WHERE u.new_value NOT LIKE '%; sha256=%' AND o.id > (SELECT coalesce(max(object_id), 0) FROM audit "
-        "WHERE object = 'room records')");
+        "SELECT max(o.id) FROM room_records o JOIN audit u ON u.object = 'room record' AND u.object <> 'measurement' "
+        "AND "
+        "u.object_id = o.id WHERE u.new_value NOT LIKE '%; sha256=%' AND o.id > (SELECT coalesce(max(object_id), 0) "
+        "FROM audit WHERE object = 'room records' AND object <> 'measurement')");
     if (!find.run().next() || find.isNull(0)) {
         return;
     }

@@ -32,7 +32,10 @@ int main(int argc, char** argv) {
         correction.replaces = typo;
         correction.reason = "digits swapped";
         accept(correction, 0.51);
-        accept(test::measured(second, 1, 50.0102), 0.51);
+        MeasurementRow read = test::measured(second, 1, 50.0102);
+        read.source = MeasurementSource::Gauge;
+        read.sourceName = "G-07";
+        accept(read, 0.51);
         const MeasurementId wrongPart = accept(test::measured(third, 0, 50.0044), 0.52);
         MeasurementRow gone = test::measured(third, 0, 1.0);
         gone.kind = MeasurementKind::Void;

@@ -55,6 +55,8 @@ class TestMeasurementSources : public QObject {
         QCOMPARE(sources, (QStringList{QStringLiteral("keypad:"), QStringLiteral("gauge:G-07; 내경 'a'"),
                                        QStringLiteral("gauge:G-08"), QStringLiteral("file:값.csv")}));
         QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+        // What says no more than the measurement itself has no row.
+        QCOMPARE(test::number(shop.database(), "SELECT count(*) FROM measurement_sources"), std::int64_t{3});
         // Past the program: another gauge, or none at all, is found.
         QVERIFY(test::tryExecute(shop.database(), "DROP TRIGGER measurement_sources_no_update"));
         QVERIFY(test::tryExecute(shop.database(), "DROP TRIGGER measurement_sources_no_delete"));
@@ -65,6 +67,24 @@ class TestMeasurementSources : public QObject {
         QVERIFY(test::tryExecute(
             shop.database(),
             ("DELETE FROM measurement_sources WHERE measurement_id = " + std::to_string(read)).c_str()));
+        QVERIFY(!shop.reader()->verifyAudit()->finding.empty());
+    }
+    void aSourceThatWasSlippedInIsFound() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        MeasurementRow row = measured(shop.addPart(1), 0, 50.0);
+        accept(shop, row);
+        row.station = 1;
+        row.source = MeasurementSource::Gauge;  // which one is not known
+        accept(shop, row);
+        const auto history = *shop.reader()->history(shop.lot);
+        QCOMPARE(history->measurements[0].source, MeasurementSource::Keypad);
+        QCOMPARE(history->measurements[1].source, MeasurementSource::Gauge);
+        QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+        // As version 7 wrote it: the same is said twice.
+        QVERIFY(test::tryExecute(shop.database(), "INSERT INTO measurement_sources VALUES (1, 'keypad', '')"));
+        QVERIFY(shop.reader()->verifyAudit()->finding.empty());
+        QVERIFY(test::tryExecute(shop.database(), "INSERT INTO measurement_sources VALUES (2, 'gauge', 'G-09')"));
         QVERIFY(!shop.reader()->verifyAudit()->finding.empty());
     }
     void manyAtOnceAreAllOrNothing() {
@@ -82,7 +102,7 @@ class TestMeasurementSources : public QObject {
         bad.measurements[1].measurement.author.clear();
         QVERIFY(!shop.tried(bad));
         QCOMPARE(test::number(shop.database(), "SELECT count(*) FROM measurements"), std::int64_t{1});
-        QCOMPARE(test::number(shop.database(), "SELECT count(*) FROM measurement_sources"), std::int64_t{1});
+        QCOMPARE(test::number(shop.database(), "SELECT count(*) FROM measurement_sources"), std::int64_t{0});
         const Receipt receipt = shop.must(good);
         QCOMPARE(receipt.id, std::int64_t{2});
         QCOMPARE(receipt.second, std::int64_t{2});

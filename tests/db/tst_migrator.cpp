@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QFile>
 #include <QTest>
+#include <map>
 
 #include "db_test_support.h"
 #include "tests/support/golden.h"
@@ -28,6 +29,17 @@ std::vector<db::Migration> withStep(const std::string& text) {
     std::vector<db::Migration> steps = db::builtInMigrations();
     steps.push_back(nextStep(text));
     return steps;
+}
+/// The words of everything in it, by name.
+QStringList schemaOf(const std::string& path) {
+    const db::Connection connection(path, db::Access::Read);
+    db::Statement all(connection.database(), "SELECT type, name, sql FROM sqlite_master ORDER BY type, name");
+    all.run();
+    QStringList words;
+    while (all.next()) {
+        words << QString::fromStdString(all.text(0) + ' ' + all.text(1) + ": " + all.text(2));
+    }
+    return words;
 }
 QStringList backupsBeside(const std::string& path) {
     return QDir(QFileInfo(QString::fromStdString(path)).absoluteDir().filePath("backups"))
@@ -125,7 +137,7 @@ class TestMigrator : public QObject {
             QVERIFY(!part.part.recipe);  // which revision they were cut with was not kept, and is not guessed
         }
         const auto milled = (*reader)->lots(std::nullopt, 10, ProcessId::Milling);
-        if (file.endsWith("v7.db")) {
+        if (file.endsWith("v7.db") || file.endsWith("v8.db")) {
             QCOMPARE(milled->size(), std::size_t{1});
             PartQuery query;
             query.process = ProcessId::Milling;
@@ -147,6 +159,25 @@ class TestMigrator : public QObject {
         const auto verdict = (*reader)->verifyAudit();
         QVERIFY(verdict);
         QVERIFY2(verdict->finding.empty(), verdict->finding.english().c_str());
+        // From wherever it came: the same tables, indexes and triggers, to the letter, as in a new file.
+        const test::ScratchDatabase fresh;
+        QCOMPARE(schemaOf(copy.toStdString()), schemaOf(fresh.path()));
+        // And the next row has the next number.
+        const db::Connection connection(copy.toStdString(), db::Access::Write);
+        for (const auto& [table, key] : std::map<QByteArray, QByteArray>{{"measurements", "id"}, {"outbox", "seq"}}) {
+            const auto highest = [&, number = "SELECT max(" + key + ") FROM " + table] {
+                return kerf::test::number(connection.database(), number.constData());
+            };
+            const std::int64_t before = highest();
+            QVERIFY(before >= 7);
+            QVERIFY(test::tryExecute(
+                connection.database(),
+                table == "outbox" ? "INSERT INTO outbox (table_name, row_key) VALUES ('lots', 1)"
+                                  : "INSERT INTO measurements (part_id, kind, station, position_mm, diameter_mm, "
+                                    "source, confirmed, author, reason, accepted_utc_ms) VALUES (1, 'entry', 9, 1, 50, "
+                                    "'keypad', 0, 'Kim', '', 1)"));
+            QCOMPARE(highest(), before + 1);
+        }
     }
     void stepKeepsDataAndLeavesABackup() {
         test::ScratchDatabase scratch;

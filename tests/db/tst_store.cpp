@@ -337,7 +337,10 @@ class TestStore : public QObject {
         QFETCH(QString, sql);
         test::ScratchDatabase scratch;
         test::Shop shop(scratch.path());
-        accept(shop, measured(shop.addPart(1), 0, 50.0));
+        MeasurementRow row = measured(shop.addPart(1), 0, 50.0);
+        row.source = MeasurementSource::Gauge;
+        row.sourceName = "G-07";
+        accept(shop, row);
         QVERIFY(!test::tryExecute(shop.database(), sql.toUtf8()));
         QVERIFY(shop.reader()->verifyAudit()->finding.empty());
     }

@@ -181,6 +181,8 @@ def three_consoles(work):
         check(json.loads(kerf("verify", "--data", folder, "--database", conninfo()).stdout)["equal"], f"console {i}: verify")
     check(not ask("SELECT 1 FROM shop.settings WHERE key = 'operators'")
           and not ask("SELECT 1 FROM shop.audit WHERE new_value LIKE '%%sealed%%'"), "sealed PINs stay on the console")
+    sources = ask("SELECT DISTINCT source, source_name FROM shop.measurements_that_hold ORDER BY 1")
+    check(sources == [("file", "값 1.csv"), ("gauge", "G-07 내경"), ("keypad", "")], f"the view says where each value came from: {sources}")
     status = json.loads(kerf("status", "--database", conninfo(), "--json").stdout)
     check(len(status["stores"]) == 3 and all(s["last_seq"] > 0 and s["age_s"] < 60 and s["quarantined"] == 0
                                              for s in status["stores"]), "status knows three stores")
