@@ -168,6 +168,8 @@ void showInStatus(test::FakeEngine& engine) {
             status.milling.setup = milled->setup.revision;
             status.milling.law = milled->setup.law;
             status.milling.reference_N = milled->setup.reference_N;
+        } else if (const auto* blank = std::get_if<LoadMillingBlank>(&command.action)) {
+            status.milling.blank = blank->blank.revision;
         } else if (const auto* turned = std::get_if<LoadTurningSetup>(&command.action)) {
             status.turning.nextSetup = turned->setup.revision;
         } else if (const auto* heat = std::get_if<LoadThermalSetup>(&command.action)) {
@@ -339,6 +341,77 @@ class TestChangeWay : public QObject {
             QCOMPARE(loads(shop, process), before + 1);
             QVERIFY2(process.problem().empty(), process.problem().english().c_str());
         }
+    }
+    /// Refused because a part had just begun, and done since: by another way, or by somebody else.
+    void whatWasRefusedAndIsShownSinceIsNotSentAgain_data() { five(); }
+    void whatWasRefusedAndIsShownSinceIsNotSentAgain() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        const std::size_t before = loads(shop, process);
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(process.change(1));
+        shop.poll();
+        QCOMPARE(process.problem().english(), std::string("A part is being cut."));
+        showInStatus(shop.engine);
+        for (const Command& command : shop.engine.commands) {  // whose work it is, with it
+            if (const auto* schedule = std::get_if<LoadBoringSchedule>(&command.action)) {
+                shop.engine.fake.orders[static_cast<std::size_t>(ProcessId::Boring)] = *schedule->order;
+            }
+        }
+        shop.engine.refuseWith = {};
+        ++shop.engine.fake.partSequence;
+        for (int i = 0; i < 30; ++i) {
+            shop.poll();
+        }
+        QCOMPARE(loads(shop, process), before + 1);
+    }
+    /// A setup comes a moment after a part has begun. Law and reference are chosen while that is cut: the setup, taken
+    /// after the part, brings neither back, and what was chosen is kept.
+    void aSetupRefusedAtTheBeginOfAPartUndoesNothingChosenSince_data() {
+        QTest::addColumn<bool>("law");
+        QTest::addColumn<bool>("reference");
+        QTest::newRow("law") << true << false;
+        QTest::newRow("reference") << false << true;
+        QTest::newRow("both") << true << true;
+        QTest::newRow("neither") << false << false;
+    }
+    void aSetupRefusedAtTheBeginOfAPartUndoesNothingChosenSince() {
+        QFETCH(bool, law);
+        QFETCH(bool, reference);
+        Shop shop;
+        showInStatus(shop.engine);  // a setup is in force
+        shop.poll();
+        MillingSetup setup = shop.milling->view().setup;
+        setup.law = MillingLaw::Model;
+        setup.reference_N = 300.0;
+        setup.ky_NPerMm += 50.0;
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(shop.wait([&](const Done& done) { shop.milling->saveSetup(setup, "Lee", "drawing", done); }));
+        shop.poll();
+        MillingStatus& milling = shop.engine.fake.milling;
+        const auto revisions = [&shop] {
+            const auto all = shop.reader->allRecipes(ProcessId::Milling);
+            return all ? all->size() : 0;
+        };
+        const auto stored = revisions();
+        milling.law = law ? MillingLaw::Constant : milling.law;
+        milling.reference_N = reference ? 425.0 : milling.reference_N;
+        shop.poll();
+        shop.engine.refuseWith = {};
+        ++shop.engine.fake.partSequence;
+        shop.poll();
+        const auto again =
+            std::ranges::find_if(shop.engine.commands.rbegin(), shop.engine.commands.rend(), is<LoadMillingSetup>);
+        const MillingSetup& sent = std::get<LoadMillingSetup>(again->action).setup;
+        QCOMPARE(sent.law, law ? MillingLaw::Constant : MillingLaw::Model);
+        QCOMPARE(sent.reference_N, reference ? 425.0 : 300.0);
+        QCOMPARE(sent.ky_NPerMm, setup.ky_NPerMm);
+        showInStatus(shop.engine);
+        shop.poll();
+        QTRY_COMPARE(revisions(), stored + (law || reference ? 1 : 0));
+        QCOMPARE(shop.milling->view().setup.law, sent.law);
+        QCOMPARE(shop.milling->view().setup.reference_N, sent.reference_N);
     }
     void anOrderNamedFirstDoesNotReplaceTheOneOfALaterLoad() {
         Shop shop;
