@@ -129,6 +129,10 @@ void ChangeWay::poll() {
     }
 }
 
+bool ChangeWay::underWay() const noexcept {
+    return !m_owed.empty() && std::ranges::all_of(m_owed, [](const Handover& one) { return one.refusal().empty(); });
+}
+
 const Sentence& ChangeWay::problem() const noexcept {
     if (!m_storeProblem.empty()) {
         return m_storeProblem;

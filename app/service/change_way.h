@@ -98,6 +98,8 @@ class ChangeWay {
     [[nodiscard]] bool busy() const noexcept { return m_busy > 0; }
     /// The engine has everything that was owed to it.
     [[nodiscard]] bool settled() const noexcept { return m_owed.empty(); }
+    /// Something is on its way to the engine, which has said no to nothing.
+    [[nodiscard]] bool underWay() const noexcept;
     /// What the disk or the engine has said no to last; empty when both have what holds.
     [[nodiscard]] const Sentence& problem() const noexcept;
     void setStoreProblem(const Sentence& why) { m_storeProblem = why; }

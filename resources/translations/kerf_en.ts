@@ -2694,6 +2694,13 @@
         </message>
     </context>
     <context>
+    <name>StartRest</name>
+        <message>
+            <source>One moment: what was stored last is being loaded.</source>
+            <translation>One moment: what was stored last is being loaded.</translation>
+        </message>
+    </context>
+    <context>
     <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>

@@ -2690,6 +2690,13 @@
         </message>
     </context>
     <context>
+    <name>StartRest</name>
+        <message>
+            <source>One moment: what was stored last is being loaded.</source>
+            <translation>잠시 기다리십시오. 방금 저장한 내용을 불러오는 중입니다.</translation>
+        </message>
+    </context>
+    <context>
     <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>

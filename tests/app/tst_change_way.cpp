@@ -55,6 +55,15 @@ struct Shop : test::FiveServicesBench {
         milling.reset();
         boring.reset();
     }
+    /// As the bench's; `afterAsking` is done as soon as something was asked for.
+    Result<void> wait(const std::function<void(const Done&)>& call) {
+        return FiveServicesBench::wait([&](const Done& done) {
+            call(done);
+            if (afterAsking) {
+                afterAsking();
+            }
+        });
+    }
     void poll() {
         boring->poll();
         milling->poll();
@@ -91,6 +100,7 @@ struct Shop : test::FiveServicesBench {
     std::unique_ptr<StoredThermalService> thermal;
     std::unique_ptr<StoredTappingService> tapping;
     std::uint32_t bored{0};
+    std::function<void()> afterAsking{};
 };
 
 /// What one process calls a change, and what it says of it.
@@ -99,6 +109,7 @@ struct OneOfFive {
     std::function<Result<void>()> wrong;          ///< of values that cannot be
     std::function<bool(const Command&)> isLoad;   ///< the command that the change ends in
     std::function<Sentence()> problem;
+    std::function<bool()> underWay;  ///< a start would be of something else than what was stored last
 };
 
 template <class Load>
@@ -113,7 +124,8 @@ OneOfFive processOf(Shop& shop, const QString& name) {
                     return shop.measure(0.02 + 0.004 * nth);
                 },
                 [&shop] { return shop.measure(-60.0); }, is<LoadBoringSchedule>,
-                [&shop] { return shop.boring->service().view().storeProblem; }};
+                [&shop] { return shop.boring->service().view().storeProblem; },
+                [&shop] { return shop.boring->underWay(); }};
     }
     if (name == QStringLiteral("milling")) {
         const auto save = [&shop](double reference_N) {
@@ -122,7 +134,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.milling->saveSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(300.0 + nth); }, [save] { return save(-1.0); }, is<LoadMillingSetup>,
-                [&shop] { return shop.milling->view().problem; }};
+                [&shop] { return shop.milling->view().problem; }, [&shop] { return shop.milling->underWay(); }};
     }
     if (name == QStringLiteral("turning")) {
         const auto save = [&shop](double depth_um) {
@@ -131,7 +143,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.turning->loadSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(4.0 + 0.1 * nth); }, [save] { return save(-1.0); }, is<LoadTurningSetup>,
-                [&shop] { return shop.turning->view().storeProblem; }};
+                [&shop] { return shop.turning->view().storeProblem; }, [&shop] { return shop.turning->underWay(); }};
     }
     if (name == QStringLiteral("thermal")) {
         const auto save = [&shop](double allowed_um) {
@@ -140,7 +152,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.thermal->changeSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(5.0 + 0.5 * nth); }, [save] { return save(-1.0); }, is<LoadThermalSetup>,
-                [&shop] { return shop.thermal->view().storeProblem; }};
+                [&shop] { return shop.thermal->view().storeProblem; }, [&shop] { return shop.thermal->underWay(); }};
     }
     const auto restore = [&shop](double speed_rpm) {
         tapping::StoredTuning tuning;
@@ -155,7 +167,8 @@ OneOfFive processOf(Shop& shop, const QString& name) {
         return shop.tapping->load(choice, "Lee");
     };
     return {[restore](int nth) { return restore(nth); }, wrong, is<LoadTapGains>,
-            [&shop] { return shop.tapping->view().reason; }};
+            [&shop] { return shop.tapping->view().reason; },
+            [&shop] { return shop.tapping->way().busy() || shop.tapping->way().underWay(); }};
 }
 
 /// The loops have what was sent last of each kind, as their status says it.
@@ -341,6 +354,37 @@ class TestChangeWay : public QObject {
             QCOMPARE(loads(shop, process), before + 1);
             QVERIFY2(process.problem().empty(), process.problem().english().c_str());
         }
+    }
+    /// From when it was asked for until the engine has it. A no ends the rest as well: what is loaded may be cut.
+    void aStartRestsUntilTheNewestIsTaken_data() { five(); }
+    void aStartRestsUntilTheNewestIsTaken() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        showInStatus(shop.engine);
+        shop.poll();
+        QVERIFY(!process.underWay());
+        int looked = 0;
+        shop.afterAsking = [&] {  // on its way to the disk
+            ++looked;
+            QVERIFY(process.underWay());
+        };
+        shop.engine.answer = false;
+        QVERIFY(process.change(1));
+        QCOMPARE(looked, 1);
+        QVERIFY(process.underWay());  // on its way to the engine
+        shop.poll();
+        QVERIFY(process.underWay());
+        showInStatus(shop.engine);
+        shop.poll();
+        shop.poll();
+        QVERIFY(!process.underWay());
+        shop.engine.answer = true;
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(process.change(2));
+        shop.poll();
+        QVERIFY(!process.problem().empty());
+        QVERIFY(!process.underWay());
     }
     /// Refused because a part had just begun, and done since: by another way, or by somebody else.
     void whatWasRefusedAndIsShownSinceIsNotSentAgain_data() { five(); }

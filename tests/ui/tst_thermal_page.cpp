@@ -6,6 +6,7 @@
 #include "tests/support/fake_thermal_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/start_rests.h"
 #include "ui/charts/chart.h"
 #include "ui/pages/thermal/thermal_page.h"
 #include "ui/pages/thermal/thermal_texts.h"
@@ -91,6 +92,19 @@ class TestThermalPage : public QObject {
         QTest::mouseClick(buttons.back(), Qt::LeftButton);
         QVERIFY(last<StartPart>() != nullptr);
         QCOMPARE(last<StartPart>()->process, ProcessId::Thermal);
+        m_bench->engine.fake.thermal.warmUpRunning = true;
+        m_bench->client.tick();
+        QVERIFY(m_bench->press("thermalWarmUp"));
+        QVERIFY(last<StopWarmUp>() != nullptr);
+    }
+    void aStartRestsUntilTheNewestIsShown() {
+        show();
+        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
+                         m_bench->find<ActionButton>("thermalWarmUp"), ProcessId::Thermal, true);
+    }
+    void stoppingTheWarmUpRestsForNothing() {
+        show();
+        m_bench->services.underWay = [](ProcessId) { return true; };
         m_bench->engine.fake.thermal.warmUpRunning = true;
         m_bench->client.tick();
         QVERIFY(m_bench->press("thermalWarmUp"));

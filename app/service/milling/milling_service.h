@@ -61,6 +61,8 @@ class StoredMillingService final : public MillingService {
     [[nodiscard]] std::string recipeJson() const { return millingRecipeJson(m_types.at(m_type).recipe); }
     /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision);
+    /// What the next part is cut with is on its way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const { return m_types.at(m_type).asked.open() || m_lots.underWay(m_way); }
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
     void choosePartType(const std::string& name, const std::string& author, Done done) override;

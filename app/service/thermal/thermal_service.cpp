@@ -192,10 +192,18 @@ void StoredThermalService::restoreRevision(const RecipeRevision& revision, const
 void StoredThermalService::accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
                                   std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done) {
     ThermalSetup next = setup;
-    next.revision = m_view.setup.revision + 1;
+    next.revision = m_asked.from(m_view.setup).revision + 1;
     const auto store = [&](StoreWriter::Done stored) {
+        m_asked.ask(next);
         m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kItself);
-        m_recipes.keep(recipeName(), records::setupToJson(next), author, reason, restoredFrom, std::move(stored));
+        m_recipes.keep(
+            recipeName(), records::setupToJson(next), author, reason, restoredFrom,
+            [this, alive = std::weak_ptr(m_alive), stored = std::move(stored)](const Result<Receipt>& receipt) {
+                if (alive.lock()) {
+                    m_asked.answered();
+                    stored(receipt);
+                }
+            });
     };
     m_way.change(
         mayAccept(next, author, reason), store,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/service/asked_recipe.h"
 #include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
@@ -58,6 +59,8 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] Result<void> beginSession(const std::string& author) override;
     [[nodiscard]] Result<void> endSession(const std::string& author) override;
     void poll() override;
+    /// Limits and warm-up are on their way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const { return m_asked.open() || m_way.underWay(); }
 
  private:
     struct KeptModel {
@@ -104,6 +107,7 @@ class StoredThermalService final : public ThermalService {
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
     RecipeRevisionId m_recipe{0};  ///< of the setup; 0: none was kept
+    AskedRecipe<ThermalSetup> m_asked{};
     ThermalServiceView m_view{};
     std::shared_ptr<std::vector<std::string>>
         m_trainingNotes{};  ///< what was left out of the days; written by the worker
