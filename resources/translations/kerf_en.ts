@@ -3213,6 +3213,30 @@
             <source>The new limits are stored and hold from now on.</source>
             <translation>The new limits are stored and hold from now on.</translation>
         </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>Left out by %1: %2</translation>
+        </message>
+        <message>
+            <source>out</source>
+            <translation>out</translation>
+        </message>
+        <message>
+            <source>Reason to leave the touched day out, or to take it in again</source>
+            <translation>Reason to leave the touched day out, or to take it in again</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>touch a day first</source>
+            <translation>touch a day first</translation>
+        </message>
     </context>
     <context>
     <name>ThermalTexts</name>
@@ -7720,6 +7744,14 @@
         <message>
             <source>Blank height</source>
             <translation>Blank height</translation>
+        </message>
+        <message>
+            <source>Leave a day out of thermal training</source>
+            <translation>Leave a day out of thermal training</translation>
+        </message>
+        <message>
+            <source>One of the days is left out of the training: take it in again first.</source>
+            <translation>One of the days is left out of the training: take it in again first.</translation>
         </message>
     </context>
     <context>

@@ -3208,6 +3208,30 @@
             <source>The new limits are stored and hold from now on.</source>
             <translation>새 한계를 저장했으며 지금부터 적용됩니다.</translation>
         </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>%1 님이 제외: %2</translation>
+        </message>
+        <message>
+            <source>out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>Reason to leave the touched day out, or to take it in again</source>
+            <translation>누른 날을 제외하거나 다시 포함하는 사유</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>touch a day first</source>
+            <translation>먼저 날을 누르십시오</translation>
+        </message>
     </context>
     <context>
     <name>ThermalTexts</name>
@@ -7715,6 +7739,14 @@
         <message>
             <source>Blank height</source>
             <translation>소재 높이</translation>
+        </message>
+        <message>
+            <source>Leave a day out of thermal training</source>
+            <translation>열변위 학습에서 하루 제외</translation>
+        </message>
+        <message>
+            <source>One of the days is left out of the training: take it in again first.</source>
+            <translation>고른 날 가운데 학습에서 제외한 날이 있습니다. 먼저 다시 포함하십시오.</translation>
         </message>
     </context>
     <context>

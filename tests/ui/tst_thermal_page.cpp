@@ -151,6 +151,35 @@ class TestThermalPage : public QObject {
         QVERIFY(m_bench->press("thermalGoLive"));
         QCOMPARE(m_service->calls.back(), std::string("goLive Kim"));
     }
+    void aDayIsLeftOutWithAReasonAndSaysSo() {
+        (void)m_bench->session.signOn(QStringLiteral("Lee"), Role::Engineer);
+        show();
+        QVERIFY(m_bench->press("thermalModel"));
+        QVERIFY(m_bench->press("thermalTrainOpen"));
+        auto* leave = m_bench->find<ActionButton>("thermalDayLeaveOut");
+        QVERIFY(!leave->isEnabled());
+        touchDay(1);
+        QCOMPARE(leave->reason(), QStringLiteral("give a reason"));
+        auto* reason = m_bench->find<QLineEdit>("thermalDayReason");
+        reason->setText(QStringLiteral("door open"));
+        QVERIFY(m_bench->press("thermalDayLeaveOut"));
+        QCOMPARE(m_service->calls.back(), std::string("out session:1 Lee door open"));
+        QVERIFY(reason->text().isEmpty());
+        m_bench->client.tick();
+        QVERIFY(cell("thermalDays", 1, 2).contains(QStringLiteral("Lee")));
+        QVERIFY(cell("thermalDays", 1, 2).contains(QStringLiteral("door open")));
+        QVERIFY(!m_bench->find<ActionButton>("thermalTrainAuto")->isEnabled());  // it was the only one chosen
+        touchDay(1);  // it cannot be chosen, only taken in again
+        QVERIFY(!m_bench->find<ActionButton>("thermalTrainAuto")->isEnabled());
+        QCOMPARE(leave->text(), QStringLiteral("Take in again"));
+        reason->setText(QStringLiteral("it was closed"));
+        QVERIFY(m_bench->press("thermalDayLeaveOut"));
+        QCOMPARE(m_service->calls.back(), std::string("in session:1 Lee it was closed"));
+        m_bench->client.tick();
+        QCOMPARE(leave->text(), QStringLiteral("Leave out"));
+        touchDay(1);
+        QVERIFY(m_bench->press("thermalTrainAuto"));
+    }
     void trainingCanBeCancelled() {
         show();
         QVERIFY(m_bench->press("thermalModel"));

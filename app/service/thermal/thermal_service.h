@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ class StoredThermalService final : public ThermalService {
     void findDays() override;
     [[nodiscard]] Result<void> train(const std::string& kind, const std::vector<std::string>& dayIds) override;
     void cancelTraining() override { m_trainer.cancel(); }
+    void leaveOut(const std::string& dayId, bool out, const std::string& author, const std::string& reason,
+                  RecipeHistory::Done done) override;
     [[nodiscard]] Result<void> goLive(const std::string& author) override;
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
@@ -72,6 +75,8 @@ class StoredThermalService final : public ThermalService {
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
     void loadSessions(const std::vector<RoomRecordRow>& rows);
+    /// Which days are left out, by whom and why.
+    void loadMemory(RoomRecordReader& reader);
     /// On simulated days of the simulated machine, when nothing is live.
     void trainFirst();
     void loadSetup();
@@ -85,7 +90,7 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] std::string recipeName() const;
     void oweSetup();
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,
-              std::function<void()> stored = {});
+              std::function<void(const Receipt&)> stored = {});
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
     void install(KeptModel model);
     void takeMinutes();
@@ -117,6 +122,7 @@ class StoredThermalService final : public ThermalService {
     std::uint32_t m_sessionReference{0};
     std::string m_sessionAuthor{};
     std::vector<std::pair<std::string, thermal::ThermalHistory>> m_sessions{};  ///< id and day, newest first
+    std::map<std::string, RoomRecordRow> m_told{};  ///< by day: left out or taken in again, with reason and author
     std::optional<KeptModel> m_live{};
     std::optional<KeptModel> m_previous{};
     std::optional<KeptModel> m_candidate{};
