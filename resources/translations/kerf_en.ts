@@ -8066,6 +8066,14 @@
             <source>Learn the channels anew</source>
             <translation>Learn the channels anew</translation>
         </message>
+        <message>
+            <source>Which gauge is asked?</source>
+            <translation>Which gauge is asked?</translation>
+        </message>
+        <message>
+            <source>Touch the one that measures this bore.</source>
+            <translation>Touch the one that measures this bore.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::Chart</name>

@@ -8060,6 +8060,14 @@
             <source>Learn the channels anew</source>
             <translation>채널 다시 학습</translation>
         </message>
+        <message>
+            <source>Which gauge is asked?</source>
+            <translation>어느 게이지에서 읽습니까?</translation>
+        </message>
+        <message>
+            <source>Touch the one that measures this bore.</source>
+            <translation>이 내경을 재는 게이지를 누르십시오.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::Chart</name>

@@ -32,7 +32,7 @@ class FakeSensorService final : public SensorService {
         broken.age_s = 40.0;
         broken.why = "The module says that there is no measurement: the thermocouple is broken or loose.";
         fake.channels = {good, broken};
-        fake.gauges.push_back({"BMD-17", "/dev/ttyUSB0", true, true, "01A+00050.012"});
+        fake.gauges.push_back({"BMD-17", "/dev/ttyUSB0", true, true, false, "01A+00050.012"});
     }
     [[nodiscard]] const SensorServiceView& view() const override { return fake; }
     void lookForFinger(bool on) override { fake.finger = {on, {}, 0.0}; }
