@@ -126,6 +126,10 @@ ui::Services ConsoleApplication::services() {
         m_quality = std::make_unique<QualityDesk>(std::move(links));
     }
     services.qualityService = &m_quality->service();
+    services.underWay = [this](ProcessId process) {
+        Room* const known = room(process);
+        return known != nullptr && known->underWay();
+    };
     services.shop = [this]() -> std::optional<ui::ShopView> { return m_shop ? m_shop->view() : std::nullopt; };
     for (const auto& room : m_rooms) {
         room->serve(services);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sensor_choice.h"
 
+#include <spdlog/spdlog.h>
+
 #include <QCoreApplication>
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/sensors/modbus_scan.h"
 #include "app/sensors/sensor_file.h"
 
 namespace kerf::console {
@@ -23,9 +26,8 @@ SensorFileView judged(const std::filesystem::path& path) {
         view.channels = file.channels.size();
         view.gauges = file.gauges.size();
     } catch (const sensors::SensorFileFault& fault) {
-        const std::string sentence = fault.what();
-        const std::string place = path.string() + ": ";  // its name stands beside it
-        view.refused = sentence.starts_with(place) ? sentence.substr(place.size()) : sentence;
+        view.refused = {fault.where() == path.string() ? std::string() : fault.where(),  // its name stands beside it
+                        fault.text(), fault.values()};
     }
     return view;
 }
@@ -63,6 +65,18 @@ FoundUnitView unitFrom(const nlohmann::json& unit) {
         }
     }
     return view;
+}
+
+constexpr const char* kNotAsked = KERF_TEXT("it could not be asked; the log says why.");
+
+/// What the program that asks has said on its way out, in words that a page can translate.
+Sentence refusalOf(const QString& said) {
+    for (const char* known : {sensors::kNoConnection, sensors::kNoAddress}) {
+        if (said.endsWith(QLatin1String(known))) {
+            return Sentence(known);
+        }
+    }
+    return Sentence(kNotAsked);
 }
 
 }  // namespace
@@ -136,7 +150,7 @@ Result<void> SensorChoice::scan(const std::string& address, const std::string& a
     m_view.scanning = true;
     m_view.scanned = address;
     m_view.found.clear();
-    m_view.refused.clear();
+    m_view.refused = {};
     ++m_view.revision;
     m_scan.start(QCoreApplication::applicationDirPath() + QStringLiteral("/kerf"),
                  {QStringLiteral("sensors"), QStringLiteral("scan"),
@@ -151,10 +165,10 @@ void SensorChoice::scanEnded(bool wellEnded) {
         wellEnded ? nlohmann::json::parse(m_scan.readAllStandardOutput().toStdString(), nullptr, false)
                   : nlohmann::json();
     if (!answer.is_object()) {
-        const QString said = QString::fromUtf8(m_scan.readAllStandardError()).trimmed().section(u'\n', 0, 0);
-        m_view.refused = said.startsWith(QStringLiteral("kerf: ")) ? said.mid(6).toStdString() : said.toStdString();
-        if (m_view.refused.empty()) {
-            m_view.refused = m_scan.errorString().toStdString();
+        const QString said = QString::fromUtf8(m_scan.readAllStandardError()).trimmed();
+        m_view.refused = refusalOf(said);
+        if (m_view.refused.text == kNotAsked) {
+            spdlog::error("sensors scan: {} {}", m_scan.errorString().toStdString(), said.toStdString());
         }
         return;
     }

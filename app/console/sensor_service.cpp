@@ -52,7 +52,7 @@ StoredSensorService::StoredSensorService(ConsoleSensors& sensors, StoreWriter& w
         ++m_view.modules[channel.module].channels;
     }
     for (const sensors::Gauge& gauge : sensors.file().gauges) {
-        m_view.gauges.push_back({gauge.name, gauge.device, false, !gauge.ask.empty()});
+        m_view.gauges.push_back({gauge.name, gauge.device, false, !gauge.ask.empty(), !gauge.depths.empty()});
     }
     m_testUntil_ns.resize(m_view.gauges.size());
     const auto rows = reader.roomRecords(ProcessId::Thermal, kPlaces, {}, 1);

@@ -176,7 +176,7 @@ void takeAddress(const std::string& text, sensors::ScanOptions& options) {
     const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), options.port);
     if (error != std::errc{} || end != port.data() + port.size() || options.port < 1 || options.port > 65535 ||
         options.host.empty()) {
-        throw BadInput("--modbus: '" + text + "' is no address; expected HOST or HOST:PORT, PORT from 1 to 65535.");
+        throw BadInput("--modbus " + text + ": " + sensors::kNoAddress);
     }
 }
 

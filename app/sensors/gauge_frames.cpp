@@ -8,6 +8,8 @@
 #include <cmath>
 #include <regex>
 
+#include "engine/core/sentence.h"
+
 namespace kerf::sensors {
 namespace {
 
@@ -101,12 +103,13 @@ std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double va
     return fmt::format("{}{:+.5f}{}", sent, value, inch ? "in" : "mm");
 }
 
-std::string whyNotAPattern(const std::string& pattern) {
+const char* whyNotAPattern(const std::string& pattern) {
     try {
         const std::regex expression(pattern);
-        return expression.mark_count() >= 1 ? "" : "it has no group; expected one around the value";
+        return expression.mark_count() >= 1 ? nullptr
+                                            : KERF_TEXT("'%1': it has no group; expected one around the value.");
     } catch (const std::regex_error&) {
-        return "it is no regular expression; expected one as ^.*?([+-][0-9.]+).*$";
+        return KERF_TEXT("'%1': it is no regular expression; expected one as ^.*?([+-][0-9.]+).*$.");
     }
 }
 

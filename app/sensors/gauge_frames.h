@@ -29,7 +29,7 @@ struct GaugeFrame {
 /// is one and has no depth in the file.
 [[nodiscard]] std::string wedgeFrame(const Gauge& gauge, const std::string& channel, double value, bool inch);
 
-/// Reason against a pattern; empty: it can be used.
-[[nodiscard]] std::string whyNotAPattern(const std::string& pattern);
+/// Reason against a pattern (%1), a KERF_TEXT; null: it can be used.
+[[nodiscard]] const char* whyNotAPattern(const std::string& pattern);
 
 }  // namespace kerf::sensors

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/sensors/sensor_file.h"
+#include "engine/core/sentence.h"
 #include "engine/core/utf8.h"
 
 namespace kerf::sensors {
@@ -58,29 +59,33 @@ Json parseStrictly(const std::string& text) {
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
         const std::size_t before = end > 0 ? text.rfind('\n', end - 1) : std::string::npos;
         const std::size_t column = end - (before == std::string::npos ? 0 : before + 1) + 1;
-        throw SensorFileFault(fmt::format(
-            "line {}, column {}: this is no JSON from here on; expected a complete JSON object.", line, column));
+        throw SensorFileFault(
+            {}, KERF_TEXT("line %1, column %2: this is no JSON from here on; expected a complete JSON object."),
+            {std::to_string(line), std::to_string(column)});
     } catch (const Json::out_of_range&) {
-        throw SensorFileFault("the file: a number is too large to be stored; expected a sensor file.");
+        throw SensorFileFault({}, KERF_TEXT("the file: a number is too large to be stored; expected a sensor file."));
     }
     if (deep) {
-        throw SensorFileFault(
-            fmt::format("the file: more than {} brackets inside each other; expected a sensor file.", kDeepest));
+        throw SensorFileFault({},
+                              KERF_TEXT("the file: more than %1 brackets inside each other; expected a sensor file."),
+                              {std::to_string(kDeepest)});
     }
     if (many) {
-        throw SensorFileFault(
-            fmt::format("the file: more than {} keys in one object; expected a sensor file.", kMostKeys));
+        throw SensorFileFault({}, KERF_TEXT("the file: more than %1 keys in one object; expected a sensor file."),
+                              {std::to_string(kMostKeys)});
     }
     if (!twice.empty()) {
-        throw SensorFileFault(fmt::format("{}: the key stands twice in one object; expected it once.", brief(twice)));
+        throw SensorFileFault(brief(twice), KERF_TEXT("the key stands twice in one object; expected it once."));
     }
     return json;
 }
 
 JsonKeys::JsonKeys(const Json& object, std::string where) : m_object(object), m_where(std::move(where)) {
     if (!object.is_object()) {
-        throw SensorFileFault(fmt::format("{}: {} is no object; expected {{…}} with keys.",
-                                          m_where.empty() ? "the file" : m_where, shown(object)));
+        throw SensorFileFault(m_where,
+                              m_where.empty() ? KERF_TEXT("the file: %1 is no object; expected {…} with keys.")
+                                              : KERF_TEXT("%1 is no object; expected {…} with keys."),
+                              {shown(object)});
     }
 }
 
@@ -91,8 +96,8 @@ std::string JsonKeys::path(const std::string& key) const {
 void JsonKeys::only(std::initializer_list<const char*> known, const char* ofWhat) const {
     for (const auto& [key, value] : m_object.items()) {
         if (std::ranges::none_of(known, [&](const char* name) { return key == name; })) {
-            throw SensorFileFault(
-                fmt::format("{}: unknown key {}; expected one of {}.", path(key), ofWhat, fmt::join(known, ", ")));
+            throw SensorFileFault(path(key), KERF_TEXT("unknown key %2; expected one of %1."),
+                                  {fmt::format("{}", fmt::join(known, ", ")), ofWhat});
         }
     }
 }
@@ -100,7 +105,7 @@ void JsonKeys::only(std::initializer_list<const char*> known, const char* ofWhat
 const Json& JsonKeys::value(const std::string& key) const {
     const auto found = m_object.find(key);
     if (found == m_object.end()) {
-        throw SensorFileFault(fmt::format("{}: missing; expected a value.", path(key)));
+        throw SensorFileFault(path(key), KERF_TEXT("missing; expected a value."));
     }
     return *found;
 }
@@ -108,8 +113,8 @@ const Json& JsonKeys::value(const std::string& key) const {
 std::string JsonKeys::text(const std::string& key) const {
     const Json& found = value(key);
     if (!found.is_string() || found.get<std::string>().empty()) {
-        throw SensorFileFault(
-            fmt::format("{}: {} is no text; expected a text that is not empty.", path(key), shown(found)));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is no text; expected a text that is not empty."),
+                              {shown(found)});
     }
     return found.get<std::string>();
 }
@@ -120,7 +125,7 @@ std::string JsonKeys::text(const std::string& key, const std::string& otherwise)
     }
     const Json& found = value(key);
     if (!found.is_string()) {
-        throw SensorFileFault(fmt::format("{}: {} is no text; expected a text.", path(key), shown(found)));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is no text; expected a text."), {shown(found)});
     }
     return found.get<std::string>();
 }
@@ -129,9 +134,9 @@ std::string JsonKeys::name(const std::string& key) const {
     std::string found = text(key);
     const bool plain = std::ranges::none_of(found, [](char c) { return c == ',' || c == '"' || (c >= 0 && c < ' '); });
     if (found.size() > kLongestName || !plain) {
-        throw SensorFileFault(
-            fmt::format("{}: '{}' is no name; expected 1 to {} bytes without comma, quote or line end.", path(key),
-                        brief(found), kLongestName));
+        throw SensorFileFault(path(key),
+                              KERF_TEXT("'%1' is no name; expected 1 to %2 bytes without comma, quote or line end."),
+                              {brief(found), std::to_string(kLongestName)});
     }
     return found;
 }
@@ -143,8 +148,8 @@ int JsonKeys::integer(const std::string& key, int low, int high) const {
                                     ? found.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::max(high, 0))
                                     : found.get<std::int64_t>() <= high);
     if (!fits || found.get<std::int64_t>() < low) {
-        throw SensorFileFault(fmt::format("{}: {} is out of range; expected a whole number from {} to {}.", path(key),
-                                          shown(found), low, high));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is out of range; expected a whole number from %2 to %3."),
+                              {shown(found), std::to_string(low), std::to_string(high)});
     }
     return found.get<int>();
 }
@@ -156,8 +161,8 @@ double JsonKeys::number(const std::string& key, double low, double high, double 
     const Json& found = value(key);
     const double number = found.is_number() ? found.get<double>() : std::nan("");
     if (!(number >= low && number <= high)) {
-        throw SensorFileFault(fmt::format("{}: {} is out of range; expected a number from {:g} to {:g}.", path(key),
-                                          shown(found), low, high));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is out of range; expected a number from %2 to %3."),
+                              {shown(found), fmt::format("{:g}", low), fmt::format("{:g}", high)});
     }
     return number;
 }
@@ -168,7 +173,7 @@ bool JsonKeys::flag(const std::string& key, bool otherwise) const {
     }
     const Json& found = value(key);
     if (!found.is_boolean()) {
-        throw SensorFileFault(fmt::format("{}: {} is neither; expected true or false.", path(key), shown(found)));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is neither; expected true or false."), {shown(found)});
     }
     return found.get<bool>();
 }
@@ -178,9 +183,10 @@ std::vector<double> JsonKeys::numbers(const std::string& key, double low, double
     for (std::size_t i = 0; const Json& one : list(key)) {
         const double number = one.is_number() ? one.get<double>() : std::nan("");
         if (!(number >= low && number <= high) || (whole && std::floor(number) != number)) {
-            throw SensorFileFault(
-                fmt::format("{}[{}]: {} is out of range; expected a {}number from {:.10g} to {:.10g}.", path(key), i,
-                            shown(one), whole ? "whole " : "", low, high));
+            throw SensorFileFault(fmt::format("{}[{}]", path(key), i),
+                                  whole ? KERF_TEXT("%1 is out of range; expected a whole number from %2 to %3.")
+                                        : KERF_TEXT("%1 is out of range; expected a number from %2 to %3."),
+                                  {shown(one), fmt::format("{:.10g}", low), fmt::format("{:.10g}", high)});
         }
         out.push_back(number);
         ++i;
@@ -191,15 +197,15 @@ std::vector<double> JsonKeys::numbers(const std::string& key, double low, double
 const Json& JsonKeys::list(const std::string& key) const {
     const Json& found = value(key);
     if (!found.is_array()) {
-        throw SensorFileFault(fmt::format("{}: {} is no list; expected [ … ].", path(key), shown(found)));
+        throw SensorFileFault(path(key), KERF_TEXT("%1 is no list; expected [ … ]."), {shown(found)});
     }
     return found;
 }
 
 void JsonKeys::refuseWord(const std::string& key, const std::string& word,
                           const std::vector<std::string>& words) const {
-    throw SensorFileFault(
-        fmt::format("{}: '{}' is not known; expected one of {}.", path(key), brief(word), fmt::join(words, ", ")));
+    throw SensorFileFault(path(key), KERF_TEXT("'%1' is not known; expected one of %2."),
+                          {brief(word), fmt::format("{}", fmt::join(words, ", "))});
 }
 
 }  // namespace kerf::sensors

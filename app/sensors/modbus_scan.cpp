@@ -108,7 +108,7 @@ class Scanner {
 Result<std::vector<ScannedUnit>> scanModbus(const ScanOptions& options) {
     Scanner scanner(options);
     if (!scanner.connectNow()) {
-        return fail(KERF_TEXT("nothing takes a connection there; expected a Modbus TCP module that is switched on."));
+        return fail(kNoConnection);
     }
     std::vector<ScannedUnit> found;
     for (int unit = options.firstUnit; unit <= options.lastUnit; ++unit) {

@@ -6,8 +6,15 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/core/sentence.h"
 
 namespace kerf::sensors {
+
+/// What `kerf sensors scan` says of an address, behind it.
+inline constexpr const char* kNoConnection =
+    KERF_TEXT("nothing takes a connection there; expected a Modbus TCP module that is switched on.");
+inline constexpr const char* kNoAddress =
+    KERF_TEXT("that is no address; expected HOST or HOST:PORT, PORT from 1 to 65535.");
 
 struct ScanOptions {
     std::string host{};

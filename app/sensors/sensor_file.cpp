@@ -11,6 +11,7 @@
 
 #include "app/sensors/gauge_frames.h"
 #include "app/sensors/json_keys.h"
+#include "engine/core/sentence.h"
 
 namespace kerf::sensors {
 namespace {
@@ -83,7 +84,7 @@ StatusRegister statusFrom(const Json& json, const std::string& where, int functi
         status.bad.push_back(static_cast<std::int64_t>(value));
     }
     if (status.bad.empty()) {
-        throw SensorFileFault(fmt::format("{}.bad: no value in it; expected at least one that means a fault.", where));
+        throw SensorFileFault(where + ".bad", KERF_TEXT("no value in it; expected at least one that means a fault."));
     }
     return status;
 }
@@ -101,10 +102,10 @@ int pinFrom(const JsonKeys& keys, Quantity quantity) {
             return index;
         }
     }
-    throw SensorFileFault(
-        fmt::format("{}: '{}' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to "
-                    "kerf.temperature-{} for a temperature.",
-                    keys.path("pin"), brief(pin), kMostHalTemperatures - 1));
+    throw SensorFileFault(keys.path("pin"),
+                          KERF_TEXT("'%1' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to "
+                                    "kerf.temperature-%2 for a temperature."),
+                          {brief(pin), std::to_string(kMostHalTemperatures - 1)});
 }
 
 void requireUnit(const JsonKeys& keys, Quantity quantity) {
@@ -114,10 +115,10 @@ void requireUnit(const JsonKeys& keys, Quantity quantity) {
         {Quantity::Force, {"force", "N"}}};
     const auto& [name, unit] = kUnits.at(quantity);
     if (keys.has("unit") && keys.text("unit") != unit) {
-        throw SensorFileFault(
-            fmt::format("{}: '{}' is not the unit of a {}; expected {}, which scale and offset bring "
-                        "the register to.",
-                        keys.path("unit"), brief(keys.text("unit")), name, unit));
+        throw SensorFileFault(keys.path("unit"),
+                              KERF_TEXT("'%1' is not the unit of a %2; expected %3, which scale and offset bring the "
+                                        "register to."),
+                              {brief(keys.text("unit")), name, unit});
     }
 }
 
@@ -128,18 +129,18 @@ Channel channelFrom(const Json& json, const std::string& where, const std::vecto
     const std::string module = keys.text("module");
     const auto found = std::ranges::find(modules, module, &Module::name);
     if (found == modules.end()) {
-        throw SensorFileFault(fmt::format("{}: there is no module '{}'; expected the name of one in modules.",
-                                          keys.path("module"), brief(module)));
+        throw SensorFileFault(keys.path("module"),
+                              KERF_TEXT("there is no module '%1'; expected the name of one in modules."),
+                              {brief(module)});
     }
     channel.module = static_cast<std::size_t>(found - modules.begin());
     channel.quantity = keys.choice<Quantity>(
         "quantity", {{"temperature", Quantity::Temperature}, {"speed", Quantity::Speed}, {"force", Quantity::Force}},
         Quantity::Temperature);
     if (channel.quantity == Quantity::Force) {
-        throw SensorFileFault(
-            fmt::format("{}: a force is too fast for a polled module; it comes over the HAL pin "
-                        "kerf.force (docs/sensors.md). Expected temperature or speed.",
-                        keys.path("quantity")));
+        throw SensorFileFault(keys.path("quantity"),
+                              KERF_TEXT("a force is too fast for a polled module; it comes over the HAL pin kerf.force "
+                                        "(docs/sensors.md). Expected temperature or speed."));
     }
     requireUnit(keys, channel.quantity);
     channel.place = keys.text("place", "");
@@ -172,8 +173,8 @@ Channel channelFrom(const Json& json, const std::string& where, const std::vecto
     }
     channel.scale = keys.number("scale", -kLargest, kLargest, 1.0);
     if (channel.scale == 0.0) {
-        throw SensorFileFault(
-            fmt::format("{}: 0 makes every reading the same; expected a factor other than 0.", keys.path("scale")));
+        throw SensorFileFault(keys.path("scale"),
+                              KERF_TEXT("0 makes every reading the same; expected a factor other than 0."));
     }
     channel.offset = keys.number("offset", -kLargest, kLargest, 0.0);
     return channel;
@@ -196,21 +197,19 @@ Gauge gaugeFrom(const Json& json, const std::string& where) {
     gauge.ask = keys.text("ask", gauge.protocol == GaugeProtocol::Sylvac ? "?" : "");
     const bool pattern = gauge.protocol == GaugeProtocol::Pattern;
     if (pattern != keys.has("pattern")) {
-        throw SensorFileFault(pattern ? fmt::format("{}: missing; expected a regular expression whose first group is "
-                                                    "the value.",
-                                                    keys.path("pattern"))
-                                      : fmt::format("{}: only for the protocol pattern; expected no such key here.",
-                                                    keys.path("pattern")));
+        throw SensorFileFault(keys.path("pattern"),
+                              pattern
+                                  ? KERF_TEXT("missing; expected a regular expression whose first group is the value.")
+                                  : KERF_TEXT("only for the protocol pattern; expected no such key here."));
     }
     gauge.pattern = keys.text("pattern", "");
-    if (const std::string fault = pattern ? whyNotAPattern(gauge.pattern) : std::string(); !fault.empty()) {
-        throw SensorFileFault(fmt::format("{}: '{}': {}.", keys.path("pattern"), brief(gauge.pattern), fault));
+    if (const char* fault = pattern ? whyNotAPattern(gauge.pattern) : nullptr; fault != nullptr) {
+        throw SensorFileFault(keys.path("pattern"), fault, {brief(gauge.pattern)});
     }
     if (keys.has("depths")) {
         const Json& depths = keys.value("depths");
         if (!depths.is_object()) {
-            throw SensorFileFault(
-                fmt::format("{}: not an object; expected {{\"channel\": depth, …}}.", keys.path("depths")));
+            throw SensorFileFault(keys.path("depths"), KERF_TEXT("not an object; expected {\"channel\": depth, …}."));
         }
         const JsonKeys inside(depths, keys.path("depths"));
         for (const auto& [channel, depth] : depths.items()) {
@@ -225,8 +224,9 @@ void requireDifferentNames(const std::vector<T>& list, const char* what) {
     std::map<std::string, std::size_t> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (const auto [first, fresh] = seen.emplace(list[i].name, i); !fresh) {
-            throw SensorFileFault(fmt::format("{}[{}].name: '{}' is the name of {}[{}] too; expected another one.",
-                                              what, i, list[i].name, what, first->second));
+            throw SensorFileFault(fmt::format("{}[{}].name", what, i),
+                                  KERF_TEXT("'%1' is the name of %2 too; expected another one."),
+                                  {list[i].name, fmt::format("{}[{}]", what, first->second)});
         }
     }
 }
@@ -238,16 +238,16 @@ void requireSameLine(const std::vector<Module>& modules) {
             const Module& b = modules[i];
             if (a.transport == Transport::Rtu && b.transport == Transport::Rtu && a.device == b.device) {
                 if (a.baud != b.baud || a.parity != b.parity || a.stopBits != b.stopBits) {
-                    throw SensorFileFault(fmt::format(
-                        "modules[{}].baud: modules[{}] is on the same line {} with other settings; expected the same "
-                        "baud, parity and stop_bits.",
-                        i, k, brief(b.device)));
+                    throw SensorFileFault(fmt::format("modules[{}].baud", i),
+                                          KERF_TEXT("modules[%1] is on the same line %2 with other settings; expected "
+                                                    "the same baud, parity and stop_bits."),
+                                          {std::to_string(k), brief(b.device)});
                 }
                 if (a.unit == b.unit) {
                     throw SensorFileFault(
-                        fmt::format("modules[{}].unit: {} is the unit of modules[{}] on the same line; expected "
-                                    "another one.",
-                                    i, b.unit, k));
+                        fmt::format("modules[{}].unit", i),
+                        KERF_TEXT("%1 is the unit of modules[%2] on the same line; expected another one."),
+                        {std::to_string(b.unit), std::to_string(k)});
                 }
             }
         }
@@ -264,30 +264,31 @@ void requireOwnDevice(const SensorFile& file) {
         });
         const auto k = static_cast<std::size_t>(other - file.gauges.begin());
         if (k < i || module != file.modules.end()) {
-            throw SensorFileFault(fmt::format(
-                "gauges[{}].device: {} is the device of {}[{}] too; expected one of its own (the channels of a "
-                "multiplexer belong to one gauge).",
-                i, brief(device), k < i ? "gauges" : "modules",
-                k < i ? k : static_cast<std::size_t>(module - file.modules.begin())));
+            const std::string whose =
+                k < i ? fmt::format("gauges[{}]", k) : fmt::format("modules[{}]", module - file.modules.begin());
+            throw SensorFileFault(fmt::format("gauges[{}].device", i),
+                                  KERF_TEXT("%1 is the device of %2 too; expected one of its own (the channels of a "
+                                            "multiplexer belong to one gauge)."),
+                                  {brief(device), whose});
         }
     }
 }
 
 void requireRoom(const SensorFile& file) {
     if (file.channels.empty() && file.gauges.empty()) {
-        throw SensorFileFault("channels: none; expected at least one channel or gauge.");
+        throw SensorFileFault("channels", KERF_TEXT("none; expected at least one channel or gauge."));
     }
     if (file.channels.size() > kMostChannels) {
-        throw SensorFileFault(
-            fmt::format("channels: {} of them; expected {} at the most.", file.channels.size(), kMostChannels));
+        throw SensorFileFault("channels", KERF_TEXT("%1 of them; expected %2 at the most."),
+                              {std::to_string(file.channels.size()), std::to_string(kMostChannels)});
     }
     if (const auto count = channelsOf(file, Quantity::Temperature).size(); count > kMostTemperatures) {
-        throw SensorFileFault(
-            fmt::format("channels: {} temperatures; expected {} at the most.", count, kMostTemperatures));
+        throw SensorFileFault("channels", KERF_TEXT("%1 temperatures; expected %2 at the most."),
+                              {std::to_string(count), std::to_string(kMostTemperatures)});
     }
     if (const auto speeds = channelsOf(file, Quantity::Speed); speeds.size() > 1) {
-        throw SensorFileFault(
-            fmt::format("channels[{}].quantity: a second speed; expected one at the most.", speeds[1]));
+        throw SensorFileFault(fmt::format("channels[{}].quantity", speeds[1]),
+                              KERF_TEXT("a second speed; expected one at the most."));
     }
 }
 
@@ -324,7 +325,34 @@ std::uint64_t fingerprintOf(const std::string& text) {
     return hash;
 }
 
+/// "%1" and on, each in the place of its number.
+std::string filled(const char* text, const std::vector<std::string>& values) {
+    std::string out;
+    for (const char* at = text; *at != '\0'; ++at) {
+        const auto place = static_cast<std::size_t>(at[1] - '1');
+        if (*at == '%' && place < values.size()) {
+            out += values[place];
+            ++at;
+        } else {
+            out += *at;
+        }
+    }
+    return out;
+}
+
 }  // namespace
+
+SensorFileFault::SensorFileFault(std::string where, const char* text, std::vector<std::string> values)
+    : std::runtime_error((where.empty() ? std::string() : where + ": ") + filled(text, values)),
+      m_where(std::move(where)),
+      m_text(text),
+      m_values(std::move(values)) {}
+
+SensorFileFault::SensorFileFault(const std::string& file, const SensorFileFault& fault)
+    : std::runtime_error(file + ": " + fault.what()),
+      m_where(fault.m_where),
+      m_text(fault.m_text),
+      m_values(fault.m_values) {}
 
 std::vector<std::size_t> channelsOf(const SensorFile& file, Quantity quantity) {
     std::vector<std::size_t> found;
@@ -372,16 +400,16 @@ SensorFile readSensorFile(const std::string& path) {
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
     if (!in.is_open() || text.empty()) {
-        throw SensorFileFault(fmt::format("{}: cannot be read, or is empty; expected a sensor file.", path));
+        throw SensorFileFault(path, KERF_TEXT("cannot be read, or is empty; expected a sensor file."));
     }
     if (text.size() > kLargestFile) {
-        throw SensorFileFault(
-            fmt::format("{}: larger than {} MB; expected a sensor file.", path, kLargestFile / 1'000'000));
+        throw SensorFileFault(path, KERF_TEXT("larger than %1 MB; expected a sensor file."),
+                              {std::to_string(kLargestFile / 1'000'000)});
     }
     try {
         return parseSensorFile(text);
     } catch (const SensorFileFault& fault) {
-        throw SensorFileFault(fmt::format("{}: {}", path, fault.what()));
+        throw SensorFileFault(path, fault);
     }
 }
 

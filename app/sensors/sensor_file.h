@@ -81,10 +81,23 @@ struct SensorFile {
     std::uint64_t fingerprint{0};         ///< of the text
 };
 
-/// "channels[3].adress: unknown key; expected name, quantity, …"
+/// "channels[3].adress: unknown key; expected name, quantity, …"; and the same in its parts, to be said in another
+/// language.
 class SensorFileFault : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    /// `text`: a KERF_TEXT with %1 and on for `values`.
+    SensorFileFault(std::string where, const char* text, std::vector<std::string> values = {});
+    /// The same, with the file's name in front.
+    SensorFileFault(const std::string& file, const SensorFileFault& fault);
+
+    [[nodiscard]] const std::string& where() const noexcept { return m_where; }  ///< the key, or the file; may be empty
+    [[nodiscard]] const char* text() const noexcept { return m_text; }
+    [[nodiscard]] const std::vector<std::string>& values() const noexcept { return m_values; }
+
+ private:
+    std::string m_where;
+    const char* m_text;
+    std::vector<std::string> m_values;
 };
 
 /// @throws SensorFileFault with the key and one sentence

@@ -15,6 +15,8 @@ class AskedRecipe {
     }
     /// Taken or refused.
     void answered() noexcept { --m_open; }
+    /// One is on its way to the disk.
+    [[nodiscard]] bool open() const noexcept { return m_open > 0; }
 
  private:
     Values m_asked{};

@@ -34,8 +34,11 @@ bool Handover::poll(EngineApi& engine) {
     if (m_number) {
         lookForAnswer(status);
     }
-    m_taken = m_taken || (m_sent && m_refusal.empty() && m_shown(status));
+    m_taken = m_taken || (m_sent && m_shown(status));
     if (!m_taken && !m_number && mayTry(status)) {
+        if (m_sent && m_renew) {
+            m_renew(m_action, status);
+        }
         Command command;
         command.action = m_action;
         m_number = engine.send(command);  // none: its ring is full
@@ -106,12 +109,12 @@ void ChangeWay::change(const Result<void>& may, const Store& store, std::functio
     });
 }
 
-void ChangeWay::owe(const Handover::Action& action, Handover::Shown shown) {
+void ChangeWay::owe(const Handover::Action& action, Handover::Shown shown, Handover::Renew renew) {
     std::erase_if(m_owed, [&action](const Handover& one) { return one.isOf(action) || one.isOverruledBy(action); });
     for (Handover& before : m_owed) {
         before.follow(action);
     }
-    m_owed.emplace_back(action, std::move(shown));
+    m_owed.emplace_back(action, std::move(shown), std::move(renew));
     (void)m_owed.back().poll(m_engine);
 }
 
@@ -124,6 +127,10 @@ void ChangeWay::poll() {
     if (news) {
         m_show();
     }
+}
+
+bool ChangeWay::underWay() const noexcept {
+    return !m_owed.empty() && std::ranges::all_of(m_owed, [](const Handover& one) { return one.refusal().empty(); });
 }
 
 const Sentence& ChangeWay::problem() const noexcept {

@@ -15,14 +15,18 @@ namespace kerf {
 /// What is kept and the engine has yet to take: sent, awaited by its number, sent again when the answer was lost among
 /// others or the ring was full. A refusal is told, and tried again when the machine's program has moved on.
 ///
-/// What the status shows was taken, whether its answer has come or not: sent once more it would undo whatever has been
-/// chosen since.
+/// What the status shows was taken, whether its answer has come or not, whether that was a no or not: sent once more it
+/// would undo whatever has been chosen since. What is sent again takes along what people have changed at the machine
+/// since it was sent first.
 class Handover {
  public:
     using Action = decltype(Command::action);
     /// The status shows what was handed over, and nothing else: asked once it has been sent.
     using Shown = std::function<bool(const Status&)>;
-    Handover(Action action, Shown shown) : m_action(std::move(action)), m_shown(std::move(shown)) {}
+    /// Takes into what is sent again what the status shows as changed since; asked before each further time.
+    using Renew = std::function<void(Action&, const Status&)>;
+    Handover(Action action, Shown shown, Renew renew)
+        : m_action(std::move(action)), m_shown(std::move(shown)), m_renew(std::move(renew)) {}
 
     /// Looks for the answer, sends what has none. True: there are news.
     bool poll(EngineApi& engine);
@@ -48,6 +52,7 @@ class Handover {
 
     Action m_action;
     Shown m_shown;
+    Renew m_renew;
     bool m_sent{false};
     std::optional<std::uint32_t> m_number{};
     Sentence m_refusal{};
@@ -84,14 +89,17 @@ class ChangeWay {
         change({}, store, std::move(then), std::move(done));
     }
     /// To be handed to the engine, in the order in which it is owed; the newest of a kind takes the place of one
-    /// before. `shown`: what the status says once the engine has it.
-    void owe(const Handover::Action& action, Handover::Shown shown);
+    /// before. `shown`: what the status says once the engine has it. `renew`, where anything of it can be changed at
+    /// the machine as well: what was changed there meanwhile stands.
+    void owe(const Handover::Action& action, Handover::Shown shown, Handover::Renew renew = {});
     /// A few times per second: answers are looked for, what has none is sent again.
     void poll();
 
     [[nodiscard]] bool busy() const noexcept { return m_busy > 0; }
     /// The engine has everything that was owed to it.
     [[nodiscard]] bool settled() const noexcept { return m_owed.empty(); }
+    /// Something is on its way to the engine, which has said no to nothing.
+    [[nodiscard]] bool underWay() const noexcept;
     /// What the disk or the engine has said no to last; empty when both have what holds.
     [[nodiscard]] const Sentence& problem() const noexcept;
     void setStoreProblem(const Sentence& why) { m_storeProblem = why; }

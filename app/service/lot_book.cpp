@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "app/service/change_way.h"
-
 namespace kerf {
 namespace {
 
@@ -83,12 +81,18 @@ void LotBook::send() {
     }
 }
 
+bool LotBook::underWay(const ChangeWay& way) const {
+    return m_storing > 0 || way.underWay() || (m_sent != order() && m_links.settled());
+}
+
 void LotBook::store(StoreCommand command, Done failed, std::function<void(const Receipt&)> then) {
-    m_links.writer.submit(std::move(command), [failed = std::move(failed), then = std::move(then),
+    ++m_storing;
+    m_links.writer.submit(std::move(command), [this, failed = std::move(failed), then = std::move(then),
                                                alive = std::weak_ptr(m_alive)](const Result<Receipt>& receipt) {
         if (!alive.lock()) {
             return;
         }
+        --m_storing;
         receipt ? then(*receipt) : answer(failed, tl::unexpected(receipt.error()));
     });
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "db/api/lot_reader.h"
 #include "db/api/store_writer.h"
@@ -45,6 +46,8 @@ class LotBook final : public LotService {
     [[nodiscard]] WorkOrder withLoad() { return m_sent = order(); }
     /// Names the order where it alone has changed. A few times per second; what waits for a load goes with it.
     void send();
+    /// Whose work the next part is, is on its way to the disk or to the engine; `way`: that of what it is made with.
+    [[nodiscard]] bool underWay(const ChangeWay& way) const;
 
     [[nodiscard]] Result<std::vector<LotView>> lots() const override;
     [[nodiscard]] std::optional<LotView> current() const override;
@@ -67,6 +70,7 @@ class LotBook final : public LotService {
     std::optional<LotView> m_lot{};
     RecipeRevisionId m_recipe{0};
     WorkOrder m_sent{};
+    int m_storing{0};
     Listeners<> m_listeners;
     std::shared_ptr<bool> m_alive{std::make_shared<bool>(true)};
 };

@@ -2694,6 +2694,13 @@
         </message>
     </context>
     <context>
+    <name>StartRest</name>
+        <message>
+            <source>One moment: what was stored last is being loaded.</source>
+            <translation>One moment: what was stored last is being loaded.</translation>
+        </message>
+    </context>
+    <context>
     <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
@@ -3205,6 +3212,30 @@
         <message>
             <source>The new limits are stored and hold from now on.</source>
             <translation>The new limits are stored and hold from now on.</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>Left out by %1: %2</translation>
+        </message>
+        <message>
+            <source>out</source>
+            <translation>out</translation>
+        </message>
+        <message>
+            <source>Reason to leave the touched day out, or to take it in again</source>
+            <translation>Reason to leave the touched day out, or to take it in again</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>Take in again</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Leave out</translation>
+        </message>
+        <message>
+            <source>touch a day first</source>
+            <translation>touch a day first</translation>
         </message>
     </context>
     <context>
@@ -7714,6 +7745,174 @@
             <source>Blank height</source>
             <translation>Blank height</translation>
         </message>
+        <message>
+            <source>Leave a day out of thermal training</source>
+            <translation>Leave a day out of thermal training</translation>
+        </message>
+        <message>
+            <source>One of the days is left out of the training: take it in again first.</source>
+            <translation>One of the days is left out of the training: take it in again first.</translation>
+        </message>
+        <message>
+            <source>%1 is neither; expected true or false.</source>
+            <translation>%1 is neither; expected true or false.</translation>
+        </message>
+        <message>
+            <source>%1 is no list; expected [ … ].</source>
+            <translation>%1 is no list; expected [ … ].</translation>
+        </message>
+        <message>
+            <source>%1 is no object; expected {…} with keys.</source>
+            <translation>%1 is no object; expected {…} with keys.</translation>
+        </message>
+        <message>
+            <source>the file: %1 is no object; expected {…} with keys.</source>
+            <translation>the file: %1 is no object; expected {…} with keys.</translation>
+        </message>
+        <message>
+            <source>%1 is no text; expected a text that is not empty.</source>
+            <translation>%1 is no text; expected a text that is not empty.</translation>
+        </message>
+        <message>
+            <source>%1 is no text; expected a text.</source>
+            <translation>%1 is no text; expected a text.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected a number from %2 to %3.</source>
+            <translation>%1 is out of range; expected a number from %2 to %3.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected a whole number from %2 to %3.</source>
+            <translation>%1 is out of range; expected a whole number from %2 to %3.</translation>
+        </message>
+        <message>
+            <source>%1 is the device of %2 too; expected one of its own (the channels of a multiplexer belong to one gauge).</source>
+            <translation>%1 is the device of %2 too; expected one of its own (the channels of a multiplexer belong to one gauge).</translation>
+        </message>
+        <message>
+            <source>%1 is the unit of modules[%2] on the same line; expected another one.</source>
+            <translation>%1 is the unit of modules[%2] on the same line; expected another one.</translation>
+        </message>
+        <message>
+            <source>%1 of them; expected %2 at the most.</source>
+            <translation>%1 of them; expected %2 at the most.</translation>
+        </message>
+        <message>
+            <source>%1 temperatures; expected %2 at the most.</source>
+            <translation>%1 temperatures; expected %2 at the most.</translation>
+        </message>
+        <message>
+            <source>'%1' is no name; expected 1 to %2 bytes without comma, quote or line end.</source>
+            <translation>'%1' is no name; expected 1 to %2 bytes without comma, quote or line end.</translation>
+        </message>
+        <message>
+            <source>'%1' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to kerf.temperature-%2 for a temperature.</source>
+            <translation>'%1' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to kerf.temperature-%2 for a temperature.</translation>
+        </message>
+        <message>
+            <source>'%1' is not known; expected one of %2.</source>
+            <translation>'%1' is not known; expected one of %2.</translation>
+        </message>
+        <message>
+            <source>'%1' is not the unit of a %2; expected %3, which scale and offset bring the register to.</source>
+            <translation>'%1' is not the unit of a %2; expected %3, which scale and offset bring the register to.</translation>
+        </message>
+        <message>
+            <source>'%1' is the name of %2 too; expected another one.</source>
+            <translation>'%1' is the name of %2 too; expected another one.</translation>
+        </message>
+        <message>
+            <source>'%1': it has no group; expected one around the value.</source>
+            <translation>'%1': it has no group; expected one around the value.</translation>
+        </message>
+        <message>
+            <source>'%1': it is no regular expression; expected one as ^.*?([+-][0-9.]+).*$.</source>
+            <translation>'%1': it is no regular expression; expected one as ^.*?([+-][0-9.]+).*$.</translation>
+        </message>
+        <message>
+            <source>0 makes every reading the same; expected a factor other than 0.</source>
+            <translation>0 makes every reading the same; expected a factor other than 0.</translation>
+        </message>
+        <message>
+            <source>a force is too fast for a polled module; it comes over the HAL pin kerf.force (docs/sensors.md). Expected temperature or speed.</source>
+            <translation>a force is too fast for a polled module; it comes over the HAL pin kerf.force (docs/sensors.md). Expected temperature or speed.</translation>
+        </message>
+        <message>
+            <source>the file: a number is too large to be stored; expected a sensor file.</source>
+            <translation>the file: a number is too large to be stored; expected a sensor file.</translation>
+        </message>
+        <message>
+            <source>a second speed; expected one at the most.</source>
+            <translation>a second speed; expected one at the most.</translation>
+        </message>
+        <message>
+            <source>cannot be read, or is empty; expected a sensor file.</source>
+            <translation>cannot be read, or is empty; expected a sensor file.</translation>
+        </message>
+        <message>
+            <source>it could not be asked; the log says why.</source>
+            <translation>it could not be asked; the log says why.</translation>
+        </message>
+        <message>
+            <source>larger than %1 MB; expected a sensor file.</source>
+            <translation>larger than %1 MB; expected a sensor file.</translation>
+        </message>
+        <message>
+            <source>missing; expected a regular expression whose first group is the value.</source>
+            <translation>missing; expected a regular expression whose first group is the value.</translation>
+        </message>
+        <message>
+            <source>missing; expected a value.</source>
+            <translation>missing; expected a value.</translation>
+        </message>
+        <message>
+            <source>modules[%1] is on the same line %2 with other settings; expected the same baud, parity and stop_bits.</source>
+            <translation>modules[%1] is on the same line %2 with other settings; expected the same baud, parity and stop_bits.</translation>
+        </message>
+        <message>
+            <source>the file: more than %1 brackets inside each other; expected a sensor file.</source>
+            <translation>the file: more than %1 brackets inside each other; expected a sensor file.</translation>
+        </message>
+        <message>
+            <source>the file: more than %1 keys in one object; expected a sensor file.</source>
+            <translation>the file: more than %1 keys in one object; expected a sensor file.</translation>
+        </message>
+        <message>
+            <source>no value in it; expected at least one that means a fault.</source>
+            <translation>no value in it; expected at least one that means a fault.</translation>
+        </message>
+        <message>
+            <source>none; expected at least one channel or gauge.</source>
+            <translation>none; expected at least one channel or gauge.</translation>
+        </message>
+        <message>
+            <source>not an object; expected {"channel": depth, …}.</source>
+            <translation>not an object; expected {"channel": depth, …}.</translation>
+        </message>
+        <message>
+            <source>only for the protocol pattern; expected no such key here.</source>
+            <translation>only for the protocol pattern; expected no such key here.</translation>
+        </message>
+        <message>
+            <source>that is no address; expected HOST or HOST:PORT, PORT from 1 to 65535.</source>
+            <translation>that is no address; expected HOST or HOST:PORT, PORT from 1 to 65535.</translation>
+        </message>
+        <message>
+            <source>the key stands twice in one object; expected it once.</source>
+            <translation>the key stands twice in one object; expected it once.</translation>
+        </message>
+        <message>
+            <source>there is no module '%1'; expected the name of one in modules.</source>
+            <translation>there is no module '%1'; expected the name of one in modules.</translation>
+        </message>
+        <message>
+            <source>line %1, column %2: this is no JSON from here on; expected a complete JSON object.</source>
+            <translation>line %1, column %2: this is no JSON from here on; expected a complete JSON object.</translation>
+        </message>
+        <message>
+            <source>unknown key %2; expected one of %1.</source>
+            <translation>unknown key %2; expected one of %1.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>
@@ -8026,6 +8225,14 @@
         <message>
             <source>Learn the channels anew</source>
             <translation>Learn the channels anew</translation>
+        </message>
+        <message>
+            <source>Which gauge is asked?</source>
+            <translation>Which gauge is asked?</translation>
+        </message>
+        <message>
+            <source>Touch the one that measures this bore.</source>
+            <translation>Touch the one that measures this bore.</translation>
         </message>
     </context>
     <context>

@@ -2690,6 +2690,13 @@
         </message>
     </context>
     <context>
+    <name>StartRest</name>
+        <message>
+            <source>One moment: what was stored last is being loaded.</source>
+            <translation>잠시 기다리십시오. 방금 저장한 내용을 불러오는 중입니다.</translation>
+        </message>
+    </context>
+    <context>
     <name>TappingTexts</name>
         <message>
             <source>%1, %2 rpm, %3 rev, gear %4</source>
@@ -3200,6 +3207,30 @@
         <message>
             <source>The new limits are stored and hold from now on.</source>
             <translation>새 한계를 저장했으며 지금부터 적용됩니다.</translation>
+        </message>
+        <message>
+            <source>Left out by %1: %2</source>
+            <translation>%1 님이 제외: %2</translation>
+        </message>
+        <message>
+            <source>out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>Reason to leave the touched day out, or to take it in again</source>
+            <translation>누른 날을 제외하거나 다시 포함하는 사유</translation>
+        </message>
+        <message>
+            <source>Take in again</source>
+            <translation>다시 포함</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>제외</translation>
+        </message>
+        <message>
+            <source>touch a day first</source>
+            <translation>먼저 날을 누르십시오</translation>
         </message>
     </context>
     <context>
@@ -7709,6 +7740,174 @@
             <source>Blank height</source>
             <translation>소재 높이</translation>
         </message>
+        <message>
+            <source>Leave a day out of thermal training</source>
+            <translation>열변위 학습에서 하루 제외</translation>
+        </message>
+        <message>
+            <source>One of the days is left out of the training: take it in again first.</source>
+            <translation>고른 날 가운데 학습에서 제외한 날이 있습니다. 먼저 다시 포함하십시오.</translation>
+        </message>
+        <message>
+            <source>%1 is neither; expected true or false.</source>
+            <translation>%1: 둘 다 아닙니다. true 또는 false여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is no list; expected [ … ].</source>
+            <translation>%1: 목록이 아닙니다. [ … ] 형태여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is no object; expected {…} with keys.</source>
+            <translation>%1: 객체가 아닙니다. 키가 있는 {…} 형태여야 합니다.</translation>
+        </message>
+        <message>
+            <source>the file: %1 is no object; expected {…} with keys.</source>
+            <translation>파일: %1: 객체가 아닙니다. 키가 있는 {…} 형태여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is no text; expected a text that is not empty.</source>
+            <translation>%1: 텍스트가 아닙니다. 비어 있지 않은 텍스트여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is no text; expected a text.</source>
+            <translation>%1: 텍스트가 아닙니다. 텍스트여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected a number from %2 to %3.</source>
+            <translation>%1: 범위를 벗어났습니다. %2부터 %3까지의 수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; expected a whole number from %2 to %3.</source>
+            <translation>%1: 범위를 벗어났습니다. %2부터 %3까지의 정수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 is the device of %2 too; expected one of its own (the channels of a multiplexer belong to one gauge).</source>
+            <translation>%1: %2의 장치이기도 합니다. 게이지마다 장치가 따로 있어야 합니다(멀티플렉서의 채널은 한 게이지에 속합니다).</translation>
+        </message>
+        <message>
+            <source>%1 is the unit of modules[%2] on the same line; expected another one.</source>
+            <translation>%1: 같은 회선에 있는 modules[%2]의 유닛 번호입니다. 다른 번호여야 합니다.</translation>
+        </message>
+        <message>
+            <source>%1 of them; expected %2 at the most.</source>
+            <translation>%1개입니다. 최대 %2개까지 됩니다.</translation>
+        </message>
+        <message>
+            <source>%1 temperatures; expected %2 at the most.</source>
+            <translation>온도가 %1개입니다. 최대 %2개까지 됩니다.</translation>
+        </message>
+        <message>
+            <source>'%1' is no name; expected 1 to %2 bytes without comma, quote or line end.</source>
+            <translation>'%1': 이름으로 쓸 수 없습니다. 쉼표, 따옴표, 줄 바꿈 없이 1~%2바이트여야 합니다.</translation>
+        </message>
+        <message>
+            <source>'%1' is no pin of kerf-hal for this quantity; expected kerf.temperature-0 to kerf.temperature-%2 for a temperature.</source>
+            <translation>'%1': 이 양에 맞는 kerf-hal 핀이 아닙니다. 온도는 kerf.temperature-0부터 kerf.temperature-%2까지입니다.</translation>
+        </message>
+        <message>
+            <source>'%1' is not known; expected one of %2.</source>
+            <translation>'%1': 모르는 값입니다. 다음 가운데 하나여야 합니다: %2.</translation>
+        </message>
+        <message>
+            <source>'%1' is not the unit of a %2; expected %3, which scale and offset bring the register to.</source>
+            <translation>'%1': %2의 단위가 아닙니다. scale과 offset으로 레지스터 값을 %3 단위로 맞춰야 합니다.</translation>
+        </message>
+        <message>
+            <source>'%1' is the name of %2 too; expected another one.</source>
+            <translation>'%1': %2의 이름이기도 합니다. 다른 이름이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>'%1': it has no group; expected one around the value.</source>
+            <translation>'%1': 그룹이 없습니다. 값을 감싸는 그룹이 하나 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>'%1': it is no regular expression; expected one as ^.*?([+-][0-9.]+).*$.</source>
+            <translation>'%1': 정규식이 아닙니다. ^.*?([+-][0-9.]+).*$와 같은 형태여야 합니다.</translation>
+        </message>
+        <message>
+            <source>0 makes every reading the same; expected a factor other than 0.</source>
+            <translation>0이면 모든 값이 같아집니다. 0이 아닌 계수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>a force is too fast for a polled module; it comes over the HAL pin kerf.force (docs/sensors.md). Expected temperature or speed.</source>
+            <translation>힘은 주기적으로 읽는 모듈로는 너무 빠릅니다. HAL 핀 kerf.force로 들어옵니다(docs/sensors.md). 온도나 회전수여야 합니다.</translation>
+        </message>
+        <message>
+            <source>the file: a number is too large to be stored; expected a sensor file.</source>
+            <translation>파일: 저장할 수 없을 만큼 큰 수가 있습니다. 센서 파일이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>a second speed; expected one at the most.</source>
+            <translation>두 번째 회전수입니다. 하나만 됩니다.</translation>
+        </message>
+        <message>
+            <source>cannot be read, or is empty; expected a sensor file.</source>
+            <translation>읽을 수 없거나 비어 있습니다. 센서 파일이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>it could not be asked; the log says why.</source>
+            <translation>물어볼 수 없었습니다. 이유는 로그에 있습니다.</translation>
+        </message>
+        <message>
+            <source>larger than %1 MB; expected a sensor file.</source>
+            <translation>%1 MB보다 큽니다. 센서 파일이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>missing; expected a regular expression whose first group is the value.</source>
+            <translation>빠져 있습니다. 첫 그룹이 값인 정규식이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>missing; expected a value.</source>
+            <translation>빠져 있습니다. 값이 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>modules[%1] is on the same line %2 with other settings; expected the same baud, parity and stop_bits.</source>
+            <translation>modules[%1]이 같은 회선 %2에 다른 설정으로 있습니다. baud, parity, stop_bits가 같아야 합니다.</translation>
+        </message>
+        <message>
+            <source>the file: more than %1 brackets inside each other; expected a sensor file.</source>
+            <translation>파일: 괄호가 %1겹보다 깊습니다. 센서 파일이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>the file: more than %1 keys in one object; expected a sensor file.</source>
+            <translation>파일: 한 객체에 키가 %1개보다 많습니다. 센서 파일이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>no value in it; expected at least one that means a fault.</source>
+            <translation>값이 없습니다. 고장을 뜻하는 값이 하나 이상 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>none; expected at least one channel or gauge.</source>
+            <translation>하나도 없습니다. 채널이나 게이지가 하나 이상 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>not an object; expected {"channel": depth, …}.</source>
+            <translation>객체가 아닙니다. {"채널": 깊이, …} 형태여야 합니다.</translation>
+        </message>
+        <message>
+            <source>only for the protocol pattern; expected no such key here.</source>
+            <translation>프로토콜 pattern에만 쓰는 키입니다. 여기에는 없어야 합니다.</translation>
+        </message>
+        <message>
+            <source>that is no address; expected HOST or HOST:PORT, PORT from 1 to 65535.</source>
+            <translation>주소가 아닙니다. HOST 또는 HOST:PORT 형태이고 PORT는 1부터 65535까지입니다.</translation>
+        </message>
+        <message>
+            <source>the key stands twice in one object; expected it once.</source>
+            <translation>한 객체에 같은 키가 두 번 있습니다. 한 번만 있어야 합니다.</translation>
+        </message>
+        <message>
+            <source>there is no module '%1'; expected the name of one in modules.</source>
+            <translation>이런 모듈이 없습니다: '%1'. modules에 있는 이름이어야 합니다.</translation>
+        </message>
+        <message>
+            <source>line %1, column %2: this is no JSON from here on; expected a complete JSON object.</source>
+            <translation>%1행 %2열: 여기부터 JSON이 아닙니다. 완전한 JSON 객체여야 합니다.</translation>
+        </message>
+        <message>
+            <source>unknown key %2; expected one of %1.</source>
+            <translation>모르는 키입니다(%2). 다음 가운데 하나여야 합니다: %1.</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>
@@ -8020,6 +8219,14 @@
         <message>
             <source>Learn the channels anew</source>
             <translation>채널 다시 학습</translation>
+        </message>
+        <message>
+            <source>Which gauge is asked?</source>
+            <translation>어느 게이지에서 읽습니까?</translation>
+        </message>
+        <message>
+            <source>Touch the one that measures this bore.</source>
+            <translation>이 내경을 재는 게이지를 누르십시오.</translation>
         </message>
     </context>
     <context>

@@ -55,6 +55,15 @@ struct Shop : test::FiveServicesBench {
         milling.reset();
         boring.reset();
     }
+    /// As the bench's; `afterAsking` is done as soon as something was asked for.
+    Result<void> wait(const std::function<void(const Done&)>& call) {
+        return FiveServicesBench::wait([&](const Done& done) {
+            call(done);
+            if (afterAsking) {
+                afterAsking();
+            }
+        });
+    }
     void poll() {
         boring->poll();
         milling->poll();
@@ -91,6 +100,7 @@ struct Shop : test::FiveServicesBench {
     std::unique_ptr<StoredThermalService> thermal;
     std::unique_ptr<StoredTappingService> tapping;
     std::uint32_t bored{0};
+    std::function<void()> afterAsking{};
 };
 
 /// What one process calls a change, and what it says of it.
@@ -99,6 +109,7 @@ struct OneOfFive {
     std::function<Result<void>()> wrong;          ///< of values that cannot be
     std::function<bool(const Command&)> isLoad;   ///< the command that the change ends in
     std::function<Sentence()> problem;
+    std::function<bool()> underWay;  ///< a start would be of something else than what was stored last
 };
 
 template <class Load>
@@ -113,7 +124,8 @@ OneOfFive processOf(Shop& shop, const QString& name) {
                     return shop.measure(0.02 + 0.004 * nth);
                 },
                 [&shop] { return shop.measure(-60.0); }, is<LoadBoringSchedule>,
-                [&shop] { return shop.boring->service().view().storeProblem; }};
+                [&shop] { return shop.boring->service().view().storeProblem; },
+                [&shop] { return shop.boring->underWay(); }};
     }
     if (name == QStringLiteral("milling")) {
         const auto save = [&shop](double reference_N) {
@@ -122,7 +134,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.milling->saveSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(300.0 + nth); }, [save] { return save(-1.0); }, is<LoadMillingSetup>,
-                [&shop] { return shop.milling->view().problem; }};
+                [&shop] { return shop.milling->view().problem; }, [&shop] { return shop.milling->underWay(); }};
     }
     if (name == QStringLiteral("turning")) {
         const auto save = [&shop](double depth_um) {
@@ -131,7 +143,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.turning->loadSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(4.0 + 0.1 * nth); }, [save] { return save(-1.0); }, is<LoadTurningSetup>,
-                [&shop] { return shop.turning->view().storeProblem; }};
+                [&shop] { return shop.turning->view().storeProblem; }, [&shop] { return shop.turning->underWay(); }};
     }
     if (name == QStringLiteral("thermal")) {
         const auto save = [&shop](double allowed_um) {
@@ -140,7 +152,7 @@ OneOfFive processOf(Shop& shop, const QString& name) {
             return shop.wait([&](const Done& done) { shop.thermal->changeSetup(setup, "Lee", "drawing", done); });
         };
         return {[save](int nth) { return save(5.0 + 0.5 * nth); }, [save] { return save(-1.0); }, is<LoadThermalSetup>,
-                [&shop] { return shop.thermal->view().storeProblem; }};
+                [&shop] { return shop.thermal->view().storeProblem; }, [&shop] { return shop.thermal->underWay(); }};
     }
     const auto restore = [&shop](double speed_rpm) {
         tapping::StoredTuning tuning;
@@ -155,7 +167,8 @@ OneOfFive processOf(Shop& shop, const QString& name) {
         return shop.tapping->load(choice, "Lee");
     };
     return {[restore](int nth) { return restore(nth); }, wrong, is<LoadTapGains>,
-            [&shop] { return shop.tapping->view().reason; }};
+            [&shop] { return shop.tapping->view().reason; },
+            [&shop] { return shop.tapping->way().busy() || shop.tapping->way().underWay(); }};
 }
 
 /// The loops have what was sent last of each kind, as their status says it.
@@ -168,6 +181,8 @@ void showInStatus(test::FakeEngine& engine) {
             status.milling.setup = milled->setup.revision;
             status.milling.law = milled->setup.law;
             status.milling.reference_N = milled->setup.reference_N;
+        } else if (const auto* blank = std::get_if<LoadMillingBlank>(&command.action)) {
+            status.milling.blank = blank->blank.revision;
         } else if (const auto* turned = std::get_if<LoadTurningSetup>(&command.action)) {
             status.turning.nextSetup = turned->setup.revision;
         } else if (const auto* heat = std::get_if<LoadThermalSetup>(&command.action)) {
@@ -339,6 +354,108 @@ class TestChangeWay : public QObject {
             QCOMPARE(loads(shop, process), before + 1);
             QVERIFY2(process.problem().empty(), process.problem().english().c_str());
         }
+    }
+    /// From when it was asked for until the engine has it. A no ends the rest as well: what is loaded may be cut.
+    void aStartRestsUntilTheNewestIsTaken_data() { five(); }
+    void aStartRestsUntilTheNewestIsTaken() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        showInStatus(shop.engine);
+        shop.poll();
+        QVERIFY(!process.underWay());
+        int looked = 0;
+        shop.afterAsking = [&] {  // on its way to the disk
+            ++looked;
+            QVERIFY(process.underWay());
+        };
+        shop.engine.answer = false;
+        QVERIFY(process.change(1));
+        QCOMPARE(looked, 1);
+        QVERIFY(process.underWay());  // on its way to the engine
+        shop.poll();
+        QVERIFY(process.underWay());
+        showInStatus(shop.engine);
+        shop.poll();
+        shop.poll();
+        QVERIFY(!process.underWay());
+        shop.engine.answer = true;
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(process.change(2));
+        shop.poll();
+        QVERIFY(!process.problem().empty());
+        QVERIFY(!process.underWay());
+    }
+    /// Refused because a part had just begun, and done since: by another way, or by somebody else.
+    void whatWasRefusedAndIsShownSinceIsNotSentAgain_data() { five(); }
+    void whatWasRefusedAndIsShownSinceIsNotSentAgain() {
+        QFETCH(QString, name);
+        Shop shop;
+        const OneOfFive process = processOf(shop, name);
+        const std::size_t before = loads(shop, process);
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(process.change(1));
+        shop.poll();
+        QCOMPARE(process.problem().english(), std::string("A part is being cut."));
+        showInStatus(shop.engine);
+        for (const Command& command : shop.engine.commands) {  // whose work it is, with it
+            if (const auto* schedule = std::get_if<LoadBoringSchedule>(&command.action)) {
+                shop.engine.fake.orders[static_cast<std::size_t>(ProcessId::Boring)] = *schedule->order;
+            }
+        }
+        shop.engine.refuseWith = {};
+        ++shop.engine.fake.partSequence;
+        for (int i = 0; i < 30; ++i) {
+            shop.poll();
+        }
+        QCOMPARE(loads(shop, process), before + 1);
+    }
+    /// A setup comes a moment after a part has begun. Law and reference are chosen while that is cut: the setup, taken
+    /// after the part, brings neither back, and what was chosen is kept.
+    void aSetupRefusedAtTheBeginOfAPartUndoesNothingChosenSince_data() {
+        QTest::addColumn<bool>("law");
+        QTest::addColumn<bool>("reference");
+        QTest::newRow("law") << true << false;
+        QTest::newRow("reference") << false << true;
+        QTest::newRow("both") << true << true;
+        QTest::newRow("neither") << false << false;
+    }
+    void aSetupRefusedAtTheBeginOfAPartUndoesNothingChosenSince() {
+        QFETCH(bool, law);
+        QFETCH(bool, reference);
+        Shop shop;
+        showInStatus(shop.engine);  // a setup is in force
+        shop.poll();
+        MillingSetup setup = shop.milling->view().setup;
+        setup.law = MillingLaw::Model;
+        setup.reference_N = 300.0;
+        setup.ky_NPerMm += 50.0;
+        shop.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(shop.wait([&](const Done& done) { shop.milling->saveSetup(setup, "Lee", "drawing", done); }));
+        shop.poll();
+        MillingStatus& milling = shop.engine.fake.milling;
+        const auto revisions = [&shop] {
+            const auto all = shop.reader->allRecipes(ProcessId::Milling);
+            return all ? all->size() : 0;
+        };
+        const auto stored = revisions();
+        milling.law = law ? MillingLaw::Constant : milling.law;
+        milling.reference_N = reference ? 425.0 : milling.reference_N;
+        shop.poll();
+        shop.engine.refuseWith = {};
+        ++shop.engine.fake.partSequence;
+        shop.poll();
+        const auto again =
+            std::ranges::find_if(shop.engine.commands.rbegin(), shop.engine.commands.rend(), is<LoadMillingSetup>);
+        const MillingSetup& sent = std::get<LoadMillingSetup>(again->action).setup;
+        QCOMPARE(sent.law, law ? MillingLaw::Constant : MillingLaw::Model);
+        QCOMPARE(sent.reference_N, reference ? 425.0 : 300.0);
+        QCOMPARE(sent.ky_NPerMm, setup.ky_NPerMm);
+        showInStatus(shop.engine);
+        shop.poll();
+        QTRY_COMPARE(revisions(), stored + (law || reference ? 1 : 0));
+        QCOMPARE(shop.milling->view().setup.law, sent.law);
+        QCOMPARE(shop.milling->view().setup.reference_N, sent.reference_N);
     }
     void anOrderNamedFirstDoesNotReplaceTheOneOfALaterLoad() {
         Shop shop;

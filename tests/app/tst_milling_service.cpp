@@ -128,6 +128,27 @@ class TestMillingService : public QObject {
         QVERIFY(bench.choose("Soft", "Park"));
         QVERIFY(memory().lnKx && !memory().stiffness);
     }
+    /// Somebody says that a new tool is in, and a part begins before the engine hears of it.
+    void aNewToolThatTheEngineRefusedIsToldAfterThePart() {
+        Bench bench;
+        const auto told = [&bench] {
+            return std::ranges::count_if(bench.engine.commands, [](const Command& command) {
+                return std::holds_alternative<NewMillingTool>(command.action);
+            });
+        };
+        bench.engine.refuseWith = Sentence("A part is being cut.");
+        QVERIFY(bench.wait([&](const auto& answer) { bench.service->newTool("Lee", answer); }));
+        bench.service->poll();
+        QCOMPARE(told(), std::ptrdiff_t{1});
+        QCOMPARE(bench.service->view().problem.english(), std::string("A part is being cut."));
+        bench.engine.refuseWith = {};
+        ++bench.engine.fake.partSequence;
+        for (int i = 0; i < 30; ++i) {
+            bench.service->poll();
+        }
+        QCOMPARE(told(), std::ptrdiff_t{2});
+        QVERIFY(bench.service->view().problem.empty());
+    }
     void partTypesKeepTheirOwnLimitOverARestart() {
         Bench bench;
         MillingSetup setup = bench.service->view().setup;

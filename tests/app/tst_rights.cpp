@@ -318,6 +318,11 @@ const std::vector<Row>& rows() {
          }},
         {Deed::ThermalSession, [](Shop& s, Text who, Text) { return s.thermal->beginSession(who); }, false},
         {Deed::ThermalReference, [](Shop& s, Text who, Text) { return s.send(who, TakeThermalReference{true}); }},
+        {Deed::ThermalMemory,
+         [](Shop& s, Text who, Text why) {
+             return s.wait([&](const auto& done) { s.thermal->leaveOut("file:no.csv", true, who, why, done); });
+         },
+         false, "One of the days is not there any more."},
         {Deed::TappingJob, [](Shop& s, Text who, Text) { return s.tapping->load({}, who); }},
         {Deed::MillingMemory,
          [](Shop& s, Text who, Text why) {

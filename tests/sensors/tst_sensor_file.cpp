@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/sensors/gauge_frames.h"
@@ -160,6 +162,25 @@ class TestSensorFile : public QObject {
         } catch (const SensorFileFault& fault) {
             QVERIFY2(QString::fromLatin1(fault.what()).startsWith(QStringLiteral("modules: the key stands twice")),
                      fault.what());
+        }
+    }
+    /// A page says the sentence in its own language: key, sentence and values come apart, with the file's name too.
+    void aRefusalComesInItsParts() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath(QStringLiteral("old.json")).toStdString();
+        Json json = contract();
+        json["channels"][1]["adress"] = 4;
+        std::ofstream(path) << json.dump();
+        try {
+            (void)readSensorFile(path);
+            QFAIL("taken");
+        } catch (const SensorFileFault& fault) {
+            QCOMPARE(fault.where(), std::string("channels[1].adress"));
+            QCOMPARE(std::string(fault.text()), std::string("unknown key %2; expected one of %1."));
+            QCOMPARE(fault.values().size(), std::size_t{2});
+            QVERIFY(fault.values()[0].starts_with("name, quantity, unit"));
+            QCOMPARE(std::string(fault.what()), path + ": channels[1].adress: unknown key " + fault.values()[1] +
+                                                    "; expected one of " + fault.values()[0] + '.');
         }
     }
     void endlessKeysCostNoTime() {

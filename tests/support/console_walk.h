@@ -71,7 +71,7 @@ class ConsoleWalk {
     }
     /// Page and buttons, from a page without a sheet, with the engineer who began.
     void goTo(const QString& page, const QStringList& path) {
-        if (ui::Sheet* sheet = host()->current()) {
+        while (ui::Sheet* sheet = host()->current()) {  // one may lie over others
             sheet->close();
         }
         (void)window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer);

@@ -144,6 +144,18 @@ class FakeThermalService : public ThermalService {
         m_view.training.state = TrainingState::Cancelled;
         announce();
     }
+    void leaveOut(const std::string& dayId, bool out, const std::string& author, const std::string& reason,
+                  RecipeHistory::Done done) override {
+        const auto result = called((out ? "out " : "in ") + dayId + ' ' + author + ' ' + reason);
+        const auto day = std::ranges::find(m_view.days, dayId, &ThermalDayView::id);
+        if (result && day != m_view.days.end()) {
+            day->leftOut = out;
+            day->leftOutReason = reason;
+            day->leftOutAuthor = author;
+            announce();
+        }
+        done(result);
+    }
     Result<void> goLive(const std::string& author) override { return called("goLive " + author); }
     Result<void> rollBack(const std::string& author) override { return called("rollBack " + author); }
     void changeSetup(const ThermalSetup& next, const std::string& author, const std::string&,

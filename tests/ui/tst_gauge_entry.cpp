@@ -121,6 +121,35 @@ class TestGaugeEntry : public QObject {
         QVERIFY(m_service->entries.empty());                   // until it answers
         m_bench.reset();                                       // the page goes before what it asks
     }
+    /// A reading without a depth is of the bore that waits: two of them would be two diameters of it.
+    void ofTwoThatCouldBeMeantAPersonChoosesOne() {
+        FakeSensors sensors;
+        for (SensorGaugeView& gauge : sensors.seen.gauges) {
+            gauge.connected = gauge.canAsk = true;
+        }
+        m_service->gaugeFitted = false;
+        m_bench->services.sensorService = &sensors;
+        m_service->cutPart();
+        show();
+        m_bench->client.tick();
+        QVERIFY(m_bench->press("boringGauge"));
+        QVERIFY(sensors.asked.empty());
+        QVERIFY(m_bench->press("boringAsk1"));
+        QCOMPARE(sensors.asked, std::vector<std::size_t>{1});
+        QVERIFY(m_bench->sheets->current() == nullptr);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(m_bench->press("boringGauge"));
+        QVERIFY(m_bench->press("sheetSafe"));
+        QCOMPARE(sensors.asked.size(), std::size_t{1});
+        // Those that say their depth are all asked, each for its own.
+        sensors.seen.gauges[0].saysDepth = true;
+        QVERIFY(m_bench->press("boringGauge"));
+        QCOMPARE(sensors.asked, (std::vector<std::size_t>{1, 0, 1}));
+        sensors.seen.gauges[1].saysDepth = true;
+        QVERIFY(m_bench->press("boringGauge"));
+        QCOMPARE(sensors.asked, (std::vector<std::size_t>{1, 0, 1, 0, 1}));
+        m_bench.reset();
+    }
     void aFrameTooManyIsSaid() {
         m_service->cutPart();
         m_service->cutPart();

@@ -86,6 +86,17 @@ class TestLateAnswers : public QObject {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return m_bench->press(name);
     }
+    /// Of the sheet on top, which others may lie beneath.
+    bool pressOnTop(const char* name) {
+        QApplication::processEvents();
+        const Sheet* sheet = m_bench->sheets->current();
+        auto* button = sheet != nullptr ? sheet->findChild<QAbstractButton*>(QLatin1String(name)) : nullptr;
+        if (button == nullptr || !button->isVisible() || !button->isEnabled()) {
+            return false;
+        }
+        QTest::mouseClick(button, Qt::LeftButton);
+        return true;
+    }
     static bool stillThere(const QPointer<QLineEdit>& field, const char* typed = "12") {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QApplication::processEvents();
@@ -218,6 +229,59 @@ class TestLateAnswers : public QObject {
         const QPointer<Sheet> asked = m_bench->sheets->current();
         answer(result);
         QVERIFY(m_bench->sheets->current() != nullptr && !m_bench->sheets->isOpen(asked));
+    }
+    /// Sign on, and from there whatever it offers: the form beneath comes back as it was left.
+    void whatIsOpenedFromSigningOnGivesTheFormBack() {
+        m_page = m_bench->show<PlainPage>();
+        ui::OperatorSession& session = m_bench->session;
+        QVERIFY(session.setPin(QStringLiteral("Lee"), QStringLiteral("2468")));
+        const QPointer<QLineEdit> field = openForm();
+        chooseOperator(m_bench->look, *m_bench->sheets, session, {});
+        QVERIFY(pressOnTop("people"));
+        QVERIFY(pressOnTop("peoplePermissions"));
+        QVERIFY(m_bench->find<QWidget>("permissions") != nullptr);
+        QVERIFY(pressOnTop("sheetSafe"));
+        QVERIFY(pressOnTop("personPin0"));  // the list is where it was
+        auto* pin = m_bench->sheets->current()->findChild<QLineEdit*>(QStringLiteral("pinField"));
+        QVERIFY(pin != nullptr);
+        pin->setText(QStringLiteral("1357"));
+        emit pin->returnPressed();
+        QVERIFY(pressOnTop("personRemove0"));
+        QVERIFY(pressOnTop("sheetProceed"));
+        QVERIFY(!session.known().contains(QStringLiteral("Kim")));
+        QVERIFY(pressOnTop("personOperator0"));  // the list, without him
+        QVERIFY(pressOnTop("sheetSafe"));
+        QVERIFY(stillThere(field));
+    }
+    void whoSaysYesAsWellGivesTheFormBack() {
+        m_page = m_bench->show<PlainPage>();
+        ui::OperatorSession& session = m_bench->session;
+        session.setRole(QStringLiteral("Kim"), Role::Setter);
+        QVERIFY(session.setPin(QStringLiteral("Kim"), QStringLiteral("1357")));
+        const QPointer<QLineEdit> field = openForm();
+        chooseOperator(m_bench->look, *m_bench->sheets, session, {});
+        QVERIFY(pressOnTop("secondPerson"));
+        QVERIFY(pressOnTop("second0"));
+        auto* pin = m_bench->sheets->current()->findChild<QLineEdit*>(QStringLiteral("pinField"));
+        QVERIFY(pin != nullptr);
+        pin->setText(QStringLiteral("1357"));
+        emit pin->returnPressed();
+        QCOMPARE(session.second(), QStringLiteral("Kim"));
+        QVERIFY(pressOnTop("sheetSafe"));
+        QVERIFY(stillThere(field));
+    }
+    /// The chooser alone changes its language by being made anew: once, not over itself.
+    void theLanguageChangesTheChooserAndNothingStaysBeneath() {
+        m_page = m_bench->show<PlainPage>();
+        chooseOperator(m_bench->look, *m_bench->sheets, m_bench->session, {});
+        for (const Language language : {Language::Korean, Language::English}) {
+            QVERIFY(m_bench->sheets->languageMayChange());
+            Preferences preferences = m_bench->look.preferences();
+            preferences.language = language;
+            m_bench->look.apply(preferences);
+        }
+        QVERIFY(pressOnTop("sheetSafe"));
+        QVERIFY(m_bench->sheets->current() == nullptr);
     }
     void helpGivesTheFormBack() {
         m_page = m_bench->show<PlainPage>();

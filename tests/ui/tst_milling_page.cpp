@@ -10,6 +10,7 @@
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
+#include "tests/support/start_rests.h"
 #include "ui/pages/milling/milling_page.h"
 #include "ui/widgets/value_field.h"
 
@@ -142,6 +143,11 @@ class TestMillingPage : public QObject {
         auto* preview = m_bench->find<ActionButton>("millingLawPreview");
         QVERIFY(!preview->isEnabled());
         QVERIFY(preview->reason().contains(QStringLiteral("blank profile")));
+    }
+    void aStartRestsUntilTheNewestIsShown() {
+        show();
+        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
+                         m_bench->find<ActionButton>("millingStart"), ProcessId::Milling);
     }
     void teachStartAndReleaseSaySoWhenTheyCannot() {
         show();

@@ -32,7 +32,7 @@ class FakeSensorService final : public SensorService {
         broken.age_s = 40.0;
         broken.why = "The module says that there is no measurement: the thermocouple is broken or loose.";
         fake.channels = {good, broken};
-        fake.gauges.push_back({"BMD-17", "/dev/ttyUSB0", true, true, "01A+00050.012"});
+        fake.gauges.push_back({"BMD-17", "/dev/ttyUSB0", true, true, false, "01A+00050.012"});
     }
     [[nodiscard]] const SensorServiceView& view() const override { return fake; }
     void lookForFinger(bool on) override { fake.finger = {on, {}, 0.0}; }
@@ -55,7 +55,12 @@ class FakeSensorSetup final : public SensorSetup {
         fake.revision = 1;
         fake.folder = "/data/sensors";
         fake.files = {{"vmc-3.json", 2, 12, 1, {}, false},
-                      {"old.json", 0, 0, 0, "channels[0].adress: unknown key of a Modbus channel.", false}};
+                      {"old.json",
+                       0,
+                       0,
+                       0,
+                       {"channels[0].adress", KERF_TEXT("unknown key %2; expected one of %1."), {"name, address", "x"}},
+                       false}};
     }
     [[nodiscard]] const SensorSetupView& view() const override { return fake; }
     void lookForFiles() override { ++looks; }
@@ -101,7 +106,8 @@ class TestSensorsPage : public QObject {
         auto* files = bench.find<QTableWidget>("sensorFiles");
         QCOMPARE(files->rowCount(), 2);
         QVERIFY(files->item(0, 1)->text().contains(QStringLiteral("channels: 12")));
-        QVERIFY(files->item(1, 1)->text().contains(QStringLiteral("adress")));
+        QVERIFY(files->item(1, 1)->text().contains(
+            QStringLiteral("channels[0].adress: unknown key x; expected one of name, address.")));
         QVERIFY(!bench.press("sensorFileUse"));  // nothing touched yet
         files->selectRow(1);
         QVERIFY(!bench.press("sensorFileUse"));  // one that is refused
@@ -133,7 +139,7 @@ class TestSensorsPage : public QObject {
         QCOMPARE(found->rowCount(), 1);
         QCOMPARE(found->item(0, 1)->text(), QStringLiteral("ICP DAS tM-TH8 2.1"));
         setup.fake.found.clear();
-        setup.fake.refused = "nothing takes a connection there";
+        setup.fake.refused = Sentence(KERF_TEXT("nothing takes a connection there"));
         ++setup.fake.revision;
         bench.client.tick();
         QVERIFY(bench.find<QLabel>("sensorScanAnswer")->text().contains(QStringLiteral("nothing takes")));

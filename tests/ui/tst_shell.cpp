@@ -7,7 +7,10 @@
 #include <QTest>
 
 #include "tests/support/layout_check.h"
+#include "tests/support/page_bench.h"
 #include "tests/support/shell_bench.h"
+#include "tests/support/start_rests.h"
+#include "ui/pages/overview/overview_page.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/number_display.h"
 
@@ -160,6 +163,13 @@ class TestShell : public QObject {
         QTest::mouseClick(bench.window->findChild<QPushButton*>(QStringLiteral("startPart")), Qt::LeftButton);
         bench.window->client().tick();
         QVERIFY(bench.window->bottomLine().contains(QStringLiteral("The door is open.")));
+    }
+    void aStartRestsUntilTheNewestIsShown() {
+        test::PageBench bench;
+        bench.engine.caps.cycleStart.fitted = true;
+        bench.show<OverviewPage>();
+        test::startRests(bench.services, bench.engine, bench.client, bench.find<ActionButton>("startPart"),
+                         ProcessId::Boring);
     }
     void aButtonThatIsOffSaysWhy() {
         ShellBench bench;

@@ -6,6 +6,7 @@
 #include "tests/support/fake_tapping_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/start_rests.h"
 #include "ui/pages/tapping/tapping_page.h"
 
 using namespace kerf;
@@ -153,6 +154,11 @@ class TestTappingPage : public QObject {
         m_bench->engine.fake.programProcess = ProcessId::Boring;
         tick();
         QVERIFY(reason("tappingTap").contains(QStringLiteral("another program")));
+    }
+    void aStartRestsUntilTheNewestIsShown() {
+        show();
+        test::startRests(m_bench->services, m_bench->engine, m_bench->client, m_bench->find<ActionButton>("tappingTap"),
+                         ProcessId::Tapping);
     }
     void aRunningTapCanBeAborted() {
         m_bench->engine.fake.tapping.phase = TapPhase::Tapping;

@@ -6,6 +6,7 @@
 #include "tests/support/fake_thermal_service.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
+#include "tests/support/start_rests.h"
 #include "ui/charts/chart.h"
 #include "ui/pages/thermal/thermal_page.h"
 #include "ui/pages/thermal/thermal_texts.h"
@@ -96,6 +97,19 @@ class TestThermalPage : public QObject {
         QVERIFY(m_bench->press("thermalWarmUp"));
         QVERIFY(last<StopWarmUp>() != nullptr);
     }
+    void aStartRestsUntilTheNewestIsShown() {
+        show();
+        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
+                         m_bench->find<ActionButton>("thermalWarmUp"), ProcessId::Thermal, true);
+    }
+    void stoppingTheWarmUpRestsForNothing() {
+        show();
+        m_bench->services.underWay = [](ProcessId) { return true; };
+        m_bench->engine.fake.thermal.warmUpRunning = true;
+        m_bench->client.tick();
+        QVERIFY(m_bench->press("thermalWarmUp"));
+        QVERIFY(last<StopWarmUp>() != nullptr);
+    }
     void aRunningProgramIsTheReasonForNoWarmUp() {
         m_bench->engine.fake.program = ProgramState::Running;
         show();
@@ -136,6 +150,35 @@ class TestThermalPage : public QObject {
         QVERIFY(cell("thermalCompared", 2, 0).contains(QStringLiteral("best")));
         QVERIFY(m_bench->press("thermalGoLive"));
         QCOMPARE(m_service->calls.back(), std::string("goLive Kim"));
+    }
+    void aDayIsLeftOutWithAReasonAndSaysSo() {
+        (void)m_bench->session.signOn(QStringLiteral("Lee"), Role::Engineer);
+        show();
+        QVERIFY(m_bench->press("thermalModel"));
+        QVERIFY(m_bench->press("thermalTrainOpen"));
+        auto* leave = m_bench->find<ActionButton>("thermalDayLeaveOut");
+        QVERIFY(!leave->isEnabled());
+        touchDay(1);
+        QCOMPARE(leave->reason(), QStringLiteral("give a reason"));
+        auto* reason = m_bench->find<QLineEdit>("thermalDayReason");
+        reason->setText(QStringLiteral("door open"));
+        QVERIFY(m_bench->press("thermalDayLeaveOut"));
+        QCOMPARE(m_service->calls.back(), std::string("out session:1 Lee door open"));
+        QVERIFY(reason->text().isEmpty());
+        m_bench->client.tick();
+        QVERIFY(cell("thermalDays", 1, 2).contains(QStringLiteral("Lee")));
+        QVERIFY(cell("thermalDays", 1, 2).contains(QStringLiteral("door open")));
+        QVERIFY(!m_bench->find<ActionButton>("thermalTrainAuto")->isEnabled());  // it was the only one chosen
+        touchDay(1);  // it cannot be chosen, only taken in again
+        QVERIFY(!m_bench->find<ActionButton>("thermalTrainAuto")->isEnabled());
+        QCOMPARE(leave->text(), QStringLiteral("Take in again"));
+        reason->setText(QStringLiteral("it was closed"));
+        QVERIFY(m_bench->press("thermalDayLeaveOut"));
+        QCOMPARE(m_service->calls.back(), std::string("in session:1 Lee it was closed"));
+        m_bench->client.tick();
+        QCOMPARE(leave->text(), QStringLiteral("Leave out"));
+        touchDay(1);
+        QVERIFY(m_bench->press("thermalTrainAuto"));
     }
     void trainingCanBeCancelled() {
         show();

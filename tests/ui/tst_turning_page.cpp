@@ -10,6 +10,7 @@
 #include "tests/support/layout_check.h"
 #include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
+#include "tests/support/start_rests.h"
 #include "ui/pages/turning/spectrum_chart.h"
 #include "ui/pages/turning/turning_page.h"
 #include "ui/widgets/action_button.h"
@@ -65,6 +66,11 @@ class TestTurningPage : public QObject {
         QVERIFY(m_bench->press("turningPaper"));
         QVERIFY(m_bench->find<QPushButton>("turningTones")->isChecked());
         QVERIFY(m_bench->notices.back().contains(QStringLiteral("The disk is full.")));
+    }
+    void aStartRestsUntilTheNewestIsShown() {
+        show();
+        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
+                         m_bench->find<ActionButton>("turningStart"), ProcessId::Turning);
     }
     void startSaysWhyItIsOff() {
         show();

@@ -56,7 +56,7 @@ void openLimitsSheet(const PageContext& context, ProcessId process) {
         return;
     }
     const QString type = QString::fromStdString(service->limitsPartType(process));
-    Sheet* sheet = context.sheets.open(
+    Sheet* sheet = context.sheets.openOver(
         type.isEmpty() ? FigureLimits::tr("Limits: %1").arg(processName(process))
                        : FigureLimits::tr("Limits in the recipe of %1 (%2)").arg(type, processName(process)),
         FigureLimits::tr("A figure outside its limits makes the part scrap. In the stored unit; an empty field is no "

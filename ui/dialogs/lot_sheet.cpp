@@ -116,8 +116,8 @@ class LotLine final : public QLabel {
 void openLotSheet(const PageContext& context, LotService& lots) {
     const auto read = lots.lots();
     const std::vector<LotView> known = read ? *read : std::vector<LotView>{};
-    Sheet* sheet = context.sheets.open(Lots::tr("Lots of %1").arg(QString::fromStdString(lots.partType())),
-                                       read ? nowText(lots) : sentenceText(read.error(), context.look.units()));
+    Sheet* sheet = context.sheets.openOver(Lots::tr("Lots of %1").arg(QString::fromStdString(lots.partType())),
+                                           read ? nowText(lots) : sentenceText(read.error(), context.look.units()));
     sheet->setWide();
     QTableWidget* table = makeTable(context.look, lots, known, sheet);
     QLineEdit* name = makeField(context, "lotName", Lots::tr("Name of a new lot"), sheet);
@@ -147,6 +147,7 @@ void openLotSheet(const PageContext& context, LotService& lots) {
             message->setText(words);
         } else {
             context.notify(words);
+            open->close();
             openLotSheet(context, lots);
         }
     };

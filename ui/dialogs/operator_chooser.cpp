@@ -33,9 +33,9 @@ QString demonstrationNote(const OperatorSession& session) {
 
 /// Who says yes beside the one who is signed on, by PIN.
 void askSecond(Look& look, SheetHost& host, OperatorSession& session) {
-    Sheet* sheet =
-        host.open(OperatorChooser::tr("Who says yes as well?"),
-                  OperatorChooser::tr("For two minutes %1 may raise a limit by more than half.").arg(session.name()));
+    Sheet* sheet = host.openOver(
+        OperatorChooser::tr("Who says yes as well?"),
+        OperatorChooser::tr("For two minutes %1 may raise a limit by more than half.").arg(session.name()));
     const QStringList others = session.possibleSeconds();
     for (int i = 0; i < others.size(); ++i) {
         auto* button = new QPushButton(others[i], sheet);
@@ -135,8 +135,7 @@ void chooseOperator(Look& look, SheetHost& host, OperatorSession& session, std::
             return session.possibleSeconds().isEmpty() ? OperatorChooser::tr("no other setter or engineer has a PIN")
                                                        : QString();
         });
-        sheet->addButton(
-            second, [&look, &host, &session] { askSecond(look, host, session); }, false);
+        sheet->addButton(second, [&look, &host, &session] { askSecond(look, host, session); });
         sheet->addButton(OperatorChooser::tr("Sign off"), [&session] { session.signOff(); })
             ->setObjectName(QStringLiteral("signOff"));
     }

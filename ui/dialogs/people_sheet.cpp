@@ -5,10 +5,12 @@
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScroller>
 #include <QTableWidget>
 #include <array>
+#include <functional>
 
 #include "ui/dialogs/pin_sheet.h"
 #include "ui/dialogs/sheet.h"
@@ -27,7 +29,9 @@ struct People {
 constexpr std::array kRoleObjects{"personOperator", "personSetter", "personEngineer"};
 constexpr std::array kMinutes{SignOnSettings::kNever, 5, 15, 60};
 
-void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayout* grid, int row, QWidget* parent) {
+/// `anew`: the list is made again from what is known by then.
+void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayout* grid, int row, QWidget* parent,
+               const std::function<void()>& anew) {
     const OperatorAccount& person = session.settings().accounts[static_cast<std::size_t>(row)];
     auto* name = makeLabel(TextRole::Body, parent);
     name->setObjectName(QStringLiteral("person%1").arg(row));
@@ -47,7 +51,7 @@ void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayou
     auto* pin = new QPushButton(person.pin.isEmpty() ? People::tr("No PIN") : People::tr("Has a PIN"), parent);
     pin->setObjectName(QStringLiteral("personPin%1").arg(row));
     grid->addWidget(pin, row, 4);
-    QObject::connect(pin, &QPushButton::clicked, parent, [&look, &host, &session, who = person.name] {
+    QObject::connect(pin, &QPushButton::clicked, parent, [&look, &host, &session, anew, who = person.name] {
         askPin(
             look, host, People::tr("PIN of %1").arg(who),
             People::tr("%1 to %2 digits; nothing asks for none.")
@@ -56,29 +60,29 @@ void addPerson(Look& look, SheetHost& host, OperatorSession& session, QGridLayou
             People::tr("A PIN has %1 to %2 digits.")
                 .arg(OperatorSession::kShortestPin)
                 .arg(OperatorSession::kLongestPin),
-            [&session, who](const QString& typed) { return session.setPin(who, typed); },
-            [&look, &host, &session] { openPeople(look, host, session); });
+            [&session, who](const QString& typed) { return session.setPin(who, typed); }, anew);
     });
     auto* off = new ActionButton(look, parent);
     off->setObjectName(QStringLiteral("personRemove%1").arg(row));
     off->setText(People::tr("Take off"));
     off->setPredicate([&session, who = person.name] { return session.whyNotRemove(who); });
     grid->addWidget(off, row, 5);
-    QObject::connect(off, &QPushButton::clicked, parent, [&look, &host, &session, who = person.name] {
+    QObject::connect(off, &QPushButton::clicked, parent, [&host, &session, anew, who = person.name] {
         host.ask(People::tr("Take %1 off the list?").arg(who),
                  People::tr("What was done under this name keeps it. Who comes back signs on anew, as an operator."),
-                 People::tr("Cancel"), People::tr("Take off"), [&look, &host, &session, who] {
+                 People::tr("Cancel"), People::tr("Take off"), [&session, anew, who] {
                      session.remove(who);
-                     openPeople(look, host, session);
+                     anew();
                  });
     });
 }
 
 /// The one table that services and pages ask, as it stands.
 void openPermissions(Look& look, SheetHost& host) {
-    Sheet* sheet = host.open(People::tr("Who may do what"),
-                             People::tr("Each role may do what the ones before it may. Starting a part, HOLD ALL and "
-                                        "its release, and ending a tap ask for no name."));
+    Sheet* sheet =
+        host.openOver(People::tr("Who may do what"),
+                      People::tr("Each role may do what the ones before it may. Starting a part, HOLD ALL and "
+                                 "its release, and ending a tap ask for no name."));
     auto* table = new QTableWidget(static_cast<int>(kDeedCount), 3, sheet);
     table->setObjectName(QStringLiteral("permissions"));
     table->setHorizontalHeaderLabels({People::tr("what"), People::tr("from this role on"), People::tr("reason")});
@@ -102,7 +106,7 @@ void openPermissions(Look& look, SheetHost& host) {
 }  // namespace
 
 void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
-    Sheet* sheet = host.open(
+    Sheet* sheet = host.openOver(
         People::tr("People at this machine"),
         People::tr("Operators enter and correct diameters. Setters also open lots and switch loops. Process engineers "
                    "also change recipes, limits and this list."));
@@ -112,8 +116,14 @@ void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(look.metrics().touchGap());
     grid->setColumnStretch(0, 1);
+    const auto anew = [&look, &host, &session, here = QPointer<Sheet>(sheet)] {
+        if (here) {
+            here->close();
+        }
+        openPeople(look, host, session);
+    };
     for (int row = 0; row < static_cast<int>(session.settings().accounts.size()); ++row) {
-        addPerson(look, host, session, grid, row, list);
+        addPerson(look, host, session, grid, row, list, anew);
     }
     auto* area = new QScrollArea(sheet);
     area->setObjectName(QStringLiteral("people"));
@@ -142,7 +152,9 @@ void openPeople(Look& look, SheetHost& host, OperatorSession& session) {
                          [&session, minutes] { session.setAutoSignOff_min(minutes); });
     }
     sheet->body()->addLayout(times);
-    sheet->addButton(People::tr("Who may do what"), [&look, &host] { openPermissions(look, host); })
+    sheet
+        ->addButton(
+            People::tr("Who may do what"), [&look, &host] { openPermissions(look, host); }, false)
         ->setObjectName(QStringLiteral("peoplePermissions"));
     sheet->addButton(People::tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }

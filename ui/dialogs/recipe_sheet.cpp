@@ -141,18 +141,20 @@ QTableWidget* makeTable(Look& look, const std::vector<RecipeRevisionView>& known
                          {Revisions::tr("Rev."), Revisions::tr("When, by"), Revisions::tr("Why")}, rows, {2}, parent);
 }
 
-}  // namespace
+/// Over a form that was open, which comes back as it was; or alone, once what stood in the form is no longer what
+/// holds.
+enum class Place : std::uint8_t { Over, Alone };
 
-void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf,
-                     const RecipeWordOf& wordOf) {
+void showRevisions(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf,
+                   const RecipeWordOf& wordOf, Place place) {
     Look& look = context.look;
     const auto read = history.revisions();
     const std::vector<RecipeRevisionView> known = read ? *read : std::vector<RecipeRevisionView>{};
-    Sheet* sheet =
-        context.sheets.open(Revisions::tr("Revisions of %1").arg(QString::fromStdString(history.partType())),
-                            !read           ? sentenceText(read.error(), look.units())
-                            : known.empty() ? Revisions::tr("Nothing was changed yet.")
-                                            : Revisions::tr("The first one holds. Touch an older one to compare it."));
+    const QString title = Revisions::tr("Revisions of %1").arg(QString::fromStdString(history.partType()));
+    const QString text = !read           ? sentenceText(read.error(), look.units())
+                         : known.empty() ? Revisions::tr("Nothing was changed yet.")
+                                         : Revisions::tr("The first one holds. Touch an older one to compare it.");
+    Sheet* sheet = place == Place::Over ? context.sheets.openOver(title, text) : context.sheets.open(title, text);
     sheet->setWide();
     QTableWidget* table = makeTable(look, known, sheet);
     auto* difference = makeLabel(TextRole::Body, sheet, true);
@@ -204,7 +206,7 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
             message->setText(words);
         } else {
             context.notify(words);
-            if (open->taken()) openRecipeSheet(context, history, deed, specOf, wordOf);
+            if (open->taken()) showRevisions(context, history, deed, specOf, wordOf, Place::Alone);
         }
     };
     sheet->addButton(
@@ -222,6 +224,13 @@ void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed de
                 });
         },
         false);
+}
+
+}  // namespace
+
+void openRecipeSheet(const PageContext& context, RecipeHistory& history, Deed deed, const RecipeSpecOf& specOf,
+                     const RecipeWordOf& wordOf) {
+    showRevisions(context, history, deed, specOf, wordOf, Place::Over);
 }
 
 void offerRecipeSheet(const PageContext& context, RecipeHistory* history, Deed deed, const RecipeSpecOf& specOf,

@@ -65,9 +65,15 @@ void askWhy(const PageContext& context, const QString& file) {
         go->setEnabled(false);
         why->setReadOnly(true);
         sheet->setText(Restore::tr("It is being checked …"));
-        context.services.restore(
-            file, QString::fromStdString(context.session.author()), why->text(),
-            [context, asked = QPointer<Sheet>(sheet)](const Result<void>& done) { laidReady(context, asked, done); });
+        context.services.restore(file, QString::fromStdString(context.session.author()), why->text(),
+                                 [context, why, go, asked = QPointer<Sheet>(sheet)](const Result<void>& done) {
+                                     if (asked && !done) {  // another try
+                                         go->setEnabled(true);
+                                         why->setReadOnly(false);
+                                         asked->setText({});
+                                     }
+                                     laidReady(context, asked, done);
+                                 });
     };
     sheet->addButton(go, check, false);
 }

@@ -205,20 +205,21 @@ SheetHost::SheetHost(Look& look, QWidget* parent)
     connect(&look, &Look::changed, this, [this] {
         const Language language = m_look.preferences().language;
         if (std::exchange(m_language, language) != language && m_current != nullptr && m_current->m_remake) {
-            const auto remake = m_current->m_remake;  // it closes the sheet that holds it
+            const auto remake = m_current->m_remake;
+            m_current->close();
             remake();
         }
     });
 }
 
 bool SheetHost::languageMayChange() const {
-    return m_current == nullptr || (m_current->m_follows && m_beneath == nullptr);
+    return m_current == nullptr || (m_current->m_follows && m_beneath.empty());
 }
 
 Sheet* SheetHost::open(const QString& title, const QString& text) {
     QPointer<QWidget> before = m_before;
-    if (Sheet* beneath = std::exchange(m_beneath, nullptr)) {
-        beneath->close();
+    for (const Beneath& one : std::exchange(m_beneath, {})) {
+        one.sheet->close();
     }
     if (m_current != nullptr) {
         m_current->close();
@@ -232,15 +233,12 @@ Sheet* SheetHost::open(const QString& title, const QString& text) {
 }
 
 Sheet* SheetHost::openOver(const QString& title, const QString& text) {
-    if (m_current == nullptr || m_beneath != nullptr) {  // help on help takes its place
-        Sheet* const beneath = std::exchange(m_beneath, nullptr);
-        Sheet* sheet = open(title, text);
-        m_beneath = beneath;
-        return sheet;
+    if (m_current == nullptr) {
+        return open(title, text);
     }
-    m_formers = m_current->isAncestorOf(window()->focusWidget()) ? window()->focusWidget() : nullptr;
-    m_beneath = m_current;
-    m_beneath->hide();
+    QWidget* focus = window()->focusWidget();
+    m_beneath.push_back({m_current, m_current->isAncestorOf(focus) ? focus : nullptr});
+    m_current->hide();
     return make(title, text);
 }
 
@@ -267,23 +265,25 @@ void SheetHost::settleLater(Sheet* sheet) {
 }
 
 void SheetHost::onClosed(Sheet* sheet) {
-    if (m_beneath == sheet) {  // its answer came while help lay over it
-        m_beneath = nullptr;
-        return;
+    if (std::erase_if(m_beneath, [sheet](const Beneath& one) { return one.sheet == sheet; }) > 0) {
+        return;  // its answer came while others lay over it
     }
     if (m_current != sheet) {
         return;
     }
-    m_current = std::exchange(m_beneath, nullptr);
-    if (m_current == nullptr) {
+    m_current = nullptr;
+    if (m_beneath.empty()) {
         giveBackFocus();
         return;
     }
+    const Beneath former = m_beneath.back();
+    m_beneath.pop_back();
+    m_current = former.sheet;
     m_current->setGeometry(rect());
     m_current->show();
     m_current->raise();
-    if (m_formers) {
-        m_formers->setFocus();
+    if (former.focus) {
+        former.focus->setFocus();
     } else {
         settleLater(m_current);
     }
@@ -300,13 +300,13 @@ void SheetHost::giveBackFocus() {
 
 void SheetHost::ask(const QString& title, const QString& text, const QString& safe, const QString& proceed,
                     std::function<void()> onProceed) {
-    Sheet* sheet = open(title, text);
+    Sheet* sheet = openOver(title, text);
     sheet->addButton(safe, {})->setObjectName(QStringLiteral("sheetSafe"));
     sheet->addButton(proceed, std::move(onProceed))->setObjectName(QStringLiteral("sheetProceed"));
 }
 
 void SheetHost::tell(const QString& title, const QString& text) {
-    open(title, text)->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
+    openOver(title, text)->addButton(tr("Close"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }
 
 void SheetHost::resizeEvent(QResizeEvent* event) {

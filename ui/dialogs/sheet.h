@@ -85,35 +85,42 @@ class Sheet : public FaceWidget {
     std::function<void()> m_remake{};
 };
 
-/// The page area that sheets cover. One sheet at a time; opening another closes the first. When the last one has gone,
-/// the field that had the focus has it again.
+/// The page area that sheets cover. One sheet is seen at a time. A sheet that was opened over another gives it back as
+/// it was when it closes; opening one for itself closes all. When the last one has gone, the field that had the focus
+/// has it again.
 class SheetHost : public QWidget {
     Q_OBJECT
  public:
     explicit SheetHost(Look& look, QWidget* parent = nullptr);
 
-    /// An empty sheet, shown at once; the one that is open closes. For what a person asked for now: an answer that
+    /// An empty sheet, shown at once; those that are open close. For what a person asked for now: an answer that
     /// comes later asks isOpen() first, or it takes a form from under somebody's fingers.
     Sheet* open(const QString& title, const QString& text = {});
-    /// As open(), but the sheet that is open comes back as it was when this one closes: for help.
+    /// As open(), but the sheet that is open comes back as it was when this one closes: for help, for questions, for
+    /// whatever somebody opens from a form and comes back from.
     Sheet* openOver(const QString& title, const QString& text = {});
     /// This very sheet is open, and seen.
     [[nodiscard]] bool isOpen(const Sheet* sheet) const { return sheet != nullptr && m_current == sheet; }
-    /// A question with two answers: the safe one left.
+    /// A question with two answers, over what is open: the safe one left.
     void ask(const QString& title, const QString& text, const QString& safe, const QString& proceed,
              std::function<void()> onProceed);
-    /// A sentence with "Close".
+    /// A sentence with "Close", over what is open.
     void tell(const QString& title, const QString& text);
     [[nodiscard]] Sheet* current() const { return m_current; }
     /// No sheet is open that would keep the words it was opened with.
     [[nodiscard]] bool languageMayChange() const;
-    /// The sheet that waits for figures: the one beneath, when help lies over it.
-    [[nodiscard]] Sheet* waiting() const { return m_beneath != nullptr ? m_beneath : m_current; }
+    /// The sheet that waits for figures: the lowest one, when others lie over it.
+    [[nodiscard]] Sheet* waiting() const { return m_beneath.empty() ? m_current : m_beneath.front().sheet; }
 
  protected:
     void resizeEvent(QResizeEvent* event) override;
 
  private:
+    /// Hidden by one that was opened over it.
+    struct Beneath {
+        Sheet* sheet{nullptr};
+        QPointer<QWidget> focus{};
+    };
     Sheet* make(const QString& title, const QString& text);
     void onClosed(Sheet* sheet);
     void settleLater(Sheet* sheet);
@@ -122,9 +129,8 @@ class SheetHost : public QWidget {
     Look& m_look;
     Language m_language;
     Sheet* m_current{nullptr};
-    Sheet* m_beneath{nullptr};    ///< hidden by openOver()
-    QPointer<QWidget> m_formers;  ///< had the focus in m_beneath
-    QPointer<QWidget> m_before;   ///< had the focus when the first sheet came
+    std::vector<Beneath> m_beneath{};  ///< the lowest first
+    QPointer<QWidget> m_before;        ///< had the focus when the first sheet came
 };
 
 }  // namespace kerf::ui

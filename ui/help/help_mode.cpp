@@ -68,8 +68,17 @@ void HelpMode::explain(const QWidget* widget) {
     m_sheets.current()->followLanguage([this, asked = QPointer(widget)] { asked ? explain(asked) : openGuide(); });
 }
 
+// Help on help takes its place.
+Sheet* HelpMode::open(const QString& title) {
+    if (m_sheets.isOpen(m_open)) {
+        m_open->close();
+    }
+    m_open = m_sheets.openOver(title);
+    return m_open;
+}
+
 void HelpMode::show(const HelpText& text) {
-    Sheet* sheet = m_sheets.openOver(text.title);
+    Sheet* sheet = open(text.title);
     auto* words = makeLabel(TextRole::Body, sheet, true);
     words->setObjectName(QStringLiteral("helpWords"));
     words->setText(text.words);
@@ -107,7 +116,7 @@ void HelpMode::openGuide() {
     if (file.open(QIODevice::ReadOnly)) {
         text = QString::fromUtf8(file.readAll());
     }
-    Sheet* sheet = m_sheets.openOver(tr("The guide"));
+    Sheet* sheet = open(tr("The guide"));
     sheet->setWide();
     auto* guide = new QTextBrowser(sheet);
     guide->setObjectName(QStringLiteral("helpGuideText"));

@@ -31,12 +31,14 @@ class HelpMode : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+    Sheet* open(const QString& title);
     void show(const HelpText& text);
 
     Look& m_look;
     SheetHost& m_sheets;
     QWidget* m_window;
     bool m_active{false};
+    QPointer<Sheet> m_open{};
     QPointer<QObject> m_swallow{};  ///< the release of the touch that was a question
 };
 

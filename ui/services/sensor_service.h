@@ -39,6 +39,7 @@ struct SensorGaugeView {
     std::string device{};
     bool connected{false};
     bool canAsk{false};
+    bool saysDepth{false};  ///< the sensor file says which depth its readings are of
     std::string frame{};    ///< last one that came
     bool understood{true};  ///< it is a reading
 };

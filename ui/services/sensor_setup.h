@@ -10,12 +10,20 @@
 /// Which sensor file holds for this machine, and what answers on its network. Plain values.
 namespace kerf {
 
+/// Why a sensor file is refused, in its parts, as `kerf sensors check` says it in English.
+struct SensorFileRefusal {
+    std::string where{};                ///< the key; empty: the file itself
+    const char* text{""};               ///< KERF_TEXT with %1 and on; empty: nothing is refused
+    std::vector<std::string> values{};  ///< as they stand in the file
+    [[nodiscard]] bool empty() const noexcept { return *text == '\0'; }
+};
+
 /// A sensor file in the data folder, as `kerf sensors check` judges it.
 struct SensorFileView {
     std::string name{};  ///< "vmc-3.json"
     std::size_t modules{0}, channels{0}, gauges{0};
-    std::string refused{};  ///< key and sentence; empty: it may be used
-    bool chosen{false};     ///< for the next start
+    SensorFileRefusal refused{};  ///< empty: it may be used
+    bool chosen{false};           ///< for the next start
 };
 
 /// What answered at an address.
@@ -34,7 +42,7 @@ struct SensorSetupView {
     bool scanning{false};
     std::string scanned{};               ///< address that was asked last; empty: none yet
     std::vector<FoundUnitView> found{};  ///< at that address
-    std::string refused{};               ///< why nothing could be asked there
+    Sentence refused{};                  ///< why nothing could be asked there
     Sentence problem{};                  ///< of storing the choice
 };
 

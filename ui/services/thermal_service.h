@@ -63,6 +63,9 @@ struct ThermalDayView {
     std::string id{};  ///< "file:…", "session:…", "built-in:…"
     std::string label{};
     std::uint32_t rows{0};  ///< 0: not known before it is read
+    bool leftOut{false};    ///< not to be trained on
+    std::string leftOutReason{};
+    std::string leftOutAuthor{};
 };
 
 enum class TrainingState : std::uint8_t { Idle, Running, Ready, Failed, Cancelled };
@@ -148,9 +151,13 @@ class ThermalService {
 
     /// Look again for days to train on.
     virtual void findDays() = 0;
-    /// On a worker; `kind` is "auto", "hierarchical", "regression" or "gmdh". Refused while one runs or without a day.
+    /// On a worker; `kind` is "auto", "hierarchical", "regression" or "gmdh". Refused while one runs, without a day,
+    /// and with one that is left out.
     [[nodiscard]] virtual Result<void> train(const std::string& kind, const std::vector<std::string>& dayIds) = 0;
     virtual void cancelTraining() = 0;
+    /// Leave a day out of what models are trained on, or take it in again, for a reason that is kept beside it.
+    virtual void leaveOut(const std::string& dayId, bool out, const std::string& author, const std::string& reason,
+                          RecipeHistory::Done done) = 0;
     /// The trained candidate is stored, then takes the live one's place between two cycles.
     [[nodiscard]] virtual Result<void> goLive(const std::string& author) = 0;
     /// The model that was live before.

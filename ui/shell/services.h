@@ -74,6 +74,9 @@ struct Services {
     std::function<void(const SignOnSettings&)> saveSignOn{};
     /// A wrong PIN, or the right one after wrong ones: kept over a restart.
     std::function<void(const QString& name, unsigned tries, qint64 last_ms)> saveWrongPins{};
+    /// What the next part of a process is made with, or whose it is, is on its way to the disk or to the engine. Empty:
+    /// nothing ever is.
+    std::function<bool(ProcessId)> underWay{};
     /// Finished parts that wait because the store does not take them.
     std::function<std::size_t()> partsWaiting{};
     /// State of the way to the shop, cheap to ask; empty optional or empty function: none is wanted.

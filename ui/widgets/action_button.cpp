@@ -2,6 +2,7 @@
 #include "ui/widgets/action_button.h"
 
 #include <QFontMetrics>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionButton>
@@ -43,10 +44,28 @@ void ActionButton::setPermission(WhyNot whoMay) {
     reconsider();
 }
 
+void ActionButton::setRest(WhyNot whyNow) {
+    m_whyNow = std::move(whyNow);
+    reconsider();
+}
+
+// What it was told may be of a moment ago.
+void ActionButton::mousePressEvent(QMouseEvent* event) {
+    reconsider();
+    isEnabled() ? QPushButton::mousePressEvent(event) : event->ignore();
+}
+
+void ActionButton::keyPressEvent(QKeyEvent* event) {
+    reconsider();
+    isEnabled() ? QPushButton::keyPressEvent(event) : event->ignore();
+}
+
 void ActionButton::reconsider() {
-    QString reason = m_whoMay ? m_whoMay() : QString();
-    if (reason.isEmpty() && m_whyNot) {
-        reason = m_whyNot();
+    QString reason;
+    for (const WhyNot* ask : {&m_whoMay, &m_whyNot, &m_whyNow}) {
+        if (reason.isEmpty() && *ask) {
+            reason = (*ask)();
+        }
     }
     if (reason == m_reason && isEnabled() == reason.isEmpty()) {
         return;

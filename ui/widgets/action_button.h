@@ -24,7 +24,9 @@ class ActionButton : public QPushButton {
     void setPredicate(WhyNot whyNot);
     /// Who may, asked before the predicate.
     void setPermission(WhyNot whoMay);
-    /// Ask the predicate again; cheap, may be called on every status.
+    /// What it waits for a moment, asked last.
+    void setRest(WhyNot whyNow);
+    /// Ask the predicate again; cheap, may be called on every status. Done once more when the button is touched.
     void reconsider();
     [[nodiscard]] QString reason() const { return m_reason; }
     /// The action the page expects next: a heavier frame.
@@ -35,6 +37,8 @@ class ActionButton : public QPushButton {
 
  protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
 
@@ -45,6 +49,7 @@ class ActionButton : public QPushButton {
     Look& m_look;
     WhyNot m_whyNot;
     WhyNot m_whoMay;
+    WhyNot m_whyNow;
     QString m_reason;
 };
 

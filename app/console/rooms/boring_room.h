@@ -25,6 +25,7 @@ class BoringRoom final : public Room {
     void whenOpen(Opened then) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool underWay() override { return m_lots->underWay(); }
     void toolIsNew(const std::string& author) override;
 
     /// @pre opened

@@ -18,6 +18,7 @@ class MillingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool underWay() override { return m_service->underWay(); }
     [[nodiscard]] RecipeHeld recipe() override;
     void recipeRevised(RecipeRevisionId revision) override;
     void toolIsNew(const std::string& author) override;

@@ -65,6 +65,9 @@ class Room {
     /// Hand the service to the pages.
     virtual void serve(ui::Services&) {}
     virtual void poll() {}
+    /// What the next part is made with, or whose it is, is on its way to the disk or to the engine: a start now would
+    /// be of something else than what was stored last.
+    [[nodiscard]] virtual bool underWay() { return false; }
     /// What parts of no lot are made under now; empty: parts of this process have lots, or it makes none.
     [[nodiscard]] virtual RecipeHeld recipe() { return {}; }
     /// Limits have made this revision of it.

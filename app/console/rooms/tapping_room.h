@@ -23,6 +23,9 @@ class TappingRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override { services.tappingService = m_service.get(); }
     void poll() override;
+    [[nodiscard]] bool underWay() override {
+        return m_service && (m_service->way().busy() || m_lots->underWay(m_service->way()));
+    }
     [[nodiscard]] RecipeHeld recipe() override;
     void recipeRevised(RecipeRevisionId revision) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;

@@ -25,6 +25,7 @@ class ThermalRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool underWay() override { return m_service->underWay(); }
 
     /// For tests: the machine's heat; null on a real machine.
     [[nodiscard]] const SimulatedThermal* plant() const noexcept { return m_plant; }

@@ -17,6 +17,7 @@ class TurningRoom final : public Room {
     void open(const Context& context) override;
     void serve(ui::Services& services) override;
     void poll() override;
+    [[nodiscard]] bool underWay() override { return m_service->underWay(); }
     [[nodiscard]] RecipeHeld recipe() override;
     void recipeRevised(RecipeRevisionId revision) override;
     [[nodiscard]] bool prepared(EngineApi& engine) override;

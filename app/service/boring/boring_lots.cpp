@@ -291,7 +291,7 @@ void StoredBoringLots::open(const BoringLotOrder& order, Done done) {
         return answer(done, tl::unexpected(lot.error()));
     }
     const auto opened = [this, alive = std::weak_ptr(m_alive), order,
-                         done = std::move(done)](const Result<Receipt>& receipt) {
+                         done = changing(std::move(done))](const Result<Receipt>& receipt) {
         if (!alive.lock()) {
             return;
         }
@@ -355,7 +355,7 @@ void StoredBoringLots::leaveOut(const BoringMemoryKey& lot, bool out, const std:
     }
     const AddRoomRecord record{ProcessId::Boring, kMemoryRecord, memorySubject(lot.console, lot.lot),
                                leftOutJson(out),  author,        reason};
-    submit(record, [this, done = std::move(done)](const Result<void>& stored) {
+    submit(record, [this, done = changing(std::move(done))](const Result<void>& stored) {
         answer(done, stored && m_current ? openService(*m_current) : stored);
     });
 }
@@ -370,7 +370,7 @@ void StoredBoringLots::choose(LotId lot, const std::string& author, Done done) {
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
     }
-    activate(lot, author, std::move(done));
+    activate(lot, author, changing(std::move(done)));
 }
 
 // A part that begins between the question and the answer is stored where the writer then stands, with the schedule it
@@ -395,9 +395,10 @@ void StoredBoringLots::close(const std::string& author, const std::string& reaso
     if (const auto why = whyNoOther()) {
         return answer(done, tl::unexpected(*why));
     }
-    submit(CloseLot{*m_current, author, reason}, [this, lot = *m_current, done = std::move(done)](const auto& closed) {
-        answer(done, closed && lot == m_current ? openService(lot) : closed);
-    });
+    submit(CloseLot{*m_current, author, reason},
+           [this, lot = *m_current, done = changing(std::move(done))](const auto& closed) {
+               answer(done, closed && lot == m_current ? openService(lot) : closed);
+           });
 }
 
 void StoredBoringLots::addPartType(const std::string& name, const BoringRecipeForm& form, const std::string& author,
@@ -450,6 +451,14 @@ void StoredBoringLots::restoreRecipe(PartTypeId partType, std::uint32_t revision
         return answer(done, may);
     }
     m_recipes.restore(partType, revision, author, reason, answered(std::move(done)));
+}
+
+BoringLots::Done StoredBoringLots::changing(Done done) {
+    ++m_changing;
+    return [this, done = std::move(done)](const Result<void>& result) {  // called only while this is alive
+        --m_changing;
+        answer(done, result);
+    };
 }
 
 void StoredBoringLots::submit(StoreCommand command, Done done) {

@@ -34,6 +34,8 @@ class StoredBoringLots final : public BoringLots {
     [[nodiscard]] CurrentBoringService& service() noexcept { return m_service; }
     /// A few times per second.
     void poll() { m_service.poll(); }
+    /// Another lot, or what the next part is cut with, is on its way to the disk or to the engine.
+    [[nodiscard]] bool underWay() { return m_changing > 0 || (m_service.open() && m_service.stored().underWay()); }
 
     [[nodiscard]] std::span<const ParamSpec> recipeSpecs() const override { return boringRecipeSpecs(); }
     [[nodiscard]] BoringRecipeForm standardRecipe() const override { return recipeForm(BoringRecipe{}); }
@@ -66,6 +68,8 @@ class StoredBoringLots final : public BoringLots {
     void activate(LotId lot, const std::string& author, Done done);
     [[nodiscard]] Result<void> openService(LotId lot);
     void submit(StoreCommand command, Done done);
+    /// Until `done` has its answer, the next part may come to be another lot's, or cut otherwise.
+    [[nodiscard]] Done changing(Done done);
     /// The writer's answer, as the page is told of it.
     [[nodiscard]] StoreWriter::Done answered(Done done) const;
     void askShop(LotId lot);
@@ -77,6 +81,7 @@ class StoredBoringLots final : public BoringLots {
     BoringLotRequest m_first;
     std::function<void()> m_lotOpened;
     std::optional<LotId> m_current{};
+    int m_changing{0};
     AskShop m_askShop{};
     std::optional<LotId> m_asked{};  ///< the lot that the shop was asked for last
     Sentence m_shopAnswer{};

@@ -86,6 +86,8 @@ class StoredBoringService final : public BoringService {
     void poll();
     /// Nothing is on its way to the disk.
     [[nodiscard]] bool idle() const noexcept { return !m_way.busy() && m_waiting.empty(); }
+    /// What the next part is cut with is on its way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const noexcept { return !idle() || m_way.underWay(); }
     /// Another lot is current: what is on its way is still stored and answered, but no schedule goes to the engine.
     void retire();
     /// What the comparison after a restart found; empty: the replayed state is the stored one.

@@ -14,6 +14,11 @@ constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
 constexpr const char* kBrought = "blank profile of before";
 
+/// Preview looks ahead on a blank; without one it is the model's law.
+MillingLaw lawWith(const MillingBlank& blank, MillingLaw law) {
+    return law == MillingLaw::Preview && blank.count == 0 ? MillingLaw::Model : law;
+}
+
 Sentence signOnFirst() {
     return Sentence(KERF_TEXT("Sign on first: a change needs a name."));
 }
@@ -188,9 +193,9 @@ void StoredMillingService::restoreRevision(const RecipeRevision& revision, const
            std::move(done));
 }
 
-void StoredMillingService::accept(const Result<void>& may, const MillingRecipe& recipe, const std::string& author,
-                                  const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done) {
-    const auto store = [&](StoreWriter::Done stored) {
+ChangeWay::Store StoredMillingService::storing(const MillingRecipe& recipe, const std::string& author,
+                                               const std::string& reason, std::optional<std::uint32_t> restoredFrom) {
+    return [=, this](StoreWriter::Done stored) {
         PartType& type = m_types[m_type];
         type.asked.ask(recipe);
         m_recipes.begin(m_type, millingRecipeJson(type.recipe), kItself);
@@ -203,8 +208,12 @@ void StoredMillingService::accept(const Result<void>& may, const MillingRecipe& 
                            }
                        });
     };
+}
+
+void StoredMillingService::accept(const Result<void>& may, const MillingRecipe& recipe, const std::string& author,
+                                  const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done) {
     m_way.change(
-        may, store,
+        may, storing(recipe, author, reason, restoredFrom),
         [this, recipe, type = m_type](const Receipt& revision) {
             m_types[type].recipe = recipe;
             m_types[type].revision = revision.id;
@@ -279,16 +288,31 @@ void StoredMillingService::use(const std::string& partType) {
     m_blank = type.recipe.blank.blank;
     m_setup.revision = ++m_revision;
     m_blank.revision = m_revision;
-    if (m_setup.law == MillingLaw::Preview && m_blank.count == 0) {
-        m_setup.law = MillingLaw::Model;
-    }
+    m_setup.law = lawWith(m_blank, m_setup.law);
     useRecipe();
     m_way.owe(LoadMillingBlank{m_blank},
               [wanted = m_revision](const Status& status) { return status.milling.blank == wanted; });
-    m_way.owe(LoadMillingSetup{m_setup, m_lots.withLoad()},
-              [wanted = m_revision](const Status& status) { return status.milling.setup == wanted; });
+    m_way.owe(
+        LoadMillingSetup{m_setup, m_lots.withLoad()},
+        [wanted = m_revision](const Status& status) { return status.milling.setup == wanted; },
+        [this, then = m_links.engine.status()](Handover::Action& action, const Status& now) {
+            if (then.cycle > 0 && now.milling.setup == then.milling.setup) {
+                takeAlong(std::get<LoadMillingSetup>(action).setup, then.milling, now.milling);
+            }
+        });
     beginFromMemory();  // a tool of another kind may belong to this part type
     rebuild();
+}
+
+// poll() keeps it as changed at the machine, once the engine has the setup.
+void StoredMillingService::takeAlong(MillingSetup& setup, const MillingStatus& then, const MillingStatus& now) const {
+    const bool blankGone = then.law == MillingLaw::Preview && m_blank.count == 0;  // it takes its law away by itself
+    if (now.law != then.law && !(blankGone && now.law == MillingLaw::Model)) {
+        setup.law = lawWith(m_blank, now.law);
+    }
+    if (now.reference_N != then.reference_N) {
+        setup.reference_N = now.reference_N;
+    }
 }
 
 void StoredMillingService::useRecipe() {
@@ -320,22 +344,17 @@ void StoredMillingService::poll() {
     }
     m_setup.law = now.law;
     m_setup.reference_N = now.reference_N;
-    m_recipes.begin(m_type, recipeJson(), kItself);
-    m_types[m_type].recipe.setup = m_setup;
     const std::string author = m_links.author();
-    m_way.keep(
-        [&](StoreWriter::Done stored) {
-            m_recipes.keep(m_type, recipeJson(), author.empty() ? kItself : author, kAtTheMachine, std::nullopt,
-                           std::move(stored));
-        },
-        [this, type = m_type](const Receipt& revision) {
-            m_types[type].revision = revision.id;
-            if (type == m_type) {
-                useRecipe();
-                m_lots.send();
-            }
-        },
-        {});
+    m_way.keep(storing({m_setup, m_types[m_type].recipe.blank}, author.empty() ? kItself : author, kAtTheMachine, {}),
+               [this, type = m_type](const Receipt& revision) {
+                   m_types[type].revision = revision.id;
+                   if (type == m_type) {
+                       useRecipe();
+                       m_lots.send();
+                   }
+               },
+               {});
+    m_types[m_type].recipe.setup = m_setup;  // in force already, whatever the disk says
     rebuild();
 }
 

@@ -61,6 +61,8 @@ class StoredMillingService final : public MillingService {
     [[nodiscard]] std::string recipeJson() const { return millingRecipeJson(m_types.at(m_type).recipe); }
     /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision);
+    /// What the next part is cut with is on its way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const { return m_types.at(m_type).asked.open() || m_lots.underWay(m_way); }
     void saveSetup(const MillingSetup& setup, const std::string& author, const std::string& reason, Done done) override;
     void saveBlank(const MillingBlank& blank, const std::string& source, const std::string& author, Done done) override;
     void choosePartType(const std::string& name, const std::string& author, Done done) override;
@@ -101,6 +103,9 @@ class StoredMillingService final : public MillingService {
     /// Checked, stored as a revision of the present part type's recipe, then used.
     void accept(const Result<void>& may, const MillingRecipe& recipe, const std::string& author,
                 const std::string& reason, std::optional<std::uint32_t> restoredFrom, Done done);
+    /// A recipe on its way to the disk, as one more revision of the present part type's.
+    [[nodiscard]] ChangeWay::Store storing(const MillingRecipe& recipe, const std::string& author,
+                                           const std::string& reason, std::optional<std::uint32_t> restoredFrom);
     [[nodiscard]] Result<void> mayAccept(const MillingSetup& setup, const std::string& author,
                                          const std::string& reason) const;
     [[nodiscard]] Result<void> mayAccept(const MillingBlank& blank, const std::string& author) const;
@@ -120,6 +125,8 @@ class StoredMillingService final : public MillingService {
     void store(const std::string& kind, const std::string& subject, const std::string& body, const std::string& author,
                const std::string& reason, Done done, std::function<void()> then);
     void use(const std::string& partType);
+    /// Law and reference that people have chosen at the machine since, in a setup that the engine has yet to take.
+    void takeAlong(MillingSetup& setup, const MillingStatus& then, const MillingStatus& now) const;
     /// The recipe that is in force now, without anything to load.
     void useRecipe();
     [[nodiscard]] bool settled();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "app/service/milling/milling_service.h"
 #include "engine/process/milling/cut_record.h"
@@ -15,11 +16,9 @@ constexpr std::uint32_t kMostRecords = 20'000;
 constexpr const char* kToolMemoryRecord = "tool_memory";
 constexpr double kSameRadius_mm = 1e-6;
 
-template <class Action>
-bool send(EngineApi& engine, const Action& action) {
-    Command command;
-    command.action = action;
-    return engine.send(command).has_value();
+/// Of a tool the status says nothing that would tell one from another.
+bool neverShown(const Status& /*status*/) {
+    return false;
 }
 
 /// Tools before the one in the spindle, of its radius and flutes, newest first.
@@ -247,11 +246,18 @@ void StoredMillingService::partStored(const StoredPart& part) {
     store("tool", {}, millingToolJson(m_tool), kItself, {}, {}, {});
 }
 
+// A part may begin before the engine hears of it, and refuse: then it is told after that part.
 void StoredMillingService::tellTool() {
-    const bool told = m_toolOwed == ToolOwed::Kept    ? send(m_links.engine, RestoreMillingTool{m_tool.tool})
-                      : m_toolOwed == ToolOwed::Fresh ? send(m_links.engine, NewMillingTool{})
-                                                      : true;
-    m_toolOwed = told ? ToolOwed::Nothing : m_toolOwed;  // else the ring is full: with the next poll
+    switch (std::exchange(m_toolOwed, ToolOwed::Nothing)) {
+        case ToolOwed::Kept:  // with what has been learnt by then
+            return m_way.owe(
+                RestoreMillingTool{m_tool.tool}, neverShown,
+                [this](Handover::Action& action, const Status&) { action = RestoreMillingTool{m_tool.tool}; });
+        case ToolOwed::Fresh:
+            return m_way.owe(NewMillingTool{}, neverShown);
+        case ToolOwed::Nothing:
+            break;
+    }
 }
 
 MillingMemoryView StoredMillingService::memoryView() const {

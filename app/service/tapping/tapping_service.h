@@ -50,6 +50,8 @@ class StoredTappingService final : public TappingService {
     [[nodiscard]] LotService* lots() override { return m_params.lots; }
     /// The engine has taken the job that was loaded last.
     [[nodiscard]] bool loaded(const Status& status) const { return m_jobs > 0 && status.tapping.job == m_jobs; }
+    /// Tunings and jobs on their way to the disk and to the engine.
+    [[nodiscard]] const ChangeWay& way() const noexcept { return m_way; }
     /// A tuning of before, revision `revision` of its thread's recipe, is in force again: stored first, then loaded
     /// where the present job is one that it serves. `done` is told of both.
     void takeBack(const tapping::StoredTuning& tuning, std::uint32_t revision, const std::string& author,

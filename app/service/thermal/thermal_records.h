@@ -21,6 +21,7 @@ inline constexpr const char* kGap = "gap";
 inline constexpr const char* kSession = "session";
 inline constexpr const char* kZero = "gap-zero";
 inline constexpr const char* kLearnt = "learnt";
+inline constexpr const char* kMemory = "memory";  ///< subject: the day that is left out or taken in again
 
 [[nodiscard]] std::string shiftsToJson(const std::vector<ThermalShiftRow>& rows);
 [[nodiscard]] std::vector<ThermalShiftRow> shiftsFromJson(const std::string& text);

@@ -73,6 +73,7 @@ void StoredThermalService::load(RoomRecordReader& reader) {
         if (const auto gap = records::gapFromJson(row.bodyJson)) m_view.gaps.push_back(*gap);
     }
     loadSessions(newest(records::kSession, kRecordsRead));
+    loadMemory(reader);
     if (const auto rows = newest(records::kZero, 1); !rows.empty()) {
         m_keptZero = records::zeroFromJson(rows.front().bodyJson);
     }
@@ -109,7 +110,7 @@ std::string StoredThermalService::recipeName() const {
 }
 
 void StoredThermalService::keep(const char* kind, std::string body, const std::string& author, std::string reason,
-                                std::function<void()> stored) {
+                                std::function<void(const Receipt&)> stored) {
     AddRoomRecord record{ProcessId::Thermal,
                          kind,
                          std::string(m_links.engine.capabilities().machineName.data()),
@@ -117,8 +118,8 @@ void StoredThermalService::keep(const char* kind, std::string body, const std::s
                          author.empty() ? kItself : author,
                          std::move(reason)};
     m_way.keep([&](StoreWriter::Done answer) { m_links.writer.submit(std::move(record), std::move(answer)); },
-               [stored = std::move(stored)](const Receipt&) {
-                   if (stored) stored();
+               [stored = std::move(stored)](const Receipt& receipt) {
+                   if (stored) stored(receipt);
                },
                {});
 }
@@ -192,10 +193,18 @@ void StoredThermalService::restoreRevision(const RecipeRevision& revision, const
 void StoredThermalService::accept(const ThermalSetup& setup, const std::string& author, const std::string& reason,
                                   std::optional<std::uint32_t> restoredFrom, RecipeHistory::Done done) {
     ThermalSetup next = setup;
-    next.revision = m_view.setup.revision + 1;
+    next.revision = m_asked.from(m_view.setup).revision + 1;
     const auto store = [&](StoreWriter::Done stored) {
+        m_asked.ask(next);
         m_recipes.begin(recipeName(), records::setupToJson(m_view.setup), kItself);
-        m_recipes.keep(recipeName(), records::setupToJson(next), author, reason, restoredFrom, std::move(stored));
+        m_recipes.keep(
+            recipeName(), records::setupToJson(next), author, reason, restoredFrom,
+            [this, alive = std::weak_ptr(m_alive), stored = std::move(stored)](const Result<Receipt>& receipt) {
+                if (alive.lock()) {
+                    m_asked.answered();
+                    stored(receipt);
+                }
+            });
     };
     m_way.change(
         mayAccept(next, author, reason), store,

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/service/asked_recipe.h"
 #include "app/service/change_way.h"
 #include "app/service/rights.h"
 #include "app/service/stored_recipe_history.h"
@@ -48,6 +50,8 @@ class StoredThermalService final : public ThermalService {
     void findDays() override;
     [[nodiscard]] Result<void> train(const std::string& kind, const std::vector<std::string>& dayIds) override;
     void cancelTraining() override { m_trainer.cancel(); }
+    void leaveOut(const std::string& dayId, bool out, const std::string& author, const std::string& reason,
+                  RecipeHistory::Done done) override;
     [[nodiscard]] Result<void> goLive(const std::string& author) override;
     [[nodiscard]] Result<void> rollBack(const std::string& author) override;
     [[nodiscard]] RecipeHistory* recipes() override { return &m_history; }
@@ -58,6 +62,8 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] Result<void> beginSession(const std::string& author) override;
     [[nodiscard]] Result<void> endSession(const std::string& author) override;
     void poll() override;
+    /// Limits and warm-up are on their way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const { return m_asked.open() || m_way.underWay(); }
 
  private:
     struct KeptModel {
@@ -69,6 +75,8 @@ class StoredThermalService final : public ThermalService {
     void load(RoomRecordReader& reader);
     void loadModels(RoomRecordReader& reader);
     void loadSessions(const std::vector<RoomRecordRow>& rows);
+    /// Which days are left out, by whom and why.
+    void loadMemory(RoomRecordReader& reader);
     /// On simulated days of the simulated machine, when nothing is live.
     void trainFirst();
     void loadSetup();
@@ -82,7 +90,7 @@ class StoredThermalService final : public ThermalService {
     [[nodiscard]] std::string recipeName() const;
     void oweSetup();
     void keep(const char* kind, std::string body, const std::string& author, std::string reason,
-              std::function<void()> stored = {});
+              std::function<void(const Receipt&)> stored = {});
     [[nodiscard]] Result<void> makeLive(KeptModel model, const std::string& author, std::string reason);
     void install(KeptModel model);
     void takeMinutes();
@@ -104,6 +112,7 @@ class StoredThermalService final : public ThermalService {
     RecipeBook m_recipes;
     StoredRecipeHistory m_history;
     RecipeRevisionId m_recipe{0};  ///< of the setup; 0: none was kept
+    AskedRecipe<ThermalSetup> m_asked{};
     ThermalServiceView m_view{};
     std::shared_ptr<std::vector<std::string>>
         m_trainingNotes{};  ///< what was left out of the days; written by the worker
@@ -113,6 +122,7 @@ class StoredThermalService final : public ThermalService {
     std::uint32_t m_sessionReference{0};
     std::string m_sessionAuthor{};
     std::vector<std::pair<std::string, thermal::ThermalHistory>> m_sessions{};  ///< id and day, newest first
+    std::map<std::string, RoomRecordRow> m_told{};  ///< by day: left out or taken in again, with reason and author
     std::optional<KeptModel> m_live{};
     std::optional<KeptModel> m_previous{};
     std::optional<KeptModel> m_candidate{};

@@ -19,6 +19,8 @@ constexpr std::uint32_t kModelsRead = 2;
 constexpr const char* kBuiltInDays = "built-in:";
 constexpr const char* kFile = "file:";
 constexpr const char* kSession = "session:";
+constexpr const char* kOut = R"({"left_out":true})";
+constexpr const char* kIn = R"({"left_out":false})";
 
 ThermalJudgementView judgementView(thermal::ModelKind kind, const thermal::Judgement& judgement, std::size_t sensors) {
     ThermalJudgementView view;
@@ -49,7 +51,7 @@ void StoredThermalService::trainFirst() {
         m_firstModel = true;
         std::vector<std::string> days;
         for (const ThermalDayView& day : m_view.days) {
-            if (day.id.starts_with(kBuiltInDays)) days.push_back(day.id);
+            if (day.id.starts_with(kBuiltInDays) && !day.leftOut) days.push_back(day.id);
         }
         (void)train("hierarchical", days);
     }
@@ -61,6 +63,39 @@ void StoredThermalService::loadSessions(const std::vector<RoomRecordRow>& rows) 
             m_sessions.emplace_back(kSession + std::to_string(row.id), std::move(*day));
         }
     }
+}
+
+void StoredThermalService::loadMemory(RoomRecordReader& reader) {
+    auto rows = reader.newestRoomRecords(ProcessId::Thermal, records::kMemory);
+    if (!rows) return m_way.setStoreProblem(rows.error());
+    for (RoomRecordRow& row : *rows) {
+        m_told.insert_or_assign(row.subject, std::move(row));
+    }
+}
+
+void StoredThermalService::leaveOut(const std::string& dayId, bool out, const std::string& author,
+                                    const std::string& reason, RecipeHistory::Done done) {
+    Result<void> may = permitted(m_links.rights, author, Deed::ThermalMemory, reason);
+    if (may && std::ranges::find(m_view.days, dayId, &ThermalDayView::id) == m_view.days.end()) {
+        may = fail(KERF_TEXT("One of the days is not there any more."));
+    }
+    RoomRecordRow row;
+    row.subject = dayId;
+    row.bodyJson = out ? kOut : kIn;
+    row.author = author;
+    row.reason = reason;
+    m_way.change(
+        may,
+        [this, &row](StoreWriter::Done stored) {
+            m_links.writer.submit(
+                AddRoomRecord{ProcessId::Thermal, records::kMemory, row.subject, row.bodyJson, row.author, row.reason},
+                std::move(stored));
+        },
+        [this, row](const Receipt&) {
+            m_told[row.subject] = row;
+            findDays();
+        },
+        std::move(done));
 }
 
 void StoredThermalService::loadModels(RoomRecordReader& reader) {
@@ -89,7 +124,7 @@ Result<void> StoredThermalService::makeLive(KeptModel model, const std::string& 
     model.card.createdUtc_ms = records::utcNow_ms();
     std::string body = formats::thermalModelToJson(model.model);
     const auto shared = std::make_shared<KeptModel>(std::move(model));
-    keep(records::kModel, std::move(body), author, std::move(reason), [this, shared] {
+    keep(records::kModel, std::move(body), author, std::move(reason), [this, shared](const Receipt&) {
         install(std::move(*shared));
         changed();
     });
@@ -133,12 +168,24 @@ void StoredThermalService::findDays() {
             m_view.days.push_back({kBuiltInDays + std::to_string(k), thermal::trainingDayLabel(k), 360});
         }
     }
+    for (ThermalDayView& day : m_view.days) {
+        if (const auto told = m_told.find(day.id); told != m_told.end()) {
+            day.leftOut = told->second.bodyJson == kOut;
+            day.leftOutReason = told->second.reason;
+            day.leftOutAuthor = told->second.author;
+        }
+    }
     changed();
 }
 
 Result<void> StoredThermalService::train(const std::string& kind, const std::vector<std::string>& dayIds) {
     if (m_trainer.running()) return fail(KERF_TEXT("A model is being trained."));
     if (dayIds.empty()) return fail(KERF_TEXT("Choose at least one day to train on."));
+    for (const ThermalDayView& day : m_view.days) {
+        if (day.leftOut && std::ranges::find(dayIds, day.id) != dayIds.end()) {
+            return fail(KERF_TEXT("One of the days is left out of the training: take it in again first."));
+        }
+    }
     std::vector<std::string> files;
     std::vector<thermal::ThermalHistory> ready;
     std::vector<std::size_t> builtIn;
@@ -215,7 +262,12 @@ Result<void> StoredThermalService::endSession(const std::string& author) {
     }
     m_view.session.whyNotKept = {};
     m_sessions.emplace(m_sessions.begin(), kSession + day.label, day);
-    keep(records::kSession, records::sessionToJson(day), author, "recorded");
+    keep(records::kSession, records::sessionToJson(day), author, "recorded", [this, day](const Receipt& kept) {
+        const auto known =
+            std::ranges::find(m_sessions, kSession + day.label, &decltype(m_sessions)::value_type::first);
+        if (known != m_sessions.end()) known->first = kSession + std::to_string(kept.id);  // as after a restart
+        findDays();
+    });
     findDays();
     return {};
 }

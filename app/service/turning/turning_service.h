@@ -60,6 +60,8 @@ class StoredTurningService final : public TurningService {
     [[nodiscard]] std::string recipeJson() const { return turningRecipeJson({m_view.setup, m_view.controller}); }
     /// Limits have made this revision of the recipe.
     void recipeRevised(RecipeRevisionId revision) { m_lots.use(revision); }
+    /// What the next part is turned with is on its way to the disk or to the engine.
+    [[nodiscard]] bool underWay() const { return m_asked.open() || m_lots.underWay(m_way); }
     void setController(TurningController controller, const std::string& author, Done done) override;
     void leaveOut(std::int64_t part, bool out, const std::string& author, const std::string& reason,
                   Done done) override;

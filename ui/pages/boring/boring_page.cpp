@@ -460,17 +460,63 @@ std::string BoringPage::registered(const std::string& identity) const {
 
 bool BoringPage::askGauges(bool really) {
     SensorService* sensors = context().services.sensorService;
+    std::vector<std::size_t> anywhere;  // whose reading is of the bore that waits, whichever that is
     bool there = false;
     for (std::size_t i = 0; sensors != nullptr && i < sensors->view().gauges.size(); ++i) {
         const SensorGaugeView& gauge = sensors->view().gauges[i];
-        if (gauge.connected && gauge.canAsk) {
-            there = true;
-            if (really) {
-                sensors->askGauge(i, false);
-            }
+        if (!gauge.connected || !gauge.canAsk) {
+            continue;
+        }
+        there = true;
+        if (!gauge.saysDepth) {
+            anywhere.push_back(i);
+        } else if (really) {
+            sensors->askGauge(i, false);
         }
     }
+    if (!really || anywhere.empty()) {
+        return there;
+    }
+    anywhere = atHandOf(std::move(anywhere));
+    if (anywhere.size() == 1) {
+        sensors->askGauge(anywhere.front(), false);
+    } else {
+        chooseGaugeToAsk(anywhere);
+    }
     return there;
+}
+
+std::vector<std::size_t> BoringPage::atHandOf(std::vector<std::size_t> gauges) const {
+    const auto& known = context().services.sensorService->view().gauges;
+    const std::string atHand = gaugeOn(GaugesAtHand::kNoChannel);
+    for (const std::size_t i : gauges) {
+        if (known[i].name == atHand) {
+            return {i};
+        }
+    }
+    const std::vector<Gauge> fitting = suitable();
+    std::vector<std::size_t> left = gauges;
+    std::erase_if(left, [&](std::size_t i) {
+        return !registered(known[i].name).empty() &&
+               std::ranges::find(fitting, known[i].name, &Gauge::identity) == fitting.end();
+    });
+    return left.empty() ? gauges : left;
+}
+
+void BoringPage::chooseGaugeToAsk(const std::vector<std::size_t>& gauges) {
+    Sheet* sheet = context().sheets.open(tr("Which gauge is asked?"), tr("Touch the one that measures this bore."));
+    for (const std::size_t i : gauges) {
+        const SensorGaugeView& gauge = context().services.sensorService->view().gauges[i];
+        auto* button = new QPushButton(
+            QString::fromStdString(gauge.name) + QStringLiteral(" · ") + QString::fromStdString(gauge.device), sheet);
+        button->setObjectName(QStringLiteral("boringAsk%1").arg(i));
+        sheet->body()->addWidget(button);
+        connect(button, &QPushButton::clicked, this, [this, sheet, i] {
+            sheet->close();
+            context().services.sensorService->askGauge(i, false);
+        });
+    }
+    sheet->addButton(tr("Cancel"), {})->setObjectName(QStringLiteral("sheetSafe"));
 }
 
 void BoringPage::keepGauge(int channel, const std::string& identity) {

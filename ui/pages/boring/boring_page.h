@@ -65,8 +65,12 @@ class BoringPage : public Page {
     void openForm(PartId part, std::uint8_t depth, MeasurementId id, MeasurementForm::Start start);
     /// The identity, where a gauge of it is in the register; else empty.
     [[nodiscard]] std::string registered(const std::string& identity) const;
-    /// Some gauge on a serial line can be asked; and it is, for a diameter.
+    /// Some gauge on a serial line can be asked; and it is, for a diameter: each that says its depth, and one of the
+    /// others, which a person chooses where more than one could be meant.
     bool askGauges(bool really);
+    /// Of these, the one at hand; where none is said to be, those that are made for this diameter.
+    [[nodiscard]] std::vector<std::size_t> atHandOf(std::vector<std::size_t> gauges) const;
+    void chooseGaugeToAsk(const std::vector<std::size_t>& gauges);
     void onGauge(const GaugeReading& reading);
     void takeUnsigned();
     void tellElsewhere(const QString& sentence);

@@ -463,8 +463,9 @@ void EntryPanel::readGauge() {
     }
     const std::optional<double> reading_mm = m_service.gaugeReading_mm(m_target->part, m_target->depth);
     if (!reading_mm) {
-        if (m_askGauges && m_askGauges(true)) {
-            m_field->setFocus();
+        if (m_askGauges && m_askGauges(false)) {
+            m_field->setFocus();  // it has the keys again after a question which gauge is meant
+            (void)m_askGauges(true);
         }
         m_gauge->reconsider();
         return;

@@ -27,6 +27,7 @@ class MillingControlPanel : public Card {
     void setStatus(const Status& status, const Capabilities& capabilities);
     /// Who is signed on may not be trusted with law, reference and mode; outlives this.
     void setSession(OperatorSession& session);
+    [[nodiscard]] ActionButton* startButton() const noexcept { return m_start; }
 
  signals:
     void lawRequested(kerf::MillingLaw law);

@@ -16,6 +16,7 @@
 #include "ui/pages/milling/setup_form.h"
 #include "ui/pages/milling/tool_memory_sheet.h"
 #include "ui/shell/last_verdict.h"
+#include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -91,6 +92,7 @@ void MillingPage::build() {
     allowOnly(m_setup, context().session, Deed::MillingSetup);
     allowOnly(m_blank, context().session, Deed::MillingBlank);
     m_control->setSession(context().session);
+    restUntilShown(m_control->startButton(), context(), ProcessId::Milling);
     EngineClient& client = context().client;
     connect(m_control, &MillingControlPanel::lawRequested, this, [this, &client](MillingLaw law) {
         context().withPermission(Deed::MillingLaw, [&client, law] { client.sendAction(SetMillingLaw{law}); });

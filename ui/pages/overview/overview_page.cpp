@@ -8,6 +8,7 @@
 #include "ui/link/release_stop.h"
 #include "ui/link/shop_text.h"
 #include "ui/link/texts.h"
+#include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -190,6 +191,7 @@ void OverviewPage::buildMachine() {
     m_release->setObjectName(QStringLiteral("releaseHold"));
     m_start->setPrimary(true);
     m_start->setPredicate([this] { return whyNoStart(); });
+    restUntilShown(m_start, context(), [this] { return std::optional(mainProcess()); });
     m_release->setPredicate([this] { return whyNoRelease(); });
     buttons->addWidget(m_start);
     buttons->addWidget(m_release);

@@ -13,6 +13,22 @@ namespace {
 enum FileColumn { kFile, kContents, kFileColumns };
 enum FoundColumn { kUnit, kIdentity, kRegisters, kFoundColumns };
 
+/// In the language of the screen; key and values stay as they stand in the file.
+QString refusalText(const SensorFileRefusal& why) {
+    const QString words = engineText(why.text);
+    QString out = why.where.empty() ? QString() : QString::fromStdString(why.where) + QStringLiteral(": ");
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        const int place = words[i] == u'%' && i + 1 < words.size() ? words[i + 1].digitValue() : 0;
+        if (place >= 1 && static_cast<std::size_t>(place) <= why.values.size()) {
+            out += QString::fromStdString(why.values[static_cast<std::size_t>(place) - 1]);
+            ++i;
+        } else {
+            out += words[i];
+        }
+    }
+    return out;
+}
+
 }  // namespace
 
 SensorSetupPanel::SensorSetupPanel(const PageContext& context, SensorSetup& setup, QWidget* parent)
@@ -156,7 +172,7 @@ void SensorSetupPanel::showFiles(const SensorSetupView& view) {
             m_files, row, kContents,
             file.refused.empty()
                 ? tr("modules: %1, channels: %2, gauges: %3").arg(file.modules).arg(file.channels).arg(file.gauges)
-                : tr("cannot be used: %1").arg(QString::fromStdString(file.refused)));
+                : tr("cannot be used: %1").arg(refusalText(file.refused)));
     }
 }
 
@@ -170,12 +186,12 @@ void SensorSetupPanel::showFound(const SensorSetupView& view) {
         setSensorCell(m_found, row, kRegisters, QString::fromStdString(unit.registers));
     }
     const QString address = QString::fromStdString(view.scanned);
-    m_answer->setText(address.isEmpty()       ? QString()
-                      : view.scanning         ? tr("%1 is asked; that takes up to 20 s.").arg(address)
-                      : !view.refused.empty() ? QString::fromStdString(view.refused)
-                      : view.found.empty()
-                          ? tr("%1 takes a connection, but no unit from 1 to 32 answers.").arg(address)
-                          : tr("%1 answers; register numbers are as on the wire, from 0.").arg(address));
+    m_answer->setText(
+        address.isEmpty()       ? QString()
+        : view.scanning         ? tr("%1 is asked; that takes up to 20 s.").arg(address)
+        : !view.refused.empty() ? QStringLiteral("%1: %2").arg(address, sentenceText(view.refused, look().units()))
+        : view.found.empty()    ? tr("%1 takes a connection, but no unit from 1 to 32 answers.").arg(address)
+                                : tr("%1 answers; register numbers are as on the wire, from 0.").arg(address));
 }
 
 const SensorFileView* SensorSetupPanel::selected() const {

@@ -25,6 +25,7 @@ class TapActions : public Card {
     void setStatus(const Status& status);
     /// Who is signed on may be trusted with some of it only; outlives this.
     void setSession(OperatorSession& session);
+    [[nodiscard]] ActionButton* tapButton() const noexcept { return m_tap; }
 
  signals:
     void jobRequested();

@@ -17,6 +17,7 @@
 #include "ui/pages/tapping/recovery_sheet.h"
 #include "ui/pages/tapping/tapping_texts.h"
 #include "ui/shell/last_verdict.h"
+#include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -86,6 +87,7 @@ void TappingPage::build() {
     m_gains = new GainsPanel(look(), this);
     m_actions = new TapActions(look(), context().client.engine(), this);
     m_actions->setSession(context().session);
+    restUntilShown(m_actions->tapButton(), context(), ProcessId::Tapping);
 
     m_top = new QHBoxLayout;
     m_bottom = new QHBoxLayout;

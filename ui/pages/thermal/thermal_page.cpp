@@ -10,6 +10,7 @@
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
 #include "ui/pages/thermal/thermal_texts.h"
+#include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -83,6 +84,9 @@ void ThermalPage::build() {
         if (m_status.thermal.warmUpRunning) return {};
         if (!context().client.engine().capabilities().cycleStart.fitted) return tr("start it at the control");
         return m_status.program == ProgramState::Running ? tr("a program runs") : QString();
+    });
+    restUntilShown(warm, context(), [this] {  // stopping rests for nothing
+        return m_status.thermal.warmUpRunning ? std::nullopt : std::optional(ProcessId::Thermal);
     });
     addButton("thermalMeasure", [this] { m_sheets->openMeasure(); });
     addButton("thermalModel", [this] { m_sheets->openModel(); });

@@ -29,14 +29,14 @@ QString timeOf(std::int64_t utc_ms) {
     return QDateTime::fromMSecsSinceEpoch(utc_ms).toString(QStringLiteral("MM-dd HH:mm"));
 }
 
-ActionButton* named(Look& look, const char* name, const QString& text) {
-    auto* button = new ActionButton(look);
+}  // namespace
+
+ActionButton* ThermalSheets::named(const char* name, const QString& text) {
+    auto* button = new ActionButton(m_context.look);
     button->setObjectName(QLatin1String(name));
     button->setText(text);
     return button;
 }
-
-}  // namespace
 
 Sheet* ThermalSheets::open(const QString& title, const QString& text) {
     m_update = {};
@@ -72,7 +72,7 @@ void ThermalSheets::openModel() {
     QTableWidget* table = makeThermalTable(m_context.look, "thermalCard", {tr("what"), tr("value")}, sheet);
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     sheet->body()->addWidget(table, 1);
-    ActionButton* back = named(m_context.look, "thermalRollBack", tr("Back to the model before"));
+    ActionButton* back = named("thermalRollBack", tr("Back to the model before"));
     back->setPredicate(
         [this] { return m_service.view().canRollBack ? QString() : tr("there is no model before this"); });
     allowOnly(back, m_context.session, Deed::ThermalModel);
@@ -82,7 +82,7 @@ void ThermalSheets::openModel() {
             withAuthor(Deed::ThermalModel, [this](const std::string& author) { return m_service.rollBack(author); });
         },
         false);
-    ActionButton* train = named(m_context.look, "thermalTrainOpen", tr("Train a new one"));
+    ActionButton* train = named("thermalTrainOpen", tr("Train a new one"));
     sheet->addButton(
         train, [this] { openTrain(); }, false);
     follow([this, table, back] {
@@ -127,112 +127,6 @@ void ThermalSheets::openModel() {
     });
 }
 
-void ThermalSheets::showDays(QTableWidget* table) {
-    int row = 0;
-    for (const ThermalDayView& day : m_service.view().days) {
-        const bool chosen = m_chosenDays.contains(day.id);
-        setTableRow(table, row,
-                    {chosen ? QStringLiteral("✓") : QStringLiteral("–"), QString::fromStdString(day.label),
-                     day.id.starts_with("file:")      ? tr("file")
-                     : day.id.starts_with("session:") ? tr("recorded here")
-                                                      : tr("built-in simulation")});
-        table->item(row, 0)->setTextAlignment(Qt::AlignCenter);
-        ++row;
-    }
-    table->setRowCount(row);
-}
-
-void ThermalSheets::openTrain() {
-    m_service.findDays();
-    Sheet* sheet =
-        open(tr("Train a model"), tr("Touch the days to train on. Several days of different work make a model "
-                                     "that also holds on days it has not seen. History files belong in %1.")
-                                      .arg(QString::fromStdString(m_service.view().dayFolder)));
-    Look& look = m_context.look;
-    QTableWidget* days = makeThermalTable(look, "thermalDays", {tr("use"), tr("day"), tr("from")}, sheet);
-    days->setMinimumHeight(3 * look.metrics().touch());
-    days->verticalHeader()->setMinimumSectionSize(look.metrics().touch());
-    QTableWidget* compared =
-        makeThermalTable(look, "thermalCompared",
-                         {tr("model"), tr("thermocouples"), tr("rms X / Y / Z, %1").arg(look.units().of("um").symbol),
-                          tr("worst X / Y / Z")},
-                         sheet);
-    compared->setMinimumHeight(3 * look.metrics().touch());
-    QLabel* state = makeLabel(TextRole::Body, sheet, true);
-    state->setObjectName(QStringLiteral("thermalTrainState"));
-    sheet->body()->addWidget(days, 1);
-    sheet->body()->addWidget(state);
-    sheet->body()->addWidget(compared, 1);
-    ActionButton* cancel = named(look, "thermalTrainCancel", tr("Cancel training"));
-    ActionButton* train = named(look, "thermalTrainAuto", tr("Train and compare"));
-    ActionButton* live = named(look, "thermalGoLive", tr("Go live"));
-    const auto running = [this] { return m_service.view().training.state == TrainingState::Running; };
-    cancel->setPredicate([running] { return running() ? QString() : tr("nothing is being trained"); });
-    train->setPredicate([this, running] {
-        return running() ? tr("a model is being trained") : m_chosenDays.empty() ? tr("choose days first") : QString();
-    });
-    live->setPredicate(
-        [this] { return m_service.view().training.state == TrainingState::Ready ? QString() : tr("train one first"); });
-    sheet->addButton(
-        cancel, [this] { m_service.cancelTraining(); }, false);
-    sheet->addButton(
-        train,
-        [this] {
-            tell(m_service.train("auto", {m_chosenDays.begin(), m_chosenDays.end()}));
-        },
-        false);
-    allowOnly(live, m_context.session, Deed::ThermalModel);
-    sheet->addButton(
-        live,
-        [this] {
-            withAuthor(Deed::ThermalModel, [this](const std::string& author) { return m_service.goLive(author); });
-        },
-        false);
-    const auto update = [this, days, compared, state, cancel, train, live] {
-        const ThermalTrainingView& training = m_service.view().training;
-        const UnitSystem& units = m_context.look.units();
-        showDays(days);
-        for (ActionButton* button : {cancel, train, live})
-            button->reconsider();
-        switch (training.state) {
-            case TrainingState::Idle:
-                state->setText(tr("The comparison appears below after the training."));
-                break;
-            case TrainingState::Running:
-                state->setText(tr("Training: %1 %").arg(static_cast<int>(100.0 * training.progress)));
-                break;
-            case TrainingState::Ready:
-                state->setText(
-                    tr("Errors on days left out of the training. The live model goes on until you go live.") +
-                    (training.detail.empty() ? QString() : u'\n' + QString::fromStdString(training.detail)));
-                break;
-            case TrainingState::Failed:
-                state->setText(sentenceText(training.problem, units) + u' ' + QString::fromStdString(training.detail));
-                break;
-            case TrainingState::Cancelled:
-                state->setText(tr("Cancelled; nothing has changed."));
-                break;
-        }
-        int row = 0;
-        for (const ThermalJudgementView& one : training.compared) {
-            const QString name = modelKindName(one.kind, m_context.look.wording());
-            setTableRow(compared, row++,
-                        {one.chosen ? tr("%1: best").arg(name) : name, QString::number(one.sensors),
-                         threeText(one.rms_um, units, 2), threeText(one.worst_um, units, 1)});
-        }
-        compared->setRowCount(row);
-        compared->setVisible(row > 0);
-    };
-    QObject::connect(days, &QTableWidget::cellClicked, sheet, [this, update](int row, int) {
-        const auto& list = m_service.view().days;
-        if (row < 0 || static_cast<std::size_t>(row) >= list.size()) return;
-        const std::string& id = list[static_cast<std::size_t>(row)].id;
-        if (m_chosenDays.erase(id) == 0) m_chosenDays.insert(id);
-        update();
-    });
-    follow(update);
-}
-
 void ThermalSheets::openMeasure() {
     Sheet* sheet = open(tr("Measure the origin"), {});
     Look& look = m_context.look;
@@ -242,7 +136,7 @@ void ThermalSheets::openMeasure() {
         look, "thermalGapTable",
         {tr("axis"), tr("measured"), tr("predicted"), tr("difference"), tr("verdict"), tr("left in a part")}, sheet);
     table->setMinimumHeight(4 * look.metrics().touch() * 2 / 3);
-    ActionButton* byPart = named(look, "thermalByPart", tr("By a measured part"));
+    ActionButton* byPart = named("thermalByPart", tr("By a measured part"));
     byPart->setPredicate([this]() -> QString {
         return m_status.thermal.partToMeasure ? QString() : tr("no part finished since the reference");
     });
@@ -250,10 +144,10 @@ void ThermalSheets::openMeasure() {
     sheet->body()->addWidget(steps);
     sheet->body()->addWidget(table, 1);
     sheet->body()->addWidget(byPart);
-    ActionButton* reference = named(look, "thermalReference", tr("New reference"));
-    ActionButton* session = named(look, "thermalSession", {});
-    ActionButton* adopt = named(look, "thermalAdopt", tr("Take over"));
-    ActionButton* measure = named(look, "thermalMeasureNow", tr("Measure now"));
+    ActionButton* reference = named("thermalReference", tr("New reference"));
+    ActionButton* session = named("thermalSession", {});
+    ActionButton* adopt = named("thermalAdopt", tr("Take over"));
+    ActionButton* measure = named("thermalMeasureNow", tr("Measure now"));
     measure->setPrimary(true);
     EngineClient& client = m_context.client;
     measure->setPredicate([this]() -> QString {
@@ -500,7 +394,7 @@ void ThermalSheets::openLimits() {
     reason->setPlaceholderText(tr("Reason for the change"));
     reason->setMinimumHeight(m_context.look.metrics().touch());
     sheet->body()->addWidget(reason);
-    ActionButton* use = named(m_context.look, "thermalLimitsUse", tr("Use"));
+    ActionButton* use = named("thermalLimitsUse", tr("Use"));
     allowOnly(use, m_context.session, Deed::ThermalLimits);
     const auto whyNot = [fields, reason]() -> QString {
         for (const ValueField* field : fields) {

@@ -29,6 +29,7 @@ class TurningControlPanel : public Card {
     void setBusy(bool busy);
     /// Who is signed on may not be trusted with mode and controller; outlives this.
     void setSession(OperatorSession& session);
+    [[nodiscard]] ActionButton* startButton() const noexcept { return m_start; }
 
  signals:
     void modeRequested(kerf::LoopMode mode);

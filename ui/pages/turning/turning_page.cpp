@@ -21,6 +21,7 @@
 #include "ui/pages/turning/turning_setup_form.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/shell/last_verdict.h"
+#include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {
@@ -64,6 +65,7 @@ void TurningPage::build() {
     m_rows->addLayout(m_bottom);
 
     m_control->setSession(context().session);
+    restUntilShown(m_control->startButton(), context(), ProcessId::Turning);
     connect(m_control, &TurningControlPanel::modeRequested, this, [this](LoopMode mode) {
         context().withPermission(Deed::SwitchLoop, [this, mode] {
             context().client.sendAction(SetLoopMode{ProcessId::Turning, mode});
