@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "db/data_file.h"
+#include "db/head_file.h"
 #include "db/row_io.h"
 #include "db/stores/audit_log.h"
 #include "db/writer_thread.h"
@@ -459,6 +460,25 @@ class TestStore : public QObject {
         QVERIFY(!whole);
         QVERIFY(!db::backupDatabase(scratch.path(), scratch.file("copy.db")));
         QVERIFY(!QFile::exists(QString::fromStdString(scratch.file("copy.db"))));
+    }
+    void theHeadKnowsTheNewestRowOfEveryTableThatOnlyGrows() {
+        test::ScratchDatabase scratch;
+        test::Shop shop(scratch.path());
+        const PartId part = shop.addPart(1);
+        const db::Head before = db::headOf(shop.database());
+        QVERIFY(!before.rows.contains("measurements"));
+        accept(shop, measured(part, 0, 50.0));
+        accept(shop, measured(part, 1, 50.0));
+        const db::Head head = db::headOf(shop.database());
+        QCOMPARE(head.rows.at("parts"), std::int64_t{1});
+        QCOMPARE(head.rows.at("measurements"), std::int64_t{2});
+        QCOMPARE(head.rows.at("estimator_states"), std::int64_t{2});
+        QCOMPARE(head.rows.at("audit"), head.auditId);
+        QCOMPARE(head.rows.at("outbox"), test::number(shop.database(), "SELECT max(seq) FROM outbox"));
+        QVERIFY(db::missingSince(head, shop.database()).empty());
+        // The newest row taken out past the program: the number that was given out is missing.
+        QVERIFY(test::tryExecute(shop.database(), "DELETE FROM outbox WHERE seq = (SELECT max(seq) FROM outbox)"));
+        QVERIFY(!db::missingSince(head, shop.database()).empty());
     }
     void aLogFileThatWasCutIsNoticed() {
         test::ScratchDatabase scratch;
