@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
+#include <algorithm>
 #include <memory>
 
 #include "app/service/tapping/tapping_tuning_json.h"
@@ -94,6 +95,11 @@ class TestConsoleSheets : public QObject {
         QVERIFY2(table->rowCount() >= before, qPrintable(QString::number(table->rowCount())));
         const int rows = table->rowCount();
         table->selectRow(row);
+        for (int i = 0; m_korean && i < rows; ++i) {  // whose words they are, they are Korean
+            const QString why = table->item(i, 2)->text();
+            QVERIFY2(std::ranges::any_of(why, [](QChar c) { return c.script() == QChar::Script_Hangul; }),
+                     qPrintable(why));
+        }
         const QString difference = m_bench->text("recipeDifference");
         QVERIFY2(difference.contains(QStringLiteral(" → ")), qPrintable(difference));
         QVERIFY2(!difference.contains(u'_'), qPrintable(difference));  // words, and no keys
