@@ -7913,6 +7913,14 @@
             <source>unknown key %2; expected one of %1.</source>
             <translation>unknown key %2; expected one of %1.</translation>
         </message>
+        <message>
+            <source>accepted</source>
+            <translation>accepted</translation>
+        </message>
+        <message>
+            <source>rolled back</source>
+            <translation>rolled back</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>

@@ -7908,6 +7908,14 @@
             <source>unknown key %2; expected one of %1.</source>
             <translation>모르는 키입니다(%2). 다음 가운데 하나여야 합니다: %1.</translation>
         </message>
+        <message>
+            <source>accepted</source>
+            <translation>수락됨</translation>
+        </message>
+        <message>
+            <source>rolled back</source>
+            <translation>되돌림</translation>
+        </message>
     </context>
     <context>
     <name>kerf::ui::ActionChart</name>

@@ -15,8 +15,8 @@
 #include "db/data_file.h"
 #include "db/writer_thread.h"
 #include "tests/db/db_test_support.h"
-#include "tests/support/fake_engine.h"
 #include "tests/support/golden.h"
+#include "tests/support/service_bench.h"
 
 using namespace kerf;
 using kerf::test::number;
@@ -74,30 +74,13 @@ const std::vector<Brought>& brought() {
     return kAll;
 }
 
-/// The writer on a file, and what a service wants beside it.
-struct Bench {
-    explicit Bench(const std::string& path) : writer(path, nullptr, kQuick) {
-        if (!writer.start()) {
-            qFatal("no writer");
-        }
-        reader = std::move(*db::DatabaseReader::open(path));
-    }
-    template <class Call>
-    [[nodiscard]] Result<void> wait(const Call& call) {
-        std::optional<Result<void>> answer;
-        call([&answer](const Result<void>& result) { answer = result; });
-        if (!QTest::qWaitFor([&] { return answer.has_value(); })) {
-            qFatal("no answer");
-        }
-        return *answer;
-    }
+/// What a service stands between, on a file, and the service that is asked most.
+struct Bench : test::ServiceBench {
+    using ServiceBench::ServiceBench;
     [[nodiscard]] std::unique_ptr<StoredMillingService> milling() {
         StoredMillingService::Links links{writer, engine, [] { return std::string("Kim"); }, {}, {}};
         return std::make_unique<StoredMillingService>(std::move(links), *reader, *reader, *reader);
     }
-    test::FakeEngine engine;
-    db::WriterThread writer;
-    std::unique_ptr<db::DatabaseReader> reader;
 };
 
 }  // namespace

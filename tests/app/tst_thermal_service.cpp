@@ -74,9 +74,8 @@ class TestThermalService : public QObject {
         }
         const auto entries = bench.reader->audit(std::nullopt, 100);
         QVERIFY(entries.has_value());
-        QVERIFY(std::ranges::any_of(*entries, [](const AuditRow& row) {
-            return row.author == "Lee" && row.reason == "door open";
-        }));
+        QVERIFY(std::ranges::any_of(
+            *entries, [](const AuditRow& row) { return row.author == "Lee" && row.reason == "door open"; }));
         QVERIFY(bench.leaveOut(kMonday, false, "Lee", "it was closed"));
         QVERIFY(!bench.day(kMonday).leftOut);
         QCOMPARE(bench.day(kMonday).leftOutReason, std::string("it was closed"));

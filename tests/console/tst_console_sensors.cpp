@@ -10,6 +10,7 @@
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
 #include "tests/support/modbus_modules.h"
+#include "tests/support/step.h"
 
 using namespace kerf;
 
@@ -19,13 +20,7 @@ class TestConsoleSensors : public QObject {
     Q_OBJECT
 
     void start() {
-        console::Options options;
-        options.preparedParts = 0;
-        options.simulationSpeed = 0.0;
-        options.changeAtPart = 0;
-        m_bench.start(options);
-        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
-        QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Lee"), ui::Role::Engineer));
+        KERF_STEP(m_bench.startQuietly());
         m_bench.console().window()->showPage("sensors");
     }
     void write(const char* name, const QByteArray& text) {

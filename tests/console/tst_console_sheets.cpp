@@ -6,11 +6,15 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
+#include <algorithm>
 #include <memory>
 
+#include "app/service/tapping/tapping_tuning_json.h"
+#include "db/readers/database_reader.h"
 #include "engine/machine/simulated/simulated_machine.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/layout_check.h"
+#include "tests/support/step.h"
 #include "ui/widgets/value_field.h"
 
 using namespace kerf;
@@ -30,6 +34,9 @@ class TestConsoleSheets : public QObject {
         console::Options options;
         options.machine = machine;
         options.simulationSpeed = 20.0;
+        start(options);
+    }
+    void start(console::Options options) {
         options.language = m_korean ? "ko" : "en";
         m_bench = std::make_unique<test::ConsoleBench>();
         m_bench->start(options);
@@ -71,23 +78,40 @@ class TestConsoleSheets : public QObject {
         }
         QFAIL("the documents are not offered");
     }
+    [[nodiscard]] QString asBefore() const {
+        return m_korean ? QStringLiteral("이전 값이 나았음") : QStringLiteral("as before");
+    }
+    /// Every tuning that was kept, oldest first.
+    [[nodiscard]] std::vector<RecipeRevision> tunings() {
+        const auto reader = db::DatabaseReader::open(m_bench->console().databasePath());
+        const auto rows = reader ? (*reader)->allRecipes(ProcessId::Tapping) : Result<std::vector<RecipeRevision>>();
+        return rows ? *rows : std::vector<RecipeRevision>();
+    }
     /// The revisions, from a sheet that offers them; the older one is put back.
-    void walkRevisions(const char* page, int before) {
-        press("recipeHistory");
+    void walkRevisions(const char* page, int before, int row = 1) {
+        KERF_STEP(press("recipeHistory"));
         QTRY_VERIFY(m_bench->find<QTableWidget>("recipeRevisions") != nullptr);
         auto* table = m_bench->find<QTableWidget>("recipeRevisions");
         QVERIFY2(table->rowCount() >= before, qPrintable(QString::number(table->rowCount())));
         const int rows = table->rowCount();
-        table->selectRow(1);
-        look(QStringLiteral("revisions_%1").arg(QLatin1String(page)));
-        type("recipeReason", m_korean ? QStringLiteral("이전 값이 나았음") : QStringLiteral("as before"));
-        press("recipeRestore");
+        table->selectRow(row);
+        for (int i = 0; m_korean && i < rows; ++i) {  // whose words they are, they are Korean
+            const QString why = table->item(i, 2)->text();
+            QVERIFY2(std::ranges::any_of(why, [](QChar c) { return c.script() == QChar::Script_Hangul; }),
+                     qPrintable(why));
+        }
+        const QString difference = m_bench->text("recipeDifference");
+        QVERIFY2(difference.contains(QStringLiteral(" → ")), qPrintable(difference));
+        QVERIFY2(!difference.contains(u'_'), qPrintable(difference));  // words, and no keys
+        KERF_STEP(look(QStringLiteral("revisions_%1").arg(QLatin1String(page))));
+        KERF_STEP(type("recipeReason", asBefore()));
+        KERF_STEP(press("recipeRestore"));
         const auto said = [this] { return m_bench->text("recipeMessage") + u'|' + window().bottomLine(); };
         QTRY_VERIFY2(m_bench->find<QTableWidget>("recipeRevisions") != nullptr &&
                          m_bench->find<QTableWidget>("recipeRevisions")->rowCount() == rows + 1,
                      qPrintable(said()));
-        look(QStringLiteral("revisions_%1_back").arg(QLatin1String(page)));
-        press("sheetSafe");
+        KERF_STEP(look(QStringLiteral("revisions_%1_back").arg(QLatin1String(page))));
+        KERF_STEP(press("sheetSafe"));
     }
     void typeInto(QLineEdit* field, const QString& figure) {
         QVERIFY(field != nullptr);
@@ -102,27 +126,29 @@ class TestConsoleSheets : public QObject {
     }
 
     void walkCentre() {
-        start("simulator");
+        KERF_STEP(start("simulator"));
         QVERIFY(window().session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
         window().showPage("thermal");
-        press("thermalLimits");
+        KERF_STEP(press("thermalLimits"));
         QTRY_VERIFY(largestShift() != nullptr);
-        typeInto(largestShift(), QStringLiteral("90"));
-        type("thermalLimitsReason", m_korean ? QStringLiteral("새 공작물") : QStringLiteral("new part"));
-        look(QStringLiteral("thermal_limits"));
-        press("thermalLimitsUse");
+        KERF_STEP(typeInto(largestShift(), QStringLiteral("90")));
+        KERF_STEP(type("thermalLimitsReason", m_korean ? QStringLiteral("새 공작물") : QStringLiteral("new part")));
+        KERF_STEP(look(QStringLiteral("thermal_limits")));
+        KERF_STEP(press("thermalLimitsUse"));
         QTRY_VERIFY(largestShift() == nullptr);  // it closes once it is stored
-        press("thermalLimits");
+        KERF_STEP(press("thermalLimits"));
         QTRY_VERIFY(largestShift() != nullptr && largestShift()->text() == QStringLiteral("90"));
-        walkRevisions("thermal", 2);
+        KERF_STEP(walkRevisions("thermal", 2));
         QTRY_VERIFY(window().sheets().current() == nullptr);
         window().showPage("tapping");
-        press("tappingJob");
-        look(QStringLiteral("tapping_job"));
-        press("recipeHistory");  // nothing has been tuned on this machine
+        KERF_STEP(press("tappingJob"));
+        KERF_STEP(look(QStringLiteral("tapping_job")));
+        KERF_STEP(press("recipeHistory"));  // nothing has been tuned on this machine
         QTRY_VERIFY(m_bench->find("recipeDifference") != nullptr || m_bench->find("recipeRevisions") != nullptr);
-        look(QStringLiteral("revisions_tapping"));
-        press("sheetSafe");
+        KERF_STEP(look(QStringLiteral("revisions_tapping")));
+        KERF_STEP(press("sheetSafe"));
+        QTRY_VERIFY(m_bench->find("jobApply") != nullptr);  // the form it was opened from
+        window().sheets().current()->close();
     }
     void walkPeople() {
         ui::OperatorSession& session = window().session();
@@ -131,34 +157,34 @@ class TestConsoleSheets : public QObject {
         QVERIFY(session.signOn(QStringLiteral("Kim"), ui::Role::Operator, QStringLiteral("2468")));
         session.setRole(QStringLiteral("Lee"), ui::Role::Setter);
         QVERIFY(session.setPin(QStringLiteral("Lee"), QStringLiteral("1357")));
-        press("operator");
-        look(QStringLiteral("sign_on"));
-        press("secondPerson");
-        look(QStringLiteral("second_person"));
-        press("second0");
-        look(QStringLiteral("second_person_pin"));
+        KERF_STEP(press("operator"));
+        KERF_STEP(look(QStringLiteral("sign_on")));
+        KERF_STEP(press("secondPerson"));
+        KERF_STEP(look(QStringLiteral("second_person")));
+        KERF_STEP(press("second0"));
+        KERF_STEP(look(QStringLiteral("second_person_pin")));
         QVERIFY(m_bench->keyIn(QStringLiteral("1357")));
         QTRY_COMPARE(session.second(), QStringLiteral("Lee"));
         QTRY_VERIFY(m_bench->find("sheetSafe") != nullptr);  // it is said, not only done
-        look(QStringLiteral("second_person_said"));
-        press("sheetSafe");
-        press("operator");
-        press("people");
-        look(QStringLiteral("people"));
+        KERF_STEP(look(QStringLiteral("second_person_said")));
+        KERF_STEP(press("sheetSafe"));
+        KERF_STEP(press("operator"));
+        KERF_STEP(press("people"));
+        KERF_STEP(look(QStringLiteral("people")));
         int row = 0;
         while (m_bench->text(qPrintable(QStringLiteral("person%1").arg(row))) != QStringLiteral("Lee")) {
             QVERIFY(++row < 8);
         }
-        press(qPrintable(QStringLiteral("personRemove%1").arg(row)));
-        look(QStringLiteral("people_take_off"));
-        press("sheetProceed");
+        KERF_STEP(press(qPrintable(QStringLiteral("personRemove%1").arg(row))));
+        KERF_STEP(look(QStringLiteral("people_take_off")));
+        KERF_STEP(press("sheetProceed"));
         QTRY_VERIFY(!session.known().contains(QStringLiteral("Lee")));
-        look(QStringLiteral("people_without"));
-        press("peoplePermissions");
-        look(QStringLiteral("people_rights"));
-        press("sheetSafe");
+        KERF_STEP(look(QStringLiteral("people_without")));
+        KERF_STEP(press("peoplePermissions"));
+        KERF_STEP(look(QStringLiteral("people_rights")));
+        KERF_STEP(press("sheetSafe"));
         if (m_bench->find("sheetSafe") != nullptr) {
-            press("sheetSafe");
+            KERF_STEP(press("sheetSafe"));
         }
     }
     void walkAlarms() {
@@ -168,18 +194,18 @@ class TestConsoleSheets : public QObject {
         m_bench->console().simulator()->machine().inject(faults);
         QTRY_VERIFY(m_bench->find<QTableView>("alarmTable") != nullptr &&
                     m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
-        look(QStringLiteral("alarms_now"));
+        KERF_STEP(look(QStringLiteral("alarms_now")));
         m_bench->console().simulator()->machine().inject({});
-        press("alarmsHistory");
+        KERF_STEP(press("alarmsHistory"));
         QTRY_VERIFY(m_bench->find<QTableView>("alarmTable") != nullptr &&
                     m_bench->find<QTableView>("alarmTable")->model()->rowCount() > 0);
-        look(QStringLiteral("alarms_history"));
-        press("alarmFilter");
-        look(QStringLiteral("alarms_filtered"));
-        press("alarmExport");
-        look(QStringLiteral("alarms_export"));
-        pressOwnFolder(QStringLiteral("alarmFolder"));
-        look(QStringLiteral("alarms_exported"));
+        KERF_STEP(look(QStringLiteral("alarms_history")));
+        KERF_STEP(press("alarmFilter"));
+        KERF_STEP(look(QStringLiteral("alarms_filtered")));
+        KERF_STEP(press("alarmExport"));
+        KERF_STEP(look(QStringLiteral("alarms_export")));
+        KERF_STEP(pressOwnFolder(QStringLiteral("alarmFolder")));
+        KERF_STEP(look(QStringLiteral("alarms_exported")));
         const QStringList files = filesOf(QStringLiteral("kerf_alarms_*.csv"));
         QCOMPARE(files.size(), 1);
         QFile file(files.front());
@@ -190,42 +216,44 @@ class TestConsoleSheets : public QObject {
     }
     void walkShift() {
         window().showPage("shift");
-        look(QStringLiteral("shift"));
-        press("shiftNote");
-        type("shiftText", m_korean ? QStringLiteral("3번 인서트 교체함") : QStringLiteral("insert 3 is new"));
-        look(QStringLiteral("shift_note"));
-        press("shiftSave");
+        KERF_STEP(look(QStringLiteral("shift")));
+        KERF_STEP(press("shiftNote"));
+        KERF_STEP(
+            type("shiftText", m_korean ? QStringLiteral("3번 인서트 교체함") : QStringLiteral("insert 3 is new")));
+        KERF_STEP(look(QStringLiteral("shift_note")));
+        KERF_STEP(press("shiftSave"));
         QTRY_VERIFY(window().sheets().current() == nullptr);
-        press("shiftHandOver");
-        type("shiftText", m_korean ? QStringLiteral("게이지 G-07 확인 필요") : QStringLiteral("look at gauge G-07"));
-        look(QStringLiteral("shift_hand_over"));
-        press("shiftSave");
+        KERF_STEP(press("shiftHandOver"));
+        KERF_STEP(type("shiftText",
+                       m_korean ? QStringLiteral("게이지 G-07 확인 필요") : QStringLiteral("look at gauge G-07")));
+        KERF_STEP(look(QStringLiteral("shift_hand_over")));
+        KERF_STEP(press("shiftSave"));
         QTRY_VERIFY(window().sheets().current() == nullptr);
         QTRY_VERIFY(m_bench->find<QAbstractButton>("shiftEarlier")->isEnabled());
-        look(QStringLiteral("shift_new"));
-        press("shiftEarlier");
-        look(QStringLiteral("shift_before"));
-        press("shiftPdf");
-        look(QStringLiteral("shift_pdf"));
-        pressOwnFolder(QStringLiteral("shiftFolder"));
+        KERF_STEP(look(QStringLiteral("shift_new")));
+        KERF_STEP(press("shiftEarlier"));
+        KERF_STEP(look(QStringLiteral("shift_before")));
+        KERF_STEP(press("shiftPdf"));
+        KERF_STEP(look(QStringLiteral("shift_pdf")));
+        KERF_STEP(pressOwnFolder(QStringLiteral("shiftFolder")));
         QTRY_COMPARE_WITH_TIMEOUT(filesOf(QStringLiteral("*.pdf")).size(), 1, 20'000);
     }
     void walkBackup() {
         window().showPage("diagnostics");
-        press("backup");
-        look(QStringLiteral("backup"));
-        pressOwnFolder(QStringLiteral("backupFolder"));
+        KERF_STEP(press("backup"));
+        KERF_STEP(look(QStringLiteral("backup")));
+        KERF_STEP(pressOwnFolder(QStringLiteral("backupFolder")));
         QTRY_COMPARE_WITH_TIMEOUT(filesOf(QStringLiteral("kerf_2*.db")).size(), 1, 20'000);
-        look(QStringLiteral("backed_up"));
-        press("restore");
-        look(QStringLiteral("restore"));
-        press("restoreFile0");
-        type("restoreReason", m_korean ? QStringLiteral("디스크 교체") : QStringLiteral("new disk"));
-        look(QStringLiteral("restore_why"));
-        press("restoreGo");
+        KERF_STEP(look(QStringLiteral("backed_up")));
+        KERF_STEP(press("restore"));
+        KERF_STEP(look(QStringLiteral("restore")));
+        KERF_STEP(press("restoreFile0"));
+        KERF_STEP(type("restoreReason", m_korean ? QStringLiteral("디스크 교체") : QStringLiteral("new disk")));
+        KERF_STEP(look(QStringLiteral("restore_why")));
+        KERF_STEP(press("restoreGo"));
         QTRY_VERIFY_WITH_TIMEOUT(m_bench->find("restoreEnd") != nullptr, 20'000);
-        look(QStringLiteral("restore_ready"));
-        press("sheetSafe");
+        KERF_STEP(look(QStringLiteral("restore_ready")));
+        KERF_STEP(press("sheetSafe"));
     }
     QStringList filesOf(const QString& pattern) {
         QStringList found;
@@ -242,6 +270,11 @@ class TestConsoleSheets : public QObject {
         QVERIFY(QDir(m_home.filePath(QStringLiteral("Documents"))).removeRecursively());
         QVERIFY(QDir(m_home.path()).mkpath(QStringLiteral("Documents")));
     }
+    void cleanup() {
+        if (m_bench) {
+            m_bench->stop();
+        }
+    }
     void sheets_data() {
         QTest::addColumn<bool>("korean");
         QTest::newRow("en") << false;
@@ -253,33 +286,64 @@ class TestConsoleSheets : public QObject {
         for (const auto step :
              {&TestConsoleSheets::walkCentre, &TestConsoleSheets::walkPeople, &TestConsoleSheets::walkAlarms,
               &TestConsoleSheets::walkShift, &TestConsoleSheets::walkBackup}) {
-            (this->*step)();
-            if (QTest::currentTestFailed()) {
-                m_bench->stop();
-                return;
-            }
+            KERF_STEP((this->*step)());
         }
-        m_bench->stop();
     }
     void turning_data() { sheets_data(); }
     void turning() {
         QFETCH(bool, korean);
         m_korean = korean;
-        start("diamond-lathe");
+        KERF_STEP(start("diamond-lathe"));
         QVERIFY(window().session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
         window().showPage("turning");
         m_bench->pause();  // what is live behind the sheets is another test's matter
         for (const char* to : {"0.8", "0.9"}) {
-            press("turningSetup");
+            KERF_STEP(press("turningSetup"));
             QTRY_VERIFY(m_bench->find<QLineEdit>("turningField5Edit") != nullptr);
-            typeInto(m_bench->find<QLineEdit>("turningField5Edit"), QLatin1String(to));
-            look(QStringLiteral("turning_setup"));
-            press("turningSetupApply");
+            KERF_STEP(typeInto(m_bench->find<QLineEdit>("turningField5Edit"), QLatin1String(to)));
+            KERF_STEP(look(QStringLiteral("turning_setup")));
+            KERF_STEP(press("turningSetupApply"));
             QTRY_VERIFY(window().sheets().current() == nullptr);
         }
-        press("turningSetup");
-        walkRevisions("turning", 2);
-        m_bench->stop();
+        KERF_STEP(press("turningSetup"));
+        KERF_STEP(walkRevisions("turning", 2));
+    }
+    void tapping_data() { sheets_data(); }
+    /// Two tunings of one thread, the first rolled back: what differs is told in the shop's words, and the first is in
+    /// force again, with a reason.
+    void tapping() {
+        QFETCH(bool, korean);
+        m_korean = korean;
+        console::Options options;  // one bore is cut and waits for its gauge: the machine is free
+        options.preparedParts = 0;
+        options.lotSize = 1;
+        options.simulationSpeed = 0.0;
+        options.seed = 5;
+        KERF_STEP(start(options));
+        QVERIFY(window().session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench->service().awaiting.has_value(), 60'000);
+        window().showPage("tapping");
+        KERF_STEP(press("tappingAutomatic"));
+        std::size_t kept = 0;
+        for (const char* touch : {"tappingTune", "tappingRollBack", "tappingTune"}) {
+            KERF_STEP(press(touch));
+            ++kept;
+            QTRY_COMPARE_WITH_TIMEOUT(tunings().size(), kept, 60'000);
+        }
+        const auto first = formats::tuningFromJson(tunings().front().parametersJson);
+        QVERIFY(first.has_value());
+        KERF_STEP(press("tappingJob"));
+        KERF_STEP(walkRevisions("tapping", 3, 2));
+        QTRY_VERIFY(window().sheets().current() == nullptr);  // what stood in the job's form holds no longer
+        const std::vector<RecipeRevision> all = tunings();
+        QCOMPARE(all.size(), std::size_t{4});
+        QCOMPARE(all.back().restoredFrom.value_or(0), 1U);
+        QCOMPARE(all.back().author, std::string("Kim"));
+        QCOMPARE(QString::fromStdString(all.back().reason), asBefore());
+        const std::uint32_t before = m_bench->status().tapping.taps;
+        KERF_STEP(press("tappingTap"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bench->status().tapping.taps > before, 20'000);
+        QCOMPARE(m_bench->status().tapping.drive.zKp_perS, first->settings.zKp_perS);
     }
 };
 

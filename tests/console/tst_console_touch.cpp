@@ -18,25 +18,13 @@ using namespace kerf;
 /// Everything a person must type can be typed by touch: every sheet that a touch opens, from every page, field by
 /// field, with the Korean and the Latin page of the keyboard. The machine stands still meanwhile, so that the walk is
 /// the same each time.
-class TestConsoleTouch : public QObject {
+class TestConsoleTouch : public QObject, test::ConsoleWalk {
     Q_OBJECT
 
-    test::ConsoleBench m_bench;
     std::set<QString> m_seen;
     std::set<QString> m_fields;
     QStringList m_unserved;
     int m_sheets{0};
-
-    static constexpr int kDeepest = 4;
-
-    test::ConsoleWalk m_walk{m_bench};
-
-    [[nodiscard]] ui::MainWindow* window() { return m_walk.window(); }
-    [[nodiscard]] ui::SheetHost* host() { return m_walk.host(); }
-    static void settle() { test::ConsoleWalk::settle(); }
-    [[nodiscard]] QStringList buttonsIn(const QWidget* place) { return m_walk.buttonsIn(place); }
-    void pressNow(const QString& name) { m_walk.pressNow(name); }
-    void goTo(const QString& page, const QStringList& path) { m_walk.goTo(page, path); }
 
     /// Somebody wants pictures of the sheets.
     [[nodiscard]] static bool looking() { return qEnvironmentVariableIsSet("KERF_SCRATCH"); }
@@ -180,7 +168,7 @@ class TestConsoleTouch : public QObject {
 
  private slots:
     void initTestCase() {
-        m_walk.begin("ko", looking());
+        begin("ko", looking());
         if (QTest::currentTestFailed()) return;
         settle();
     }
@@ -223,19 +211,13 @@ class TestConsoleTouch : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(m_bench.service().awaiting.has_value(), 120'000);  // the walk finds one waiting
         m_bench.pause();
     }
-    void everyFieldIsServed_data() {
-        QTest::addColumn<QString>("page");
-        for (const ui::PageEntry& page : window()->pages()) {
-            QTest::newRow(page.key) << QString::fromLatin1(page.key);
-        }
-    }
+    void everyFieldIsServed_data() { pageRows(); }
     /// What the frame opens is looked at once, from the first page.
     void everyFieldIsServed() {
         QFETCH(QString, page);
         m_unserved.clear();
         goTo(page, {});
-        const bool first = page == QLatin1String(window()->pages().front().key);
-        const QWidget* place = first ? static_cast<QWidget*>(window()) : window()->page(page.toLatin1().constData());
+        const QWidget* place = placeOf(page);
         QVERIFY(place != nullptr);
         check(place, page);
         for (const QString& name : buttonsIn(place)) {

@@ -17,10 +17,9 @@ using namespace kerf;
 /// Keys of a gauge on every page and every sheet of the real console, whatever has the focus: none of them presses a
 /// button or stays in a text, a frame is one reading, and what a person types goes where it was meant to. The machine
 /// stands still meanwhile; the clock of the keys is the test's own.
-class TestConsoleWedge : public QObject {
+class TestConsoleWedge : public QObject, test::ConsoleWalk {
     Q_OBJECT
 
-    test::ConsoleBench m_bench;
     std::set<QString> m_seen;
     QStringList m_wrong;
     std::mt19937 m_random{14};
@@ -28,17 +27,8 @@ class TestConsoleWedge : public QObject {
     int m_frames{0};
     int m_places{0};
 
-    static constexpr int kDeepest = 4;
     static constexpr int kFocusPerPlace = 8;
 
-    test::ConsoleWalk m_walk{m_bench};
-
-    [[nodiscard]] ui::MainWindow* window() { return m_walk.window(); }
-    [[nodiscard]] ui::SheetHost* host() { return m_walk.host(); }
-    static void settle() { test::ConsoleWalk::settle(); }
-    [[nodiscard]] QStringList buttonsIn(const QWidget* place) { return m_walk.buttonsIn(place); }
-    void pressNow(const QString& name) { m_walk.pressNow(name); }
-    void goTo(const QString& page, const QStringList& path) { m_walk.goTo(page, path); }
     [[nodiscard]] ui::GaugeWedge* wedge() { return window()->findChild<ui::GaugeWedge*>(); }
 
     // ── keys
@@ -240,24 +230,18 @@ class TestConsoleWedge : public QObject {
 
  private slots:
     void initTestCase() {
-        m_walk.begin("", false);
+        begin("", false);
         if (QTest::currentTestFailed()) return;
         QVERIFY(wedge() != nullptr);
         wedge()->setClock([this] { return m_now_ms; });
         settle();
     }
-    void everyPageAndSheet_data() {
-        QTest::addColumn<QString>("page");
-        for (const ui::PageEntry& page : window()->pages()) {
-            QTest::newRow(page.key) << QString::fromLatin1(page.key);
-        }
-    }
+    void everyPageAndSheet_data() { pageRows(); }
     void everyPageAndSheet() {
         QFETCH(QString, page);
         m_wrong.clear();
         goTo(page, {});
-        const bool first = page == QLatin1String(window()->pages().front().key);
-        QWidget* here = first ? static_cast<QWidget*>(window()) : window()->page(page.toLatin1().constData());
+        QWidget* here = placeOf(page);
         QVERIFY(here != nullptr);
         place(here, page);
         for (const QString& name : buttonsIn(here)) {

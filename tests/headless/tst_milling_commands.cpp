@@ -15,7 +15,7 @@ using nlohmann::json;
 namespace {
 
 KerfRun milling(const QString& arguments) {
-    return runKerf(QStringList{QStringLiteral("milling")} + arguments.split(u' ', Qt::SkipEmptyParts));
+    return runKerf("milling", arguments);
 }
 
 /// A recorded cut: 600 rpm, 1 kHz, 300 N with ripple, entered after `air_s`.

@@ -3,13 +3,13 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tests/support/golden.h"
-#include "tests/support/kerf_program.h"
+#include "tests/support/kerf_document.h"
 
 using kerf::test::csvRows;
+using kerf::test::document;
 using kerf::test::KerfRun;
 using kerf::test::runKerf;
 using kerf::test::scratchFile;
@@ -18,10 +18,7 @@ using nlohmann::json;
 namespace {
 
 KerfRun tapping(const QString& arguments) {
-    return runKerf(QStringList{QStringLiteral("tapping")} + arguments.split(u' ', Qt::SkipEmptyParts));
-}
-json document(const KerfRun& run) {
-    return json::parse(run.out.toStdString());
+    return runKerf("tapping", arguments);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/golden.h"
-#include "tests/support/kerf_program.h"
+#include "tests/support/kerf_document.h"
 
 using kerf::test::csvRows;
+using kerf::test::document;
 using kerf::test::KerfRun;
 using kerf::test::runKerf;
 using kerf::test::scratchFile;
@@ -15,10 +15,7 @@ using nlohmann::json;
 namespace {
 
 KerfRun turning(const QString& arguments) {
-    return runKerf(QStringList{QStringLiteral("turning")} + arguments.split(u' ', Qt::SkipEmptyParts));
-}
-json document(const KerfRun& run) {
-    return json::parse(run.out.toStdString());
+    return runKerf("turning", arguments);
 }
 
 }  // namespace

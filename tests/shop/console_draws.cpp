@@ -31,15 +31,7 @@ class TestConsoleDraws : public QObject {
         QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
         file.write(line + '\n');
     }
-    void start() {
-        console::Options options;
-        options.preparedParts = 0;
-        options.simulationSpeed = 0.0;
-        options.changeAtPart = 0;
-        m_bench.start(options);
-        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
-        QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Lee"), ui::Role::Engineer));
-    }
+    void start() { m_bench.startQuietly(); }
     /// By the operator's hands: the lots' sheet, its part type, its button.
     void openLot(const QString& partType, const QString& name) {
         QVERIFY(m_bench.press("lots"));

@@ -47,6 +47,17 @@ class ConsoleBench {
             m_failure = QString::fromStdString(started.error().english());
         }
     }
+    /// A console at whose machine nothing was made before and nothing changes by itself, as fast as it can, with an
+    /// engineer signed on.
+    void startQuietly() {
+        console::Options options;
+        options.preparedParts = 0;
+        options.simulationSpeed = 0.0;
+        options.changeAtPart = 0;
+        start(options);
+        QTRY_VERIFY2_WITH_TIMEOUT(up(), qPrintable(m_failure), 30'000);
+        QVERIFY(m_console->window()->session().signOn(QStringLiteral("Lee"), ui::Role::Engineer));
+    }
     void stop() {
         m_pacer.stop();
         m_console.reset();

@@ -11,10 +11,12 @@
 
 namespace kerf::test {
 
-/// Goes over the pages of a console and the sheets behind their buttons, by touch.
+/// Goes over the pages of a console and the sheets behind their buttons, by touch. A test is one, beside being a
+/// QObject.
 class ConsoleWalk {
- public:
-    explicit ConsoleWalk(ConsoleBench& bench) : m_bench(bench) {}
+ protected:
+    ConsoleWalk() = default;
+    ~ConsoleWalk() = default;
 
     /// A console with a few parts made, a bore that waits, and an operator and an engineer who are known; the machine
     /// stands still.
@@ -82,6 +84,22 @@ class ConsoleWalk {
         }
     }
 
+    /// A row of data for each page.
+    void pageRows() {
+        QTest::addColumn<QString>("page");
+        for (const ui::PageEntry& page : window()->pages()) {
+            QTest::newRow(page.key) << QString::fromLatin1(page.key);
+        }
+    }
+    /// Where to look on a page: in the frame as well, once, with the first one.
+    [[nodiscard]] QWidget* placeOf(const QString& page) {
+        const bool first = page == QLatin1String(window()->pages().front().key);
+        return first ? static_cast<QWidget*>(window()) : window()->page(page.toLatin1().constData());
+    }
+    static constexpr int kDeepest = 4;  ///< sheets behind a page
+
+    ConsoleBench m_bench;
+
  private:
     /// What starts or ends something outside the pages, leads away, changes whose walk this is and how it looks, or
     /// only types. Choices open nothing either (buttonsIn).
@@ -92,8 +110,6 @@ class ConsoleWalk {
         return name.isEmpty() || kNames.contains(name) ||
                std::ranges::any_of(kBegins, [&](const QString& begin) { return name.startsWith(begin); });
     }
-
-    ConsoleBench& m_bench;
 };
 
 }  // namespace kerf::test

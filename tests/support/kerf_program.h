@@ -28,6 +28,11 @@ inline KerfRun runKerf(const QStringList& arguments) {
     return run;
 }
 
+/// The same for `kerf COMMAND …`, as one would type it; no argument with a space in it.
+inline KerfRun runKerf(const char* command, const QString& arguments) {
+    return runKerf(QStringList{QLatin1String(command)} + arguments.split(u' ', Qt::SkipEmptyParts));
+}
+
 /// Writes a file into the scratch folder; returns its name.
 inline QString scratchFile(const QString& name, const QString& text) {
     QFile file(name);

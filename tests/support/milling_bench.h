@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/cycle/engine.h"
-#include "engine/machine/simulated/simulated_machine.h"
 #include "engine/machine/simulated/simulated_milling.h"
 #include "engine/process/milling/milling_loop.h"
+#include "tests/support/loop_bench.h"
 
 namespace kerf::test {
 
@@ -25,34 +24,19 @@ inline MillingSetup millingSetup() {
 }
 
 /// Simulated milling machine, loop and engine, not started: tests call engine->runCycles().
-struct MillingBench {
+struct MillingBench : LoopBench {
     explicit MillingBench(SimulatedMilling::Params params = {}, double maxFeedScale = 1.0) {
         if (params.blanks.empty()) {
             params.blanks.push_back(millingStairs());
         }
-        std::vector<std::unique_ptr<SimulatedProcess>> plants;
         auto plant = std::make_unique<SimulatedMilling>(params);
         milling = plant.get();
-        plants.push_back(std::move(plant));
         SimulatedMachine::Params machineParams;
         machineParams.maxFeedScale = maxFeedScale;
-        machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
-        (void)machine->connect();
-        std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<MillingLoop>());
-        engine = std::make_unique<Engine>(*machine, std::move(loops));
-    }
-    /// Sends, runs one cycle, and returns the engine's echo.
-    template <class Action>
-    CommandResult execute(const Action& action) {
-        Command command;
-        command.action = action;
-        (void)engine->send(command);
-        engine->runCycles(1);
-        return engine->status().lastCommand;
+        fit(std::move(plant), std::make_unique<MillingLoop>(), machineParams);
     }
     [[nodiscard]] Status status() { return engine->status(); }
-    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Milling)]; }
+    [[nodiscard]] LoopStatus loop() { return loopOf(ProcessId::Milling); }
     template <class Condition>
     bool runUntil(Condition condition, int most = 200'000) {
         for (int i = 0; i < most; ++i) {
@@ -89,8 +73,6 @@ struct MillingBench {
     }
 
     SimulatedMilling* milling{nullptr};
-    std::unique_ptr<SimulatedMachine> machine;
-    std::unique_ptr<Engine> engine;
 };
 
 }  // namespace kerf::test

@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "db/writer_thread.h"
 #include "engine/process/tapping/tap_exchange.h"
@@ -20,14 +22,17 @@ namespace kerf::test {
 struct ServiceBench {
     using Done = std::function<void(const Result<void>&)>;
 
-    ServiceBench() : writer(scratch.path(), &ring, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
+    /// `path`: a data file that is there already; empty: one of its own.
+    explicit ServiceBench(std::string path = {})
+        : file(path.empty() ? scratch.path() : std::move(path)),
+          writer(file, &ring, {.queueCapacity = 64, .ringPoll_ms = 1, .retry_ms = 2}) {
         if (!writer.start()) {
             qFatal("no writer");
         }
         readAnew();
     }
     /// As a console that starts again.
-    void readAnew() { reader = std::move(*db::DatabaseReader::open(scratch.path())); }
+    void readAnew() { reader = std::move(*db::DatabaseReader::open(file)); }
     /// The answer of a change.
     [[nodiscard]] Result<void> wait(const std::function<void(const Done&)>& call) {
         std::optional<Result<void>> result;
@@ -39,6 +44,7 @@ struct ServiceBench {
     }
 
     ScratchDatabase scratch;
+    const std::string file;
     FakeEngine engine;
     SpscRing<PartRecord> ring{64};
     db::WriterThread writer;

@@ -6,12 +6,11 @@
 #include <set>
 #include <vector>
 
-#include "engine/cycle/engine.h"
-#include "engine/machine/simulated/simulated_machine.h"
 #include "engine/machine/simulated/simulated_tapping.h"
 #include "engine/process/tapping/tapping_loop.h"
 #include "engine/process/tapping/trial_machine.h"
 #include "engine/process/tapping/tuner.h"
+#include "tests/support/loop_bench.h"
 
 namespace kerf::test {
 
@@ -39,25 +38,11 @@ inline tapping::TunerSetup setup(const tapping::DriveParams& drive) {
 }
 
 /// Simulated tapping machine, loop and engine, not started.
-struct TappingBench {
-    explicit TappingBench(const SimulatedTapping::Params& params = {}) : exchange(std::make_unique<TapExchange>()) {
-        std::vector<std::unique_ptr<SimulatedProcess>> plants;
-        plants.push_back(std::make_unique<SimulatedTapping>(params));
-        machine = std::make_unique<SimulatedMachine>(SimulatedMachine::Params{}, std::move(plants));
-        (void)machine->connect();
-        std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<TappingLoop>(*exchange));
-        engine = std::make_unique<Engine>(*machine, std::move(loops));
+struct TappingBench : WithExchange<TapExchange>, LoopBench {
+    explicit TappingBench(const SimulatedTapping::Params& params = {}) {
+        fit(std::make_unique<SimulatedTapping>(params), std::make_unique<TappingLoop>(*exchange));
         engine->runCycles(1);
         (void)execute(SetLoopMode{ProcessId::Tapping, LoopMode::Control});
-    }
-    template <class Action>
-    CommandResult execute(const Action& action) {
-        Command command;
-        command.action = action;
-        (void)engine->send(command);
-        engine->runCycles(1);
-        return engine->status().lastCommand;
     }
     template <class Condition>
     bool runUntil(Condition condition, int most = 20'000) {
@@ -106,9 +91,6 @@ struct TappingBench {
         return raised.contains(code);
     }
 
-    std::unique_ptr<TapExchange> exchange;
-    std::unique_ptr<SimulatedMachine> machine;
-    std::unique_ptr<Engine> engine;
     std::set<AlarmCode> raised;
 };
 

@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/cycle/engine.h"
-#include "engine/machine/simulated/simulated_machine.h"
 #include "engine/machine/simulated/simulated_thermal.h"
 #include "engine/process/thermal/plant/simulated_day.h"
 #include "engine/process/thermal/thermal_alarms.h"
 #include "engine/process/thermal/thermal_loop.h"
 #include "engine/process/thermal/training.h"
+#include "tests/support/loop_bench.h"
 
 namespace kerf::test {
 
@@ -32,34 +31,20 @@ inline std::vector<std::string> channelNames() {
 }
 
 /// The simulated machine's heat, the thermal loop and the engine, not started; 100 ms of machine time a cycle.
-struct ThermalBench {
+struct ThermalBench : WithExchange<ThermalExchange>, LoopBench {
     static constexpr std::int64_t kCycle_ns = 100'000'000;
     static constexpr int kCyclesPerMinute = 600;
 
-    explicit ThermalBench(const SimulatedThermal::Params& params = {}, const SimulatedThermal::Memory* memory = nullptr)
-        : exchange(std::make_unique<ThermalExchange>()) {
+    explicit ThermalBench(const SimulatedThermal::Params& params = {},
+                          const SimulatedThermal::Memory* memory = nullptr) {
         auto made = std::make_unique<SimulatedThermal>(params);
         plant = made.get();
         if (memory != nullptr) plant->resume(*memory);
-        std::vector<std::unique_ptr<SimulatedProcess>> plants;
-        plants.push_back(std::move(made));
         SimulatedMachine::Params machineParams;
         machineParams.cycle_ns = kCycle_ns;
-        machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
-        (void)machine->connect();
-        std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<ThermalLoop>(*exchange));
-        engine = std::make_unique<Engine>(*machine, std::move(loops));
+        fit(std::move(made), std::make_unique<ThermalLoop>(*exchange), machineParams);
         engine->runCycles(1);
         (void)execute(SetLoopMode{ProcessId::Thermal, LoopMode::Control});
-    }
-    template <class Action>
-    CommandResult execute(const Action& action) {
-        Command command;
-        command.action = action;
-        (void)engine->send(command);
-        engine->runCycles(1);
-        return engine->status().lastCommand;
     }
     void offer(const thermal::ThermalModel& model, std::uint32_t revision = 1) {
         const std::vector<std::string> names = channelNames();
@@ -79,7 +64,7 @@ struct ThermalBench {
         return begun;
     }
     [[nodiscard]] ThermalStatus thermal() { return engine->status().thermal; }
-    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Thermal)]; }
+    [[nodiscard]] LoopStatus loop() { return loopOf(ProcessId::Thermal); }
     /// True drift plus shift, the largest of the axes, µm.
     [[nodiscard]] double worstResidual_um() {
         double worst = 0.0;
@@ -108,10 +93,7 @@ struct ThermalBench {
 
     double allowed_um{4.0};
     std::uint32_t setupRevision{0};
-    std::unique_ptr<ThermalExchange> exchange;
     SimulatedThermal* plant{nullptr};
-    std::unique_ptr<SimulatedMachine> machine;
-    std::unique_ptr<Engine> engine;
     std::set<AlarmCode> raised;
     std::set<AlarmCode> cleared;
     std::vector<std::string> details;

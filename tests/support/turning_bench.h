@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/cycle/engine.h"
-#include "engine/machine/simulated/simulated_machine.h"
 #include "engine/machine/simulated/simulated_turning.h"
 #include "engine/process/turning/turning_loop.h"
+#include "tests/support/loop_bench.h"
 
 namespace kerf::test {
 
@@ -21,28 +20,14 @@ inline TurningSetup shortCut(std::uint32_t revision = 1) {
 }
 
 /// Simulated diamond turning machine at 5 kHz, loop and engine, on the caller's thread.
-struct TurningBench {
+struct TurningBench : LoopBench {
     explicit TurningBench(const SimulatedTurning::Params& params = {}, std::int64_t cycle_ns = 200'000,
                           TurningExchange* exchange = nullptr) {
-        std::vector<std::unique_ptr<SimulatedProcess>> plants;
         auto plant = std::make_unique<SimulatedTurning>(params);
         turning = plant.get();
-        plants.push_back(std::move(plant));
         SimulatedMachine::Params machineParams;
         machineParams.cycle_ns = cycle_ns;
-        machine = std::make_unique<SimulatedMachine>(machineParams, std::move(plants));
-        (void)machine->connect();
-        std::vector<std::unique_ptr<ProcessLoop>> loops;
-        loops.push_back(std::make_unique<TurningLoop>(exchange));
-        engine = std::make_unique<Engine>(*machine, std::move(loops));
-    }
-    template <class Action>
-    CommandResult execute(const Action& action) {
-        Command command;
-        command.action = action;
-        (void)engine->send(command);
-        engine->runCycles(1);
-        return engine->status().lastCommand;
+        fit(std::move(plant), std::make_unique<TurningLoop>(exchange), machineParams);
     }
     bool start(LoopMode mode = LoopMode::Control, const TurningSetup& setup = shortCut()) {
         return execute(LoadTurningSetup{setup}).done && execute(SetLoopMode{ProcessId::Turning, mode}).done &&
@@ -50,7 +35,7 @@ struct TurningBench {
     }
     void run(double seconds) { engine->runCycles(static_cast<std::uint64_t>(seconds * 5000.0)); }
     [[nodiscard]] TurningStatus status() { return engine->status().turning; }
-    [[nodiscard]] LoopStatus loop() { return engine->status().loops[static_cast<std::size_t>(ProcessId::Turning)]; }
+    [[nodiscard]] LoopStatus loop() { return loopOf(ProcessId::Turning); }
     /// RMS of the tool's true motion over the next seconds.
     double motionRms_um(double seconds) {
         double square_um2 = 0.0;
@@ -78,8 +63,6 @@ struct TurningBench {
     }
 
     SimulatedTurning* turning{nullptr};
-    std::unique_ptr<SimulatedMachine> machine;
-    std::unique_ptr<Engine> engine;
 };
 
 }  // namespace kerf::test

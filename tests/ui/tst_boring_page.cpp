@@ -5,9 +5,8 @@
 #include <QTest>
 #include <QTimer>
 
-#include "tests/support/fake_boring_service.h"
+#include "tests/support/boring_page_bench.h"
 #include "tests/support/layout_check.h"
-#include "tests/support/page_bench.h"
 #include "tests/support/page_look.h"
 #include "ui/pages/boring/boring_page.h"
 
@@ -17,20 +16,11 @@ using kerf::test::FakeBoringService;
 using kerf::test::PageBench;
 
 /// A lot on the fake service, its page, and the touches of an operator.
-class TestBoringPage : public QObject {
+class TestBoringPage : public QObject, test::BoringPageBench {
     Q_OBJECT
  private slots:
-    void init() {
-        m_service = std::make_unique<FakeBoringService>();
-        m_bench = std::make_unique<PageBench>();
-        m_bench->services.boringService = m_service.get();
-        m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Advise;
-        m_bench->engine.loop(ProcessId::Boring).state = LoopState::Advising;
-    }
-    void cleanup() {
-        m_bench.reset();
-        m_service.reset();
-    }
+    void init() { open(); }
+    void cleanup() { close(); }
 
     // Entry.
     void aDiameterIsEnteredInThreeTouches() {
@@ -512,17 +502,6 @@ class TestBoringPage : public QObject {
             QTest::qFail(qPrintable(name + u'\n' + problems.join(u'\n')), __FILE__, __LINE__);
         }
     }
-    void show() { m_bench->show<BoringPage>(); }
-    [[nodiscard]] EntryPanel* entry() { return static_cast<BoringPage*>(m_bench->page)->entry(); }
-    [[nodiscard]] DiameterField* field() { return entry()->field(); }
-    [[nodiscard]] QString text(const char* name) {
-        auto* label = m_bench->find<QLabel>(name);
-        return label != nullptr ? label->text() : QString();
-    }
-    [[nodiscard]] bool visible(const char* name) {
-        auto* widget = m_bench->find<QWidget>(name);
-        return widget != nullptr && widget->isVisible();
-    }
     template <class... Names>
     int touches(Names... names) {
         int done = 0;
@@ -558,9 +537,6 @@ class TestBoringPage : public QObject {
             m_bench->engine.samples.push_back(sample);
         }
     }
-
-    std::unique_ptr<FakeBoringService> m_service;
-    std::unique_ptr<PageBench> m_bench;
 };
 
 QTEST_MAIN(TestBoringPage)

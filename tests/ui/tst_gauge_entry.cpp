@@ -4,8 +4,7 @@
 #include <QTest>
 #include <deque>
 
-#include "tests/support/fake_boring_service.h"
-#include "tests/support/page_bench.h"
+#include "tests/support/boring_page_bench.h"
 #include "ui/pages/boring/boring_page.h"
 #include "ui/services/sensor_service.h"
 
@@ -34,20 +33,11 @@ class FakeSensors final : public SensorService {
 }  // namespace
 
 /// Readings of hand gauges on the boring page: where they go, and what is said when they go nowhere.
-class TestGaugeEntry : public QObject {
+class TestGaugeEntry : public QObject, test::BoringPageBench {
     Q_OBJECT
  private slots:
-    void init() {
-        m_service = std::make_unique<FakeBoringService>();
-        m_bench = std::make_unique<PageBench>();
-        m_bench->services.boringService = m_service.get();
-        m_bench->engine.loop(ProcessId::Boring).mode = LoopMode::Advise;
-        m_bench->engine.loop(ProcessId::Boring).state = LoopState::Advising;
-    }
-    void cleanup() {
-        m_bench.reset();
-        m_service.reset();
-    }
+    void init() { open(); }
+    void cleanup() { close(); }
 
     void channelsBelongToDepthsAndARepeatChangesNothing() {
         m_service->cutPart();
@@ -320,25 +310,12 @@ class TestGaugeEntry : public QObject {
     }
 
  private:
-    void show() { m_bench->show<BoringPage>(); }
-    [[nodiscard]] DiameterField* field() { return static_cast<BoringPage*>(m_bench->page)->entry()->field(); }
-    [[nodiscard]] QString text(const char* name) {
-        auto* label = m_bench->find<QLabel>(name);
-        return label != nullptr ? label->text() : QString();
-    }
-    [[nodiscard]] bool visible(const char* name) {
-        auto* widget = m_bench->find<QWidget>(name);
-        return widget != nullptr && widget->isVisible();
-    }
     static void burst(QWidget* target, const char* text) {
         for (const char c : std::string(text)) {
             QTest::keyClick(target, c);
         }
         QTest::keyClick(target, Qt::Key_Return);
     }
-
-    std::unique_ptr<FakeBoringService> m_service;
-    std::unique_ptr<PageBench> m_bench;
 };
 
 QTEST_MAIN(TestGaugeEntry)

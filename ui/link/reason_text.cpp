@@ -18,7 +18,9 @@ QString reasonText(const std::string& stored) {
                                      KERF_TEXT("law of before"),
                                      KERF_TEXT("changed while cutting"),
                                      KERF_TEXT("typed"),
-                                     KERF_TEXT("blank profile of before")};
+                                     KERF_TEXT("blank profile of before"),
+                                     KERF_TEXT("accepted"),
+                                     KERF_TEXT("rolled back")};
     static constexpr const char* kStudy = KERF_TEXT("repeatability of gauge %1, study %2");
     for (const char* own : kOwn) {
         if (stored == own) {
