@@ -168,6 +168,30 @@ class TestGatheringVfs : public QObject {
         QVERIFY(check.run().next());
         QCOMPARE(check.text(0), std::string("ok"));
     }
+    void whatWasRolledBackIsNotWrittenOverAnothersCommit() {
+        test::ScratchDatabase scratch;
+        const db::Connection one(scratch.path(), db::Access::Write);
+        const db::Connection two(scratch.path(), db::Access::Write);
+        prepareTable(one.database(), "FULL");
+        addRows(one.database(), 1, 60);
+        db::execute(one.database(), QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+        {  // reads the data file alone, so that nothing but the end of it takes its frames into the log
+            const db::Transaction taken(one.database());
+            db::execute(one.database(), QStringLiteral("UPDATE t SET body = upper(body)"));
+        }
+        {
+            db::Transaction transaction(two.database());
+            addRows(two.database(), 100, 80);  // as far into the log as the other one was
+            transaction.commit();
+        }
+        addRows(one.database(), 200, 3);
+        const db::Connection reader(scratch.path(), db::Access::Read);
+        QCOMPARE(number(reader.database(), "SELECT count(*) FROM t"), std::int64_t{143});
+        QCOMPARE(number(reader.database(), "SELECT count(*) FROM t WHERE body GLOB '*X*'"), std::int64_t{0});
+        db::Statement check(reader.database(), "PRAGMA integrity_check");
+        QVERIFY(check.run().next());
+        QCOMPARE(check.text(0), std::string("ok"));
+    }
     void deathAtAnyWriteLeavesWholeTransactions_data() { whatIsCommittedIsSeenByOthers_data(); }
     void deathAtAnyWriteLeavesWholeTransactions() {
         QFETCH(QString, synchronous);
@@ -210,9 +234,12 @@ class TestGatheringVfs : public QObject {
         }
         QVERIFY(deaths > 10);
     }
+    void aFullDiskRefusesTheCommit_data() { whatIsCommittedIsSeenByOthers_data(); }
     void aFullDiskRefusesTheCommit() {
+        QFETCH(QString, synchronous);
         test::ScratchDatabase scratch;
         test::Shop shop(scratch.path());
+        db::execute(shop.database(), QStringLiteral("PRAGMA synchronous = ") + synchronous);
         const PartId part = shop.addPart(1);
         const AcceptMeasurement command{test::measured(part, 0, 50.0), {test::stateOf(0.5)}, std::nullopt};
         (void)shop.must(command);
