@@ -2696,8 +2696,8 @@
     <context>
     <name>StartRest</name>
         <message>
-            <source>One moment: what was stored last is being loaded.</source>
-            <translation>One moment: what was stored last is being loaded.</translation>
+            <source>Loading what was just stored.</source>
+            <translation>Loading what was just stored.</translation>
         </message>
     </context>
     <context>

@@ -2692,8 +2692,8 @@
     <context>
     <name>StartRest</name>
         <message>
-            <source>One moment: what was stored last is being loaded.</source>
-            <translation>잠시 기다리십시오. 방금 저장한 내용을 불러오는 중입니다.</translation>
+            <source>Loading what was just stored.</source>
+            <translation>방금 저장한 내용 적용 중</translation>
         </message>
     </context>
     <context>

@@ -89,18 +89,21 @@ class ConsoleBench {
         }
         return nullptr;
     }
-    /// Touch a button as soon as it can be pressed, as an operator does; false when it is not there or stays disabled.
+    /// Touch a button as soon as it can be pressed, as an operator does, again when it came to rest under the finger;
+    /// false when it is not there or stays disabled.
     [[nodiscard]] bool press(const char* name) {
-        QAbstractButton* button = nullptr;
-        const auto ready = [&] {
-            button = find<QAbstractButton>(name);
-            return button != nullptr && button->isEnabled();
+        const auto touched = [&] {
+            auto* button = find<QAbstractButton>(name);
+            if (button == nullptr || !button->isEnabled()) {
+                return false;
+            }
+            bool pressed = false;
+            const auto link = QObject::connect(button, &QAbstractButton::pressed, [&pressed] { pressed = true; });
+            QTest::mouseClick(button, Qt::LeftButton);
+            QObject::disconnect(link);
+            return pressed;
         };
-        if (!QTest::qWaitFor(ready, 10'000)) {
-            return false;
-        }
-        QTest::mouseClick(button, Qt::LeftButton);
-        return true;
+        return QTest::qWaitFor(touched, 10'000);
     }
     [[nodiscard]] QString text(const char* name) {
         const auto* label = find<QLabel>(name);

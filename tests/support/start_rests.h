@@ -4,9 +4,8 @@
 #include <QTest>
 #include <algorithm>
 
-#include "tests/support/fake_engine.h"
-#include "ui/link/engine_client.h"
-#include "ui/shell/services.h"
+#include "tests/support/layout_check.h"
+#include "tests/support/page_bench.h"
 #include "ui/widgets/action_button.h"
 
 namespace kerf::test {
@@ -14,8 +13,11 @@ namespace kerf::test {
 /// A start rests while what the next part is made with is on its way, and until the screen shows what the engine has:
 /// what is sent in the end names that. On a page whose start is possible; `asks`: a question comes before anything is
 /// sent.
-inline void startRests(ui::Services& services, FakeEngine& engine, ui::EngineClient& client, ui::ActionButton* start,
-                       ProcessId process, bool asks = false) {
+inline void startRests(PageBench& bench, const char* button, ProcessId process, bool asks = false) {
+    ui::Services& services = bench.services;
+    FakeEngine& engine = bench.engine;
+    ui::EngineClient& client = bench.client;
+    auto* start = bench.find<ui::ActionButton>(button);
     QVERIFY(start != nullptr);
     bool underWay = true;
     services.underWay = [&underWay, process](ProcessId asked) { return asked == process && underWay; };
@@ -25,7 +27,25 @@ inline void startRests(ui::Services& services, FakeEngine& engine, ui::EngineCli
     };
     client.tick();
     QVERIFY(!start->isEnabled());
-    QVERIFY2(start->reason().contains(QStringLiteral("what was stored last")), qPrintable(start->reason()));
+    QVERIFY2(start->reason().contains(QStringLiteral("just stored")), qPrintable(start->reason()));
+    for (const ui::Language language : {ui::Language::Korean, ui::Language::English}) {  // there is room to say it
+        ui::Preferences face = bench.look.preferences();
+        face.language = language;
+        bench.look.apply(face);
+        for (int i = 0; i < 3; ++i) {
+            QApplication::processEvents();
+        }
+        if (const QString folder = qEnvironmentVariable("KERF_SAVE_PAGES"); !folder.isEmpty()) {
+            bench.save(
+                folder + u'/' + QLatin1String(button) +
+                (language == ui::Language::Korean ? QStringLiteral("_rests_ko.png") : QStringLiteral("_rests.png")));
+        }
+        if (!start->parentWidget()->rect().contains(start->geometry())) {
+            continue;  // Overview without its cards lays nothing out
+        }
+        const QStringList clipped = clippedTexts(&bench.window).filter(u'#' + QLatin1String(button));
+        QVERIFY2(clipped.isEmpty(), qPrintable(clipped.join(u'\n')));
+    }
     underWay = false;
     client.tick();
     QVERIFY2(start->isEnabled(), qPrintable(start->reason()));

@@ -146,8 +146,7 @@ class TestMillingPage : public QObject {
     }
     void aStartRestsUntilTheNewestIsShown() {
         show();
-        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
-                         m_bench->find<ActionButton>("millingStart"), ProcessId::Milling);
+        test::startRests(*m_bench, "millingStart", ProcessId::Milling);
     }
     void teachStartAndReleaseSaySoWhenTheyCannot() {
         show();

@@ -168,8 +168,7 @@ class TestShell : public QObject {
         test::PageBench bench;
         bench.engine.caps.cycleStart.fitted = true;
         bench.show<OverviewPage>();
-        test::startRests(bench.services, bench.engine, bench.client, bench.find<ActionButton>("startPart"),
-                         ProcessId::Boring);
+        test::startRests(bench, "startPart", ProcessId::Boring);
     }
     void aButtonThatIsOffSaysWhy() {
         ShellBench bench;

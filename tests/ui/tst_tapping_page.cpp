@@ -157,8 +157,7 @@ class TestTappingPage : public QObject {
     }
     void aStartRestsUntilTheNewestIsShown() {
         show();
-        test::startRests(m_bench->services, m_bench->engine, m_bench->client, m_bench->find<ActionButton>("tappingTap"),
-                         ProcessId::Tapping);
+        test::startRests(*m_bench, "tappingTap", ProcessId::Tapping);
     }
     void aRunningTapCanBeAborted() {
         m_bench->engine.fake.tapping.phase = TapPhase::Tapping;

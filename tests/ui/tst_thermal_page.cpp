@@ -99,8 +99,7 @@ class TestThermalPage : public QObject {
     }
     void aStartRestsUntilTheNewestIsShown() {
         show();
-        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
-                         m_bench->find<ActionButton>("thermalWarmUp"), ProcessId::Thermal, true);
+        test::startRests(*m_bench, "thermalWarmUp", ProcessId::Thermal, true);
     }
     void stoppingTheWarmUpRestsForNothing() {
         show();

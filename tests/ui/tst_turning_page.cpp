@@ -69,8 +69,7 @@ class TestTurningPage : public QObject {
     }
     void aStartRestsUntilTheNewestIsShown() {
         show();
-        test::startRests(m_bench->services, m_bench->engine, m_bench->client,
-                         m_bench->find<ActionButton>("turningStart"), ProcessId::Turning);
+        test::startRests(*m_bench, "turningStart", ProcessId::Turning);
     }
     void startSaysWhyItIsOff() {
         show();

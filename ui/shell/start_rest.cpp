@@ -24,8 +24,7 @@ void restUntilShown(ActionButton* start, const PageContext& context,
         return (services.underWay && services.underWay(*id)) ||
                client.engine().status().orders[place] != client.status().orders[place];
     };
-    start->setRest(
-        [rests] { return rests() ? StartRest::tr("One moment: what was stored last is being loaded.") : QString(); });
+    start->setRest([rests] { return rests() ? StartRest::tr("Loading what was just stored.") : QString(); });
     QObject::connect(&context.client, &EngineClient::statusChanged, start, [start, rests] {
         if (rests() || !start->isEnabled()) {
             start->reconsider();
