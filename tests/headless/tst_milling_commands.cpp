@@ -90,6 +90,23 @@ class TestMillingCommands : public QObject {
             QVERIFY2(all.contains(key), key);
         }
     }
+    void noiseTableOfDrawnBlanksComesFromItsSeed() {
+        const QString arguments = QStringLiteral("noise --blanks drawn --count 1 --seeds 1 --blank-seed ");
+        const KerfRun run = milling(arguments + u'3');
+        QCOMPARE(run.exitCode, 0);
+        const auto rows = csvRows(run.out);
+        QCOMPARE(rows.size(), 1 + 3 * 7);
+        QCOMPARE(rows.first().last(), QStringLiteral("force_late_revs"));
+        QCOMPARE(rows.last().last(), QStringLiteral("1"));
+        QVERIFY(milling(arguments + u'4').out != run.out);
+        const json all = json::parse(milling(arguments + QStringLiteral("3 --summary")).out.toStdString());
+        QCOMPARE(all["rows"].get<int>(), 21);
+        int wavier = 0;
+        for (int i = 1; i < rows.size(); ++i) {
+            wavier += rows[i][5].toDouble() > rows[i][3].toDouble() ? 1 : 0;
+        }
+        QCOMPARE(all["rows_wavier"].get<int>(), wavier);
+    }
     void replayAdvisesOncePerRevolution() {
         const KerfRun run = milling(QStringLiteral("replay ") + recording(0.5));
         QCOMPARE(run.exitCode, 0);
@@ -102,10 +119,11 @@ class TestMillingCommands : public QObject {
     }
     void wrongUsageIsRefused_data() {
         QTest::addColumn<QString>("arguments");
-        for (const char* arguments : {"", "simulate --law fuzzy", "simulate --reference-n 0", "simulate --noise-n -1",
-                                      "simulate --lag-revs 2", "simulate --force-late-revs 3",
-                                      "simulate --axis-lag-s -1", "robust --machines 0", "simulate --csv --summary",
-                                      "simulate --kp nan", "replay", "simulate --seed -3", "simulate --unknown 1"}) {
+        for (const char* arguments :
+             {"", "simulate --law fuzzy", "simulate --reference-n 0", "simulate --noise-n -1", "simulate --lag-revs 2",
+              "simulate --force-late-revs 3", "simulate --axis-lag-s -1", "robust --machines 0", "noise --blanks any",
+              "noise --count 0", "simulate --csv --summary", "simulate --kp nan", "replay", "simulate --seed -3",
+              "simulate --unknown 1"}) {
             QTest::newRow(arguments) << QString::fromLatin1(arguments);
         }
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace kerf::milling {
@@ -17,6 +18,9 @@ constexpr double kMostBelow = 0.03;
 constexpr int kAimEarly = 60;  // revolutions in which the aim is taken, before the wall that is judged
 constexpr double kAimFast_rev = 20.0, kAimSlow_rev = 200.0;
 constexpr double kUnknownNoise = 0.0253;  // of the reference: of a force about which nothing was learnt yet
+constexpr int kDoubted = 50;              // revolutions in the work in which the lateness may be in doubt
+constexpr double kDoubt = 2.0;            // log-likelihood by which another lateness explains the forces better
+constexpr double kNearly = 0.5;           // of the aim
 constexpr double kAbove = 1.02;           // of the reference: from here on a change of law does not feed faster
 
 StiffnessEstimator::Params stiffnessParams(const FeedController::Params& params) {
@@ -133,6 +137,16 @@ double FeedController::modelShare(const RevolutionInput& input) const noexcept {
     return share + turning * (std::min(share, most) - share);
 }
 
+double FeedController::mostDoubted_mm(const RevolutionInput& input, double error_N) const noexcept {
+    if (m_revolutionsInWork >= kDoubted || m_estimator.lead() > -kDoubt || *input.force_N <= kNearly * aim_N()) {
+        return std::numeric_limits<double>::max();
+    }
+    const PiLaw::Params& pi = m_params.pi;
+    const double rise_mm =
+        pi.nominalRevolution_s * (pi.kp_mmPerSPerN * (error_N - m_lastError_N) + pi.ki_mmPerSPerN * m_lastError_N);
+    return m_feed_mmPerS * input.revolution_s + std::max(0.0, rise_mm);
+}
+
 double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept {
     switch (m_law) {
         case LawKind::Constant:
@@ -163,7 +177,8 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
     }
     watchTurns();
     const double share = modelShare(input);
-    return (share * m_axis.toMake_mm(wanted_mm) + (1.0 - share) * feedback_mm) / input.revolution_s;
+    const double feed_mm = share * m_axis.toMake_mm(wanted_mm) + (1.0 - share) * feedback_mm;
+    return std::min(feed_mm, mostDoubted_mm(input, error_N)) / input.revolution_s;
 }
 
 FeedDecision FeedController::update(const RevolutionInput& input) noexcept {

@@ -107,6 +107,9 @@ class FeedController {
     /// How much the depth has been turning from harder to easier and back lately, 0 … 1.
     void watchTurns() noexcept;
     [[nodiscard]] double modelShare(const RevolutionInput& input) const noexcept;
+    /// While the forces of the entry rather speak for another lateness than the one believed: the model may not raise
+    /// the feed faster than the PI, which does not ask for it.
+    [[nodiscard]] double mostDoubted_mm(const RevolutionInput& input, double error_N) const noexcept;
     void estimate(const RevolutionInput& input) noexcept;
     [[nodiscard]] std::size_t late() const noexcept { return m_axis.late() + m_estimator.late(); }
 

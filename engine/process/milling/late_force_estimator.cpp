@@ -91,6 +91,14 @@ void LateForceEstimator::judge(const std::array<double, kLates>& logLikelihood) 
     }
 }
 
+double LateForceEstimator::lead() const noexcept {
+    double other = -1e300;
+    for (std::size_t late = 0; late < kLates; ++late) {
+        other = late != m_late ? std::max(other, m_logEvidence[late]) : other;
+    }
+    return m_logEvidence[m_late] - other;
+}
+
 void LateForceEstimator::coast(double feed_mm) noexcept {
     take({feed_mm, 0.0});
     for (std::size_t late = 0; late < kLates; ++late) {

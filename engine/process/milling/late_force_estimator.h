@@ -44,6 +44,8 @@ class LateForceEstimator {
     bool setKxLogWeights(const std::array<double, kFilters>& weights) noexcept;
 
     [[nodiscard]] std::size_t late() const noexcept { return m_late; }
+    /// Log-likelihood by which late() explains the forces better than any other lateness; negative: worse.
+    [[nodiscard]] double lead() const noexcept;
     /// At the period the force belongs to.
     [[nodiscard]] const StiffnessEstimate& estimate() const noexcept { return m_estimators[m_late].estimate(); }
     /// At the end of what was measured, and of `pending_mm` after it (AxisFollow: at most kLates periods).

@@ -192,6 +192,20 @@ class TestMillingLaws : public QObject {
         QVERIFY2(ours.peak_kgf <= paper.peak_kgf,
                  qPrintable(QString("%1 kgf, paper %2").arg(ours.peak_kgf).arg(paper.peak_kgf)));
     }
+    void aForceThatAloneComesLateDoesNotPeakInTheEntry() {
+        std::vector<double> ramp_mm(200);
+        for (std::size_t i = 0; i < ramp_mm.size(); ++i) {
+            ramp_mm[i] = 1.0 + (static_cast<double>(i) + 0.5) / 100.0;
+        }
+        CutCase cut = bare(LawKind::Model);
+        cut.blank = *BlankProfile::ofSegments(ramp_mm, 0.5);
+        cut.wholePulses = true;
+        cut.forceLate_rev = 1;
+        const double ours_N = simulateCut(cut).summary.peakForce_N;
+        cut.law = LawKind::Pi;
+        const double paper_N = simulateCut(cut).summary.peakForce_N;
+        QVERIFY2(ours_N <= paper_N, qPrintable(QString::number(ours_N / kKgf)));
+    }
     void latenessIsLearntFromTheFeed() {
         for (const std::size_t late : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
             AxisFollow axis;
