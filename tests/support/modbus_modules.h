@@ -34,9 +34,12 @@ class ModbusModules {
     /// Why they cannot run here; empty when they can.
     [[nodiscard]] static QString whyNot(bool serial = false) {
         QProcess look;
-        look.start(QString::fromLatin1(kPython), {QStringLiteral("-c"), QStringLiteral("import pymodbus.server, serial")});
+        look.start(QString::fromLatin1(kPython),
+                   {QStringLiteral("-c"), QStringLiteral("import pymodbus.server, serial")});
         if (!look.waitForStarted() || !look.waitForFinished() || look.exitCode() != 0) {
-            return QStringLiteral("pymodbus is not installed here (packages python3-pymodbus, python3-serial and python3-serial-asyncio)");
+            return QStringLiteral(
+                "pymodbus is not installed here (packages python3-pymodbus, python3-serial and "
+                "python3-serial-asyncio)");
         }
         if (serial && QStandardPaths::findExecutable(QStringLiteral("socat")).isEmpty()) {
             return QStringLiteral("socat is not installed here (package socat)");
