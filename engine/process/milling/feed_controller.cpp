@@ -96,8 +96,7 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
         m_estimator.air(*input.force_N, input.feed_mmPerRev);
         m_revolutionsInWork = 0;
     } else {
-        const bool preview = m_law == LawKind::Preview && m_blank.size() > 0;
-        m_estimator.update(*input.force_N, input.feed_mmPerRev, preview ? m_lnDepthNow - m_lnDepthBefore : 0.0,
+        m_estimator.update(*input.force_N, input.feed_mmPerRev, knownChange(),
                            m_law == LawKind::Model || m_law == LawKind::Preview);
         ++m_revolutionsInWork;
     }
@@ -107,6 +106,10 @@ void FeedController::estimate(const RevolutionInput& input) noexcept {
         m_lnDepthNow = lnDepth;
         m_depthKnown = true;
     }
+}
+
+double FeedController::knownChange() const noexcept {
+    return m_law == LawKind::Preview && m_blank.size() > 0 ? m_lnDepthNow - m_lnDepthBefore : 0.0;
 }
 
 void FeedController::takeAim() noexcept {
@@ -216,7 +219,7 @@ FeedDecision FeedController::decide(const RevolutionInput& input) noexcept {
         decision.feed_mmPerS = m_feed_mmPerS;
         return decision;
     }
-    const double wanted_mmPerS = lawFeed_mmPerS(input, m_lnDepthNow - m_lnDepthBefore);
+    const double wanted_mmPerS = lawFeed_mmPerS(input, knownChange());
     m_blend_mmPerS = m_changed ? m_feed_mmPerS - wanted_mmPerS : m_params.blendMemory * m_blend_mmPerS;
     m_changed = false;
     if (m_blend_mmPerS > 0.0 && *input.force_N > kAbove * m_params.reference_N) {

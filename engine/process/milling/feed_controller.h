@@ -101,6 +101,9 @@ class FeedController {
     [[nodiscard]] FeedDecision decide(const RevolutionInput& input) noexcept;
     [[nodiscard]] double lawFeed_mmPerS(const RevolutionInput& input, double knownChange) noexcept;
     [[nodiscard]] double lnDepthAt(double position_mm) const noexcept;
+    /// Of ln b from the revolution just measured to the coming one, by the profile: for preview alone, another law may
+    /// have been chosen because the profile is wrong.
+    [[nodiscard]] double knownChange() const noexcept;
     /// Force the model laws steer for: a little below the reference.
     [[nodiscard]] double aim_N() const noexcept { return m_params.reference_N * (1.0 - m_below); }
     void takeAim() noexcept;

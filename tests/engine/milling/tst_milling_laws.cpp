@@ -338,6 +338,12 @@ class TestMillingLaws : public QObject {
         });
         QVERIFY2(worst.waviness_um <= 18.0, qPrintable(QString::number(worst.waviness_um)));
     }
+    void modelGoesByTheForceWhateverBlankIsLoaded() {
+        CutCase cut = bare(LawKind::Model);
+        const double alone_um = waviness_um(simulateCut(cut));
+        cut.believedBlank = cut.blank.distorted(6.0, 1.5);
+        QCOMPARE(waviness_um(simulateCut(cut)), alone_um);
+    }
     void exactPreviewBeatsNoPreviewWithoutNoise() {
         CutCase cut = bare(LawKind::Preview);
         cut.believedBlank = cut.blank;
