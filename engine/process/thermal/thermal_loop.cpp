@@ -8,7 +8,6 @@
 #include "engine/cycle/event_sink.h"
 #include "engine/process/thermal/compensation.h"
 #include "engine/process/thermal/thermal_alarms.h"
-#include "engine/process/thermal/thermal_setup.h"
 #include "engine/process/thermal/thermal_words.h"
 #include "engine/process/thermal/warm_up.h"
 

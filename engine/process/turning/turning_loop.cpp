@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "engine/cycle/event_sink.h"
 #include "engine/process/turning/turning_alarms.h"
-#include "engine/process/turning/turning_setup.h"
 
 namespace kerf {
 namespace {
