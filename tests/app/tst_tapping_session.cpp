@@ -27,7 +27,8 @@ constexpr std::int64_t kFirstRevision = 40;  ///< numbers that the store gives
 /// Service and machine, polled now and then as the console does.
 struct ServiceBench : TappingBench {
     explicit ServiceBench(const SimulatedTapping::Params& machineParams = {},
-                          std::vector<tapping::StoredTuning> known = {})
+                          std::vector<tapping::StoredTuning> known = {},
+                          const std::function<void(StoredTappingService&)>& atOnce = {})
         : TappingBench(machineParams) {
         StoredTappingService::Params params;
         params.known = std::move(known);
@@ -37,6 +38,7 @@ struct ServiceBench : TappingBench {
             if (done) done(kFirstRevision + static_cast<std::int64_t>(stored.size()));
         };
         service = std::make_unique<StoredTappingService>(*engine, *exchange, std::move(params));
+        if (atOnce) atOnce(*service);
         service->poll();
         engine->runCycles(3);
     }
@@ -339,6 +341,29 @@ class TestTappingSession : public QObject {
         QVERIFY(!bench.service->load({"M8", 3000.0, 22.0, 0}, "Kim").has_value());
         QVERIFY(!bench.service->load({"M8", 10.0, 100.0}, "Kim").has_value());  // ten minutes cannot be recorded
         QCOMPARE(bench.service->view().revision, revision);
+    }
+    /// Whatever is touched in the moment before the first job is handed over: it is handed over all the same.
+    void aTouchBeforeTheFirstJobDoesNotKeepItOut_data() {
+        QTest::addColumn<int>("touch");
+        QTest::newRow("automatic") << 0;
+        QTest::newRow("tune") << 1;
+        QTest::newRow("roll back") << 2;
+        QTest::newRow("the disk says no") << 3;
+        QTest::newRow("its recipe was revised") << 4;
+    }
+    void aTouchBeforeTheFirstJobDoesNotKeepItOut() {
+        QFETCH(int, touch);
+        ServiceBench bench({}, {}, [touch](StoredTappingService& service) {
+            if (touch == 0) service.setAutomatic(true, "Kim");
+            if (touch == 1) QVERIFY(!service.begin("Kim", false).has_value());
+            if (touch == 2) service.rollBack("Kim");
+            if (touch == 3) service.setStoreProblem(Sentence("the disk is full"));
+            if (touch == 4) service.recipeRevised(7);
+        });
+        QVERIFY(bench.service->view().loaded);
+        QCOMPARE(bench.service->view().automatic, touch == 0);
+        QCOMPARE(bench.tapping().job, 1U);
+        QVERIFY(bench.tune());
     }
     void anotherSpeedIsAnotherPoint() {
         ServiceBench bench;

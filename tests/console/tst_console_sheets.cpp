@@ -62,7 +62,7 @@ class TestConsoleSheets : public QObject {
             QVERIFY2(clipped.isEmpty(), qPrintable(name + u'\n' + clipped.join(u'\n')));
         }
     }
-    void press(const char* name) { QVERIFY2(m_bench->press(name), name); }
+    void press(const char* name) { QVERIFY2(m_bench->press(name), qPrintable(m_bench->obstacle(name))); }
     void type(const char* name, const QString& text) {
         QTRY_VERIFY2(m_bench->find<QLineEdit>(name) != nullptr, name);
         m_bench->find<QLineEdit>(name)->setText(text);

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/console/console_application.h"
+#include "ui/widgets/action_button.h"
 
 namespace kerf::test {
 
@@ -104,6 +105,14 @@ class ConsoleBench {
             return pressed;
         };
         return QTest::qWaitFor(touched, 10'000);
+    }
+    /// What a button that could not be touched says of itself.
+    [[nodiscard]] QString obstacle(const char* name) {
+        const auto* button = find<QAbstractButton>(name);
+        const auto* action = qobject_cast<const ui::ActionButton*>(button);
+        return QLatin1String(name) + (button == nullptr   ? QStringLiteral(": not there")
+                                      : action == nullptr ? QString()
+                                                          : QStringLiteral(": ") + action->reason());
     }
     [[nodiscard]] QString text(const char* name) {
         const auto* label = find<QLabel>(name);

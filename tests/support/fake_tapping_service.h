@@ -118,6 +118,7 @@ class FakeTappingService : public TappingService {
  private:
     void loadM8() {
         m_view.revision = 1;
+        m_view.loaded = true;
         m_view.inForce = {40.0, 48.0, 0.0, 0.0, 0.0};
         for (const TapThreadView& thread : m_threads) {
             if (thread.name == "M8") m_view.thread = thread;

@@ -98,7 +98,8 @@ struct TappingServiceView {
     bool finished{false};   ///< Proposed: the tuner expects nothing of a further tap
     bool mayTapMore{true};  ///< Proposed: the taps of a tuning are not used up
     bool automatic{false};  ///< proposals are tapped and accepted at once
-    TapChoice choice{};     ///< loaded
+    bool loaded{false};     ///< a job has been loaded, and is `choice`
+    TapChoice choice{};
     TapThreadView thread{};
     double engage_rev{3.0};  ///< until the tap touches
     std::vector<TapTrialView> trials{};

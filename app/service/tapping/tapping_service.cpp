@@ -185,6 +185,7 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
     m_view.revision = revision + 1;
     m_view.automatic = automatic;
     m_view.storeProblem = problem;
+    m_view.loaded = true;
     m_view.choice = choice;
     m_view.thread = viewOf(*tapping::findThread(choice.thread));
     m_view.engage_rev = m_params.assumed.engage_rev;
@@ -223,7 +224,7 @@ Result<void> StoredTappingService::load(const TapChoice& wanted, const std::stri
 Result<void> StoredTappingService::leaveOut(bool out, const std::string& author, const std::string& reason) {
     if (const auto may = permitted(m_params.rights, author, Deed::TappingMemory, reason); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
-    if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
+    if (!m_view.loaded) return fail(KERF_TEXT("No tapping job is loaded."));
     GainsSource how{};
     const tapping::StoredTuning* tuning =
         out ? newestFor(m_view.choice, how) : tapping::leftOutFor(m_params.known, m_view.choice);
@@ -257,7 +258,7 @@ void StoredTappingService::takeBack(const tapping::StoredTuning& tuning, std::ui
         [this, tuning, author](const Receipt& stored) {
             m_params.known.push_back(tuning);
             m_params.known.back().recipe = stored.id;
-            if (m_view.revision > 0) {
+            if (m_view.loaded) {
                 if (const auto loaded = load(m_view.choice, author); !loaded) refused(loaded.error());
             }
         },
@@ -311,7 +312,7 @@ void StoredTappingService::useRecipe(std::int64_t recipe) {
 Result<void> StoredTappingService::begin(const std::string& author, bool automatic) {
     if (const auto may = permitted(m_params.rights, author, Deed::TappingTuning); !may) return may;
     if (const auto why = whyNotNow()) return tl::unexpected(*why);
-    if (m_view.revision == 0) return fail(KERF_TEXT("No tapping job is loaded."));
+    if (!m_view.loaded) return fail(KERF_TEXT("No tapping job is loaded."));
     const Capability& gains = m_engine.capabilities().servoGains;
     if (!gains.fitted) return tl::unexpected(gains.why);
     const TapChoice& choice = m_view.choice;
@@ -400,7 +401,7 @@ void StoredTappingService::poll() {
         m_view.reason = *why;
         ++m_view.revision;
     }
-    if (m_view.revision == 0) {  // what was tapped last, as soon as the drive has told its gains
+    if (!m_view.loaded) {  // what was tapped last, as soon as the drive has told its gains
         const bool known = status.tapping.drive.zKp_perS > 0.0 || !m_engine.capabilities().servoGains.fitted;
         if (status.cycle > 0 && known)
             (void)load(m_params.known.empty() ? TapChoice{} : m_params.known.back().choice, kItself);

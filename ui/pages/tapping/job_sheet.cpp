@@ -44,7 +44,7 @@ JobForm::JobForm(Sheet& sheet, Look& look, TappingService& service, std::functio
       m_sheet(sheet),
       m_service(service),
       m_choice(service.view().choice),
-      m_coarse(service.view().revision == 0 || service.view().thread.coarse),
+      m_coarse(!service.view().loaded || service.view().thread.coarse),
       m_coarseButton(new QPushButton(this)),
       m_fineButton(new QPushButton(this)),
       m_threads(new QGridLayout),
@@ -152,7 +152,7 @@ void JobForm::showMemory() {
     const TappingServiceView& view = m_service.view();
     const bool stored = view.source == GainsSource::Stored || view.source == GainsSource::StoredGains;
     const bool out = !view.leftOut.empty();
-    QString words = view.revision == 0 ? QString() : sourceText(view);
+    QString words = !view.loaded ? QString() : sourceText(view);
     if (out) {
         words +=
             u' ' + tr("A stored tuning is left out, %1.", "by whom and why").arg(QString::fromStdString(view.leftOut));

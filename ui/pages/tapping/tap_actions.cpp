@@ -91,7 +91,7 @@ void TapActions::setStatus(const Status& status) {
 }
 
 void TapActions::reconsider() {
-    setTitle(m_view.revision == 0 ? tr("No job is loaded") : choiceText(m_view.choice, m_view.thread));
+    setTitle(!m_view.loaded ? tr("No job is loaded") : choiceText(m_view.choice, m_view.thread));
     m_tap->setText(m_status.tapping.airTapPassed ? tr("Tap") : tr("Air tap"));
     m_automatic->setChecked(m_view.automatic);
     m_abort->setVisible(!inHole());
@@ -140,7 +140,7 @@ QString TapActions::whyNoTune() const {
 }
 
 QString TapActions::whyNoTap() const {
-    if (m_view.revision == 0 || m_status.tapping.job == 0) {
+    if (!m_view.loaded || m_status.tapping.job == 0) {
         return tr("no job is loaded");
     }
     if (!m_engine.capabilities().cycleStart.fitted) {
