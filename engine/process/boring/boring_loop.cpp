@@ -106,7 +106,7 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                 Sentence(KERF_TEXT("No feed schedule is loaded: this bore is cut at its programmed feed."))};
     }
     if (inputs.programmedFeed_mmPerS.good() && inputs.programmedFeed_mmPerS.value > 0.0) {
-        const double lowest_mmPerS = schedule.lowestFeed_mmPerRev() * schedule.spindleSpeed_rpm / 60.0;
+        const double lowest_mmPerS = m_lowestFeed_mmPerRev * schedule.spindleSpeed_rpm / 60.0;
         outputs.plannedFeedScale = lowest_mmPerS / inputs.programmedFeed_mmPerS.value;
     }
     if (!overhangKnown) {
@@ -191,6 +191,7 @@ bool BoringLoop::standsStill(const MachineInputs& inputs) noexcept {
 void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part = beginRecord(inputs);
     m_part.schedule = m_next;
+    m_lowestFeed_mmPerRev = m_next.lowestFeed_mmPerRev();
     m_offScheduleSince_ns = -1;
     m_lookedAt_ns = inputs.time_ns;
     m_unseen_mm = 0.0;

@@ -35,6 +35,7 @@ class BoringLoop final : public ProcessLoop {
     LoopMode m_mode{LoopMode::Off};
     BoringSchedule m_next{};
     PartRecord m_part{};
+    double m_lowestFeed_mmPerRev{0.0};  ///< of its schedule: two ends, each a logarithm and a power, once a part
     bool m_startWanted{false};
     std::int64_t m_offScheduleSince_ns{-1};
     std::int64_t m_lookedAt_ns{0};
