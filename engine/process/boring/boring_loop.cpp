@@ -118,7 +118,8 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                     : KERF_TEXT("Spindle overhang unknown: no faster than the schedule's lowest feed."))};
     }
     const double overhang_mm = inputs.overhang_mm.value;
-    const double wanted_mmPerRev = schedule.feed_mmPerRev(overhang_mm);
+    const double best_mmPerRev = schedule.unclampedFeed_mmPerRev(overhang_mm);
+    const double wanted_mmPerRev = schedule.clamped_mmPerRev(best_mmPerRev);
     m_status.wantedFeed_mmPerRev = wanted_mmPerRev;
     const double length_mm = schedule.overhangTo_mm - schedule.overhangFrom_mm;
     m_status.progress = std::clamp((overhang_mm - schedule.overhangFrom_mm) / length_mm, 0.0, 1.0);
@@ -159,7 +160,7 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                 Sentence(KERF_TEXT("The schedule wants %1 of the programmed feed; this control allows %2."), {scale, 2},
                          {capabilities.maxFeedScale, 2})};
     }
-    if (wanted_mmPerRev != schedule.unclampedFeed_mmPerRev(overhang_mm)) {
+    if (wanted_mmPerRev != best_mmPerRev) {
         return {
             LoopState::Limited,
             Sentence(advises ? KERF_TEXT("The best feed lies outside %1 to %2 mm/rev: the feed would sit at the limit.")

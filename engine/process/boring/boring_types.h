@@ -37,8 +37,11 @@ struct BoringSchedule {
         }
         return std::exp((std::log(targetDeflection_mm) - lnC - beta * std::log(overhang_mm)) / alpha);
     }
+    [[nodiscard]] double clamped_mmPerRev(double feed_mmPerRev) const noexcept {
+        return std::clamp(feed_mmPerRev, minFeed_mmPerRev, maxFeed_mmPerRev);
+    }
     [[nodiscard]] double feed_mmPerRev(double overhang_mm) const noexcept {
-        return std::clamp(unclampedFeed_mmPerRev(overhang_mm), minFeed_mmPerRev, maxFeed_mmPerRev);
+        return clamped_mmPerRev(unclampedFeed_mmPerRev(overhang_mm));
     }
     /// The highest feed anywhere on the bore: what the part program is written with (feed is scaled down from it).
     [[nodiscard]] double highestFeed_mmPerRev() const noexcept {
