@@ -2694,6 +2694,45 @@
         </message>
     </context>
     <context>
+    <name>StartObstacle</name>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>No link to the machine.</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>Emergency stop is pressed.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>The machine is off.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>Hold is in force.</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>A stop stands: look at the machine, then release it.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>Start the program at the control.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>Finished parts are not stored yet.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>A part is being cut.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>The machine is busy: %1.</translation>
+        </message>
+    </context>
+    <context>
     <name>StartRest</name>
         <message>
             <source>Loading what was just stored.</source>
@@ -2770,22 +2809,6 @@
         <message>
             <source>Before and after, accepted by %1: %2.</source>
             <translation>Before and after, accepted by %1: %2.</translation>
-        </message>
-        <message>
-            <source>no link to the machine</source>
-            <translation>no link to the machine</translation>
-        </message>
-        <message>
-            <source>emergency stop is pressed</source>
-            <translation>emergency stop is pressed</translation>
-        </message>
-        <message>
-            <source>the machine is off</source>
-            <translation>the machine is off</translation>
-        </message>
-        <message>
-            <source>hold is in force</source>
-            <translation>hold is in force</translation>
         </message>
     </context>
     <context>
@@ -9967,44 +9990,12 @@
             <translation>No cut to learn from yet.</translation>
         </message>
         <message>
-            <source>Start the program at the control.</source>
-            <translation>Start the program at the control.</translation>
-        </message>
-        <message>
             <source>This machine has no milling loop.</source>
             <translation>This machine has no milling loop.</translation>
         </message>
         <message>
-            <source>No link to the machine.</source>
-            <translation>No link to the machine.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>The machine is off.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>Hold is in force.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>Finished parts are not stored yet.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>A part is being cut.</translation>
-        </message>
-        <message>
-            <source>The machine is busy: %1.</source>
-            <translation>The machine is busy: %1.</translation>
-        </message>
-        <message>
             <source>No milling setup is loaded.</source>
             <translation>No milling setup is loaded.</translation>
-        </message>
-        <message>
-            <source>A stop stands: look at the machine, then release it.</source>
-            <translation>A stop stands: look at the machine, then release it.</translation>
         </message>
     </context>
     <context>
@@ -10398,36 +10389,8 @@
     <context>
     <name>kerf::ui::OverviewPage</name>
         <message>
-            <source>Start the program at the control.</source>
-            <translation>Start the program at the control.</translation>
-        </message>
-        <message>
-            <source>No link to the machine.</source>
-            <translation>No link to the machine.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>The machine is off.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>Hold is in force.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>Finished parts are not stored yet.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>A part is being cut.</translation>
-        </message>
-        <message>
             <source>Nothing is held.</source>
             <translation>Nothing is held.</translation>
-        </message>
-        <message>
-            <source>Emergency stop is pressed.</source>
-            <translation>Emergency stop is pressed.</translation>
         </message>
         <message>
             <source>All loops are held with their last offset.</source>
@@ -10488,10 +10451,6 @@
         <message>
             <source>Release hold</source>
             <translation>Release hold</translation>
-        </message>
-        <message>
-            <source>A stop stands: look at the machine, then release it.</source>
-            <translation>A stop stands: look at the machine, then release it.</translation>
         </message>
         <message>
             <source>Stopped: %1</source>
@@ -11807,10 +11766,6 @@
             <translation>a tap is under way</translation>
         </message>
         <message>
-            <source>another program is running</source>
-            <translation>another program is running</translation>
-        </message>
-        <message>
             <source>this machine has no tapping loop</source>
             <translation>this machine has no tapping loop</translation>
         </message>
@@ -11821,10 +11776,6 @@
         <message>
             <source>no job is loaded</source>
             <translation>no job is loaded</translation>
-        </message>
-        <message>
-            <source>start it at the control</source>
-            <translation>start it at the control</translation>
         </message>
         <message>
             <source>no proposal yet</source>
@@ -11897,14 +11848,6 @@
     </context>
     <context>
     <name>kerf::ui::ThermalPage</name>
-        <message>
-            <source>start it at the control</source>
-            <translation>start it at the control</translation>
-        </message>
-        <message>
-            <source>a program runs</source>
-            <translation>a program runs</translation>
-        </message>
         <message>
             <source>This machine reports no temperatures. The page fills as soon as it does.</source>
             <translation>This machine reports no temperatures. The page fills as soon as it does.</translation>
@@ -12189,24 +12132,8 @@
             <translation>This machine has no turning loop: %1</translation>
         </message>
         <message>
-            <source>this machine has no turning loop</source>
-            <translation>this machine has no turning loop</translation>
-        </message>
-        <message>
-            <source>the machine is not connected</source>
-            <translation>the machine is not connected</translation>
-        </message>
-        <message>
-            <source>all loops are held</source>
-            <translation>all loops are held</translation>
-        </message>
-        <message>
-            <source>the last part is not stored yet</source>
-            <translation>the last part is not stored yet</translation>
-        </message>
-        <message>
-            <source>a part is being cut</source>
-            <translation>a part is being cut</translation>
+            <source>This machine has no turning loop.</source>
+            <translation>This machine has no turning loop.</translation>
         </message>
     </context>
     <context>

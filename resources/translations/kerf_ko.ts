@@ -2690,6 +2690,45 @@
         </message>
     </context>
     <context>
+    <name>StartObstacle</name>
+        <message>
+            <source>No link to the machine.</source>
+            <translation>기계와 연결되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>Emergency stop is pressed.</source>
+            <translation>비상정지가 눌려 있습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is off.</source>
+            <translation>기계가 꺼져 있습니다.</translation>
+        </message>
+        <message>
+            <source>Hold is in force.</source>
+            <translation>홀드 상태입니다.</translation>
+        </message>
+        <message>
+            <source>A stop stands: look at the machine, then release it.</source>
+            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 해제하십시오.</translation>
+        </message>
+        <message>
+            <source>Start the program at the control.</source>
+            <translation>제어기에서 프로그램을 시작하십시오.</translation>
+        </message>
+        <message>
+            <source>Finished parts are not stored yet.</source>
+            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
+        </message>
+        <message>
+            <source>A part is being cut.</source>
+            <translation>공작물을 가공하고 있습니다.</translation>
+        </message>
+        <message>
+            <source>The machine is busy: %1.</source>
+            <translation>기계가 사용 중입니다: %1.</translation>
+        </message>
+    </context>
+    <context>
     <name>StartRest</name>
         <message>
             <source>Loading what was just stored.</source>
@@ -2766,22 +2805,6 @@
         <message>
             <source>Before and after, accepted by %1: %2.</source>
             <translation>전과 후, %1 님 수락: %2.</translation>
-        </message>
-        <message>
-            <source>no link to the machine</source>
-            <translation>기계와 연결 없음</translation>
-        </message>
-        <message>
-            <source>emergency stop is pressed</source>
-            <translation>비상정지가 눌려 있음</translation>
-        </message>
-        <message>
-            <source>the machine is off</source>
-            <translation>기계 꺼짐</translation>
-        </message>
-        <message>
-            <source>hold is in force</source>
-            <translation>홀드 중</translation>
         </message>
     </context>
     <context>
@@ -9957,44 +9980,12 @@
             <translation>아직 배울 절삭이 없습니다.</translation>
         </message>
         <message>
-            <source>Start the program at the control.</source>
-            <translation>제어기에서 프로그램을 시작하십시오.</translation>
-        </message>
-        <message>
             <source>This machine has no milling loop.</source>
             <translation>이 기계에는 밀링 루프가 없습니다.</translation>
         </message>
         <message>
-            <source>No link to the machine.</source>
-            <translation>기계와 연결되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>기계가 꺼져 있습니다.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>홀드 상태입니다.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>공작물을 가공하고 있습니다.</translation>
-        </message>
-        <message>
-            <source>The machine is busy: %1.</source>
-            <translation>기계가 사용 중입니다: %1.</translation>
-        </message>
-        <message>
             <source>No milling setup is loaded.</source>
             <translation>밀링 설정이 없습니다.</translation>
-        </message>
-        <message>
-            <source>A stop stands: look at the machine, then release it.</source>
-            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 해제하십시오.</translation>
         </message>
     </context>
     <context>
@@ -10388,36 +10379,8 @@
     <context>
     <name>kerf::ui::OverviewPage</name>
         <message>
-            <source>Start the program at the control.</source>
-            <translation>제어기에서 프로그램을 시작하십시오.</translation>
-        </message>
-        <message>
-            <source>No link to the machine.</source>
-            <translation>기계와 연결되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>The machine is off.</source>
-            <translation>기계가 꺼져 있습니다.</translation>
-        </message>
-        <message>
-            <source>Hold is in force.</source>
-            <translation>홀드 상태입니다.</translation>
-        </message>
-        <message>
-            <source>Finished parts are not stored yet.</source>
-            <translation>끝난 공작물이 아직 저장되지 않았습니다.</translation>
-        </message>
-        <message>
-            <source>A part is being cut.</source>
-            <translation>공작물을 가공하고 있습니다.</translation>
-        </message>
-        <message>
             <source>Nothing is held.</source>
             <translation>홀드된 것이 없습니다.</translation>
-        </message>
-        <message>
-            <source>Emergency stop is pressed.</source>
-            <translation>비상정지가 눌려 있습니다.</translation>
         </message>
         <message>
             <source>All loops are held with their last offset.</source>
@@ -10478,10 +10441,6 @@
         <message>
             <source>Release hold</source>
             <translation>홀드 해제</translation>
-        </message>
-        <message>
-            <source>A stop stands: look at the machine, then release it.</source>
-            <translation>정지가 걸려 있습니다: 기계를 확인한 뒤 해제하십시오.</translation>
         </message>
         <message>
             <source>Stopped: %1</source>
@@ -11796,10 +11755,6 @@
             <translation>탭 진행 중</translation>
         </message>
         <message>
-            <source>another program is running</source>
-            <translation>다른 프로그램 실행 중</translation>
-        </message>
-        <message>
             <source>this machine has no tapping loop</source>
             <translation>이 기계에 탭 루프 없음</translation>
         </message>
@@ -11810,10 +11765,6 @@
         <message>
             <source>no job is loaded</source>
             <translation>로드된 작업 없음</translation>
-        </message>
-        <message>
-            <source>start it at the control</source>
-            <translation>제어기에서 시작</translation>
         </message>
         <message>
             <source>no proposal yet</source>
@@ -11886,14 +11837,6 @@
     </context>
     <context>
     <name>kerf::ui::ThermalPage</name>
-        <message>
-            <source>start it at the control</source>
-            <translation>제어기에서 시작하십시오</translation>
-        </message>
-        <message>
-            <source>a program runs</source>
-            <translation>프로그램 실행 중</translation>
-        </message>
         <message>
             <source>This machine reports no temperatures. The page fills as soon as it does.</source>
             <translation>이 기계는 온도를 알려 주지 않습니다. 온도가 오면 화면이 채워집니다.</translation>
@@ -12177,24 +12120,8 @@
             <translation>이 기계에는 선삭 루프가 없습니다: %1</translation>
         </message>
         <message>
-            <source>this machine has no turning loop</source>
-            <translation>이 기계에는 선삭 루프가 없습니다</translation>
-        </message>
-        <message>
-            <source>the machine is not connected</source>
-            <translation>기계가 연결되지 않았습니다</translation>
-        </message>
-        <message>
-            <source>all loops are held</source>
-            <translation>모든 루프가 홀드 상태입니다</translation>
-        </message>
-        <message>
-            <source>the last part is not stored yet</source>
-            <translation>직전 공작물이 아직 저장되지 않았습니다</translation>
-        </message>
-        <message>
-            <source>a part is being cut</source>
-            <translation>공작물을 절삭하는 중입니다</translation>
+            <source>This machine has no turning loop.</source>
+            <translation>이 기계에는 선삭 루프가 없습니다.</translation>
         </message>
     </context>
     <context>

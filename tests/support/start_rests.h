@@ -66,4 +66,38 @@ inline void startRests(PageBench& bench, const char* button, ProcessId process, 
     QVERIFY(std::get<StartPart>(engine.commands.back().action).order == newer);
 }
 
+/// Whatever keeps a machine from starting keeps the button off, in the words of all pages.
+inline void startSaysWhyNot(PageBench& bench, const char* button) {
+    const Status free = bench.engine.fake;
+    const auto says = [&](const char* words, const auto& change) {
+        bench.engine.fake = free;
+        change(bench.engine.fake);
+        bench.client.tick();
+        const auto* start = bench.find<ui::ActionButton>(button);
+        QVERIFY2(!start->isEnabled(), words);
+        QVERIFY2(start->reason().contains(QLatin1String(words)), qPrintable(start->reason()));
+    };
+    says("No link", [](Status& s) { s.link = LinkState::Down; });
+    says("Emergency stop", [](Status& s) { s.emergencyStop = true; });
+    says("is off", [](Status& s) { s.machineOn = false; });
+    says("Hold", [](Status& s) { s.held = true; });
+    says("A stop stands", [](Status& s) { s.stops[0].slot = {7, 6, StopKind::FeedHold, 201}; });
+    says("not stored yet", [](Status& s) { s.partsBlocked = true; });
+    for (const ProcessId other :
+         {ProcessId::Boring, ProcessId::Milling, ProcessId::Turning, ProcessId::Thermal, ProcessId::Tapping}) {
+        for (const ProgramState program : {ProgramState::Running, ProgramState::Paused}) {
+            bench.engine.fake = free;
+            bench.engine.fake.program = program;
+            bench.engine.fake.programProcess = other;
+            bench.client.tick();
+            const auto* start = bench.find<ui::ActionButton>(button);
+            QVERIFY(!start->isEnabled() && !start->reason().isEmpty());
+        }
+    }
+    bench.engine.fake = free;
+    bench.client.tick();
+    QVERIFY2(bench.find<ui::ActionButton>(button)->isEnabled(),
+             qPrintable(bench.find<ui::ActionButton>(button)->reason()));
+}
+
 }  // namespace kerf::test

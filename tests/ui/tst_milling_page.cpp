@@ -144,6 +144,10 @@ class TestMillingPage : public QObject {
         QVERIFY(!preview->isEnabled());
         QVERIFY(preview->reason().contains(QStringLiteral("blank profile")));
     }
+    void aStartSaysWhatStandsInItsWay() {
+        show();
+        test::startSaysWhyNot(*m_bench, "millingStart");
+    }
     void aStartRestsUntilTheNewestIsShown() {
         show();
         test::startRests(*m_bench, "millingStart", ProcessId::Milling);

@@ -164,6 +164,12 @@ class TestShell : public QObject {
         bench.window->client().tick();
         QVERIFY(bench.window->bottomLine().contains(QStringLiteral("The door is open.")));
     }
+    void aStartSaysWhatStandsInItsWay() {
+        test::PageBench bench;
+        bench.engine.caps.cycleStart.fitted = true;
+        bench.show<OverviewPage>();
+        test::startSaysWhyNot(bench, "startPart");
+    }
     void aStartRestsUntilTheNewestIsShown() {
         test::PageBench bench;
         bench.engine.caps.cycleStart.fitted = true;

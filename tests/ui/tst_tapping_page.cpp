@@ -148,12 +148,16 @@ class TestTappingPage : public QObject {
         QVERIFY(button("tappingTap")->isEnabled());  // with the machine's own gains
         m_bench->engine.fake.held = true;
         tick();
-        QVERIFY(reason("tappingTap").contains(QStringLiteral("hold")));
+        QVERIFY(reason("tappingTap").contains(QStringLiteral("Hold")));
         m_bench->engine.fake.held = false;
         m_bench->engine.fake.program = ProgramState::Running;
         m_bench->engine.fake.programProcess = ProcessId::Boring;
         tick();
-        QVERIFY(reason("tappingTap").contains(QStringLiteral("another program")));
+        QVERIFY(reason("tappingTap").contains(QStringLiteral("Boring")));
+    }
+    void aStartSaysWhatStandsInItsWay() {
+        show();
+        test::startSaysWhyNot(*m_bench, "tappingTap");
     }
     void aStartRestsUntilTheNewestIsShown() {
         show();
@@ -255,7 +259,7 @@ class TestTappingPage : public QObject {
                 text("recoveryWhere").contains(QStringLiteral("15.312")));
         QVERIFY(text("recoveryWhere").contains(QStringLiteral("90°")));
         QVERIFY(!m_bench->press("recoveryTurn"));  // emergency stop is pressed
-        QVERIFY(text("recoveryState").contains(QStringLiteral("emergency stop")));
+        QVERIFY(text("recoveryState").contains(QStringLiteral("Emergency stop")));
         m_bench->engine.fake.emergencyStop = false;
         m_bench->client.tick();
         QVERIFY(m_bench->press("recoveryTurn"));

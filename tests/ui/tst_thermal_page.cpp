@@ -97,6 +97,10 @@ class TestThermalPage : public QObject {
         QVERIFY(m_bench->press("thermalWarmUp"));
         QVERIFY(last<StopWarmUp>() != nullptr);
     }
+    void aStartSaysWhatStandsInItsWay() {
+        show();
+        test::startSaysWhyNot(*m_bench, "thermalWarmUp");
+    }
     void aStartRestsUntilTheNewestIsShown() {
         show();
         test::startRests(*m_bench, "thermalWarmUp", ProcessId::Thermal, true);

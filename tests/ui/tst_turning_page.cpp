@@ -67,6 +67,10 @@ class TestTurningPage : public QObject {
         QVERIFY(m_bench->find<QPushButton>("turningTones")->isChecked());
         QVERIFY(m_bench->notices.back().contains(QStringLiteral("The disk is full.")));
     }
+    void aStartSaysWhatStandsInItsWay() {
+        show();
+        test::startSaysWhyNot(*m_bench, "turningStart");
+    }
     void aStartRestsUntilTheNewestIsShown() {
         show();
         test::startRests(*m_bench, "turningStart", ProcessId::Turning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QBoxLayout>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ui/shell/services.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/face_widget.h"
+#include "ui/widgets/label.h"
 
 namespace kerf::ui {
 
@@ -58,6 +60,13 @@ class Page : public FaceWidget {
 
  protected:
     [[nodiscard]] const PageContext& context() const { return m_context; }
+    /// Instead of everything else where the console lacks what the page shows: one sentence in its middle.
+    QLabel* addNotice(QBoxLayout* in) {
+        QLabel* notice = makeLabel(TextRole::Body, this, true);
+        notice->setAlignment(Qt::AlignCenter);
+        in->addWidget(notice, 1);
+        return notice;
+    }
 
  private:
     PageContext m_context;

@@ -33,9 +33,7 @@ BoringPage::BoringPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.boringService) {
     m_rows = new QVBoxLayout(this);
     if (m_service == nullptr) {
-        m_missing = makeLabel(TextRole::Body, this, true);
-        m_missing->setAlignment(Qt::AlignCenter);
-        m_rows->addWidget(m_missing, 1);
+        m_missing = addNotice(m_rows);
     } else {
         build();
     }

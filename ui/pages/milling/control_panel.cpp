@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <tuple>
 
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
 #include "ui/pages/milling/milling_texts.h"
@@ -141,7 +142,7 @@ void MillingControlPanel::setStatus(const Status& status, const Capabilities& ca
     const auto key = [](const Status& s) {
         const LoopStatus& loop = loopOf(s);
         return std::tuple(loop.mode, loop.state, loop.reason.text, s.milling.law, s.milling.stopped, s.milling.cutting,
-                          s.program, s.link, s.held);
+                          s.program, s.partsBlocked, standingObstacle(s));
     };
     const bool changed = key(status) != key(m_status);
     m_status = status;
@@ -207,35 +208,13 @@ QString MillingControlPanel::whyNotTeach() const {
 }
 
 QString MillingControlPanel::whyNotStart() const {
-    const Status& status = m_status;
-    if (!m_cycleStart.fitted) {
-        return m_cycleStart.why.empty() ? tr("Start the program at the control.")
-                                        : sentenceText(m_cycleStart.why, m_look.units());
-    }
-    if (!loopOf(status).fitted) {
+    if (!loopOf(m_status).fitted) {
         return tr("This machine has no milling loop.");
     }
-    if (status.link != LinkState::Up) {
-        return tr("No link to the machine.");
+    if (const QString why = startObstacle(m_status, m_cycleStart, ProcessId::Milling, m_look.units()); !why.isEmpty()) {
+        return why;
     }
-    if (!status.machineOn || status.emergencyStop) {
-        return tr("The machine is off.");
-    }
-    if (status.held) {
-        return tr("Hold is in force.");
-    }
-    if (std::ranges::any_of(status.stops, [](const StopStatus& stop) { return stop.slot.active(); })) {
-        return tr("A stop stands: look at the machine, then release it.");
-    }
-    if (status.partsBlocked) {
-        return tr("Finished parts are not stored yet.");
-    }
-    if (status.program == ProgramState::Running || status.program == ProgramState::Paused) {
-        return status.programProcess == ProcessId::Milling
-                   ? tr("A part is being cut.")
-                   : tr("The machine is busy: %1.").arg(processName(status.programProcess));
-    }
-    if (status.milling.setup == 0) {
+    if (m_status.milling.setup == 0) {
         return tr("No milling setup is loaded.");
     }
     return {};

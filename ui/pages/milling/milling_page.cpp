@@ -25,9 +25,7 @@ MillingPage::MillingPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.millingService) {
     m_columns = new QHBoxLayout(this);
     if (m_service == nullptr) {
-        m_missing = makeLabel(TextRole::Body, this, true);
-        m_missing->setAlignment(Qt::AlignCenter);
-        m_columns->addWidget(m_missing, 1);
+        m_missing = addNotice(m_columns);
     } else {
         build();
     }

@@ -7,6 +7,7 @@
 
 #include "ui/link/release_stop.h"
 #include "ui/link/shop_text.h"
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/shell/start_rest.h"
 #include "ui/widgets/label.h"
@@ -207,30 +208,8 @@ ProcessId OverviewPage::mainProcess() const {
 }
 
 QString OverviewPage::whyNoStart() const {
-    const Status& status = context().client.status();
-    const Capability& start = context().client.engine().capabilities().cycleStart;
-    if (!start.fitted) {
-        return start.why.empty() ? tr("Start the program at the control.") : sentenceText(start.why, look().units());
-    }
-    if (status.link != LinkState::Up) {
-        return tr("No link to the machine.");
-    }
-    if (!status.machineOn || status.emergencyStop) {
-        return tr("The machine is off.");
-    }
-    if (status.held) {
-        return tr("Hold is in force.");
-    }
-    if (std::ranges::any_of(status.stops, [](const StopStatus& stop) { return stop.slot.active(); })) {
-        return tr("A stop stands: look at the machine, then release it.");
-    }
-    if (status.partsBlocked) {
-        return tr("Finished parts are not stored yet.");
-    }
-    if (status.program == ProgramState::Running || status.program == ProgramState::Paused) {
-        return tr("A part is being cut.");
-    }
-    return {};
+    return startObstacle(context().client.status(), context().client.engine().capabilities().cycleStart, mainProcess(),
+                         look().units());
 }
 
 QString OverviewPage::whyNoRelease() const {
@@ -259,17 +238,11 @@ QString OverviewPage::stopText(const StopStatus& stop) const {
 
 QString OverviewPage::machineSentence() const {
     const Status& status = context().client.status();
-    if (status.link != LinkState::Up) {
-        return tr("No link to the machine.");
-    }
-    if (status.emergencyStop) {
-        return tr("Emergency stop is pressed.");
-    }
-    if (!status.machineOn) {
-        return tr("The machine is off.");
-    }
-    if (status.held) {
+    if (status.held && status.link == LinkState::Up && !status.emergencyStop && status.machineOn) {
         return tr("All loops are held with their last offset.");
+    }
+    if (const QString why = machineObstacle(status); !why.isEmpty()) {
+        return why;
     }
     for (const StopStatus& stop : status.stops) {
         if (stop.slot.active()) {

@@ -36,9 +36,7 @@ PartsPage::PartsPage(const PageContext& page, QWidget* parent)
       m_service(page.services.boringService),
       m_columns(new QHBoxLayout(this)) {
     if (m_reader == nullptr) {
-        m_missing = makeLabel(TextRole::Body, this, true);
-        m_missing->setAlignment(Qt::AlignCenter);
-        m_columns->addWidget(m_missing, 1);
+        m_missing = addNotice(m_columns);
     } else {
         build();
     }

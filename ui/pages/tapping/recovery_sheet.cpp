@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ui/pages/tapping/tapping_texts.h"
+#include "ui/link/start_obstacle.h"
 #include "ui/widgets/label.h"
 
 namespace kerf::ui {

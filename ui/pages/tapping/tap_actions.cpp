@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/pages/tapping/tapping_texts.h"
 #include "ui/shell/page.h"
@@ -117,10 +118,7 @@ QString TapActions::whyNoMove() const {
     if (m_status.tapping.phase != TapPhase::Idle) {
         return tr("a tap is under way");
     }
-    if (m_status.program == ProgramState::Running || m_status.program == ProgramState::Paused) {
-        return tr("another program is running");
-    }
-    return machineObstacle(m_status);
+    return startObstacle(m_status, m_engine.capabilities().cycleStart, ProcessId::Tapping, m_look.units());
 }
 
 QString TapActions::whyNoTune() const {
@@ -142,9 +140,6 @@ QString TapActions::whyNoTune() const {
 QString TapActions::whyNoTap() const {
     if (!m_view.loaded || m_status.tapping.job == 0) {
         return tr("no job is loaded");
-    }
-    if (!m_engine.capabilities().cycleStart.fitted) {
-        return tr("start it at the control");
     }
     if (tuning()) {
         return tr("a tuning is under way");

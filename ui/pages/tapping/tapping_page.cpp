@@ -11,6 +11,7 @@
 #include "ui/dialogs/lot_sheet.h"
 #include "ui/dialogs/recipe_sheet.h"
 #include "ui/link/release_stop.h"
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
 #include "ui/pages/tapping/job_sheet.h"
@@ -42,9 +43,7 @@ TappingPage::TappingPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.tappingService) {
     m_rows = new QVBoxLayout(this);
     if (m_service == nullptr) {
-        m_missing = makeLabel(TextRole::Body, this, true);
-        m_missing->setAlignment(Qt::AlignCenter);
-        m_rows->addWidget(m_missing, 1);
+        m_missing = addNotice(m_rows);
     } else {
         build();
     }
@@ -201,9 +200,17 @@ void TappingPage::showView() {
 TappingPage::Situation TappingPage::situation(const Status& status) {
     const LoopStatus& loop = status.loops[static_cast<std::size_t>(ProcessId::Tapping)];
     const TappingStatus& tapping = status.tapping;
-    return {tapping.phase,          tapping.airTapPassed, loop.mode,           loop.fitted,    status.held,
-            status.machineOn,       status.emergencyStop, status.link,         status.program, tapping.job,
-            tapping.productionTaps, tapping.wantsTuning,  tapping.problem.text};
+    return {tapping.phase,
+            tapping.airTapPassed,
+            loop.mode,
+            loop.fitted,
+            standingObstacle(status),
+            status.partsBlocked,
+            status.program,
+            tapping.job,
+            tapping.productionTaps,
+            tapping.wantsTuning,
+            tapping.problem.text};
 }
 
 void TappingPage::onStatus(const Status& status) {

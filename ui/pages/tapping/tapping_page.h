@@ -70,8 +70,8 @@ class TappingPage : public Page {
     QHBoxLayout* m_bottom{nullptr};
     QHBoxLayout* m_bars{nullptr};
     /// What changes a button or a sentence at once; the rest follows five times a second.
-    using Situation = std::tuple<TapPhase, bool, LoopMode, bool, bool, bool, bool, LinkState, ProgramState,
-                                 std::uint32_t, std::uint32_t, bool, const char*>;
+    using Situation = std::tuple<TapPhase, bool, LoopMode, bool, QString, bool, ProgramState, std::uint32_t,
+                                 std::uint32_t, bool, const char*>;
     [[nodiscard]] static Situation situation(const Status& status);
 
     std::optional<std::uint64_t> m_shown{};

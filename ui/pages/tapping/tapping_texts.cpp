@@ -92,20 +92,4 @@ QString proofText(const TappingServiceView& view, const UnitSystem& units) {
                             : TappingTexts::tr("Before and after, accepted by %1: %2.").arg(author, figures);
 }
 
-QString machineObstacle(const Status& status) {
-    if (status.link != LinkState::Up) {
-        return TappingTexts::tr("no link to the machine");
-    }
-    if (status.emergencyStop) {
-        return TappingTexts::tr("emergency stop is pressed");
-    }
-    if (!status.machineOn) {
-        return TappingTexts::tr("the machine is off");
-    }
-    if (status.held) {
-        return TappingTexts::tr("hold is in force");
-    }
-    return {};
-}
-
 }  // namespace kerf::ui

@@ -25,7 +25,5 @@ inline constexpr int kGainDecimals = 2;
 [[nodiscard]] QString sourceText(const TappingServiceView& view);
 /// Before and after in one line; empty without a proof.
 [[nodiscard]] QString proofText(const TappingServiceView& view, const UnitSystem& units);
-/// Why the machine cannot begin a move now; empty when it can.
-[[nodiscard]] QString machineObstacle(const Status& status);
 
 }  // namespace kerf::ui

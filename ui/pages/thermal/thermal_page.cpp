@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/link/vocabulary.h"
 #include "ui/pages/thermal/thermal_texts.h"
@@ -34,9 +35,7 @@ ThermalPage::ThermalPage(const PageContext& page, QWidget* parent)
     : Page(page, parent), m_service(page.services.thermalService) {
     m_rows = new QVBoxLayout(this);
     if (m_service == nullptr) {
-        m_missing = makeLabel(TextRole::Body, this, true);
-        m_missing->setAlignment(Qt::AlignCenter);
-        m_rows->addWidget(m_missing, 1);
+        m_missing = addNotice(m_rows);
     } else {
         build();
     }
@@ -82,8 +81,8 @@ void ThermalPage::build() {
     ActionButton* warm = addButton("thermalWarmUp", [this] { warmUp(); });
     warm->setPredicate([this]() -> QString {
         if (m_status.thermal.warmUpRunning) return {};
-        if (!context().client.engine().capabilities().cycleStart.fitted) return tr("start it at the control");
-        return m_status.program == ProgramState::Running ? tr("a program runs") : QString();
+        return startObstacle(m_status, context().client.engine().capabilities().cycleStart, ProcessId::Thermal,
+                             look().units());
     });
     restUntilShown(warm, context(), [this] {  // stopping rests for nothing
         return m_status.thermal.warmUpRunning ? std::nullopt : std::optional(ProcessId::Thermal);

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QProgressBar>
 
+#include "ui/link/start_obstacle.h"
 #include "ui/link/texts.h"
 #include "ui/pages/turning/turning_texts.h"
 #include "ui/widgets/label.h"
@@ -102,11 +103,12 @@ void TurningControlPanel::setView(const TurningServiceView& view) {
 void TurningControlPanel::setStatus(const Status& status) {
     const LoopStatus& loop = status.loops[static_cast<std::size_t>(ProcessId::Turning)];
     const bool ours = status.programProcess == ProcessId::Turning;
+    const QString obstacle =
+        startObstacle(status, m_engine.capabilities().cycleStart, ProcessId::Turning, m_look.units());
     const bool same = loop.mode == m_loop.mode && loop.fitted == m_loop.fitted && loop.state == m_loop.state &&
                       loop.reason.text == m_loop.reason.text && status.program == m_program &&
                       status.programProcess == m_programProcess && status.turning.stage == m_stage &&
-                      status.held == m_held && status.partsBlocked == m_blocked &&
-                      (status.link == LinkState::Up) == m_linkUp;
+                      obstacle == m_obstacle;
     m_progress->setValue(
         ours && status.program == ProgramState::Running ? static_cast<int>(100.0 * status.turning.progress) : 0);
     if (same) {
@@ -116,9 +118,7 @@ void TurningControlPanel::setStatus(const Status& status) {
     m_program = status.program;
     m_programProcess = status.programProcess;
     m_stage = status.turning.stage;
-    m_held = status.held;
-    m_blocked = status.partsBlocked;
-    m_linkUp = status.link == LinkState::Up;
+    m_obstacle = obstacle;
     showLoop();
 }
 
@@ -149,25 +149,7 @@ void TurningControlPanel::showLoop() {
 }
 
 QString TurningControlPanel::whyNotStart() const {
-    if (!m_loop.fitted) {
-        return tr("this machine has no turning loop");
-    }
-    if (!m_engine.capabilities().cycleStart.fitted) {
-        return sentenceText(m_engine.capabilities().cycleStart.why);
-    }
-    if (!m_linkUp) {
-        return tr("the machine is not connected");
-    }
-    if (m_held) {
-        return tr("all loops are held");
-    }
-    if (m_blocked) {
-        return tr("the last part is not stored yet");
-    }
-    if (m_program == ProgramState::Running || m_program == ProgramState::Paused) {
-        return tr("a part is being cut");
-    }
-    return QString();
+    return m_loop.fitted ? m_obstacle : tr("This machine has no turning loop.");
 }
 
 }  // namespace kerf::ui

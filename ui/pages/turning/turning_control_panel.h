@@ -61,9 +61,7 @@ class TurningControlPanel : public Card {
     ProgramState m_program{ProgramState::Idle};
     ProcessId m_programProcess{ProcessId::Turning};
     TurningStage m_stage{TurningStage::Idle};
-    bool m_held{false};
-    bool m_blocked{false};
-    bool m_linkUp{true};
+    QString m_obstacle{};  ///< why this machine takes no start
     bool m_busy{false};
 };
 
