@@ -10,6 +10,29 @@
 
 namespace kerf::test {
 
+/// What a button says has room on it in both languages; pictures of it on request.
+inline void roomForWords(PageBench& bench, const char* button, const char* what) {
+    const auto* start = bench.find<ui::ActionButton>(button);
+    for (const ui::Language language : {ui::Language::Korean, ui::Language::English}) {
+        ui::Preferences face = bench.look.preferences();
+        face.language = language;
+        bench.look.apply(face);
+        bench.client.tick();
+        for (int i = 0; i < 3; ++i) {
+            QApplication::processEvents();
+        }
+        if (const QString folder = qEnvironmentVariable("KERF_SAVE_PAGES"); !folder.isEmpty()) {
+            bench.save(folder + u'/' + QLatin1String(button) + u'_' + QLatin1String(what) +
+                       (language == ui::Language::Korean ? QStringLiteral("_ko.png") : QStringLiteral(".png")));
+        }
+        if (!start->parentWidget()->rect().contains(start->geometry())) {
+            continue;  // Overview without its cards lays nothing out
+        }
+        const QStringList clipped = clippedTexts(&bench.window).filter(u'#' + QLatin1String(button));
+        QVERIFY2(clipped.isEmpty(), qPrintable(QLatin1String(what) + u'\n' + clipped.join(u'\n')));
+    }
+}
+
 /// A start rests while what the next part is made with is on its way, and until the screen shows what the engine has:
 /// what is sent in the end names that. On a page whose start is possible; `asks`: a question comes before anything is
 /// sent.
@@ -28,24 +51,7 @@ inline void startRests(PageBench& bench, const char* button, ProcessId process, 
     client.tick();
     QVERIFY(!start->isEnabled());
     QVERIFY2(start->reason().contains(QStringLiteral("just stored")), qPrintable(start->reason()));
-    for (const ui::Language language : {ui::Language::Korean, ui::Language::English}) {  // there is room to say it
-        ui::Preferences face = bench.look.preferences();
-        face.language = language;
-        bench.look.apply(face);
-        for (int i = 0; i < 3; ++i) {
-            QApplication::processEvents();
-        }
-        if (const QString folder = qEnvironmentVariable("KERF_SAVE_PAGES"); !folder.isEmpty()) {
-            bench.save(
-                folder + u'/' + QLatin1String(button) +
-                (language == ui::Language::Korean ? QStringLiteral("_rests_ko.png") : QStringLiteral("_rests.png")));
-        }
-        if (!start->parentWidget()->rect().contains(start->geometry())) {
-            continue;  // Overview without its cards lays nothing out
-        }
-        const QStringList clipped = clippedTexts(&bench.window).filter(u'#' + QLatin1String(button));
-        QVERIFY2(clipped.isEmpty(), qPrintable(clipped.join(u'\n')));
-    }
+    roomForWords(bench, button, "rests");
     underWay = false;
     client.tick();
     QVERIFY2(start->isEnabled(), qPrintable(start->reason()));
@@ -76,6 +82,7 @@ inline void startSaysWhyNot(PageBench& bench, const char* button) {
         const auto* start = bench.find<ui::ActionButton>(button);
         QVERIFY2(!start->isEnabled(), words);
         QVERIFY2(start->reason().contains(QLatin1String(words)), qPrintable(start->reason()));
+        roomForWords(bench, button, words);
     };
     says("No link", [](Status& s) { s.link = LinkState::Down; });
     says("Emergency stop", [](Status& s) { s.emergencyStop = true; });
