@@ -44,11 +44,9 @@ ConsoleApplication::ConsoleApplication(Options options, std::vector<std::unique_
 }
 
 ConsoleApplication::~ConsoleApplication() {
-    m_shift.reset();
     m_poll.stop();
     m_live.reset();  // silent from now on
     m_shop.reset();
-    m_window.reset();
     if (m_engine) {
         m_engine->stop();  // no new parts; then all that has been made goes to the disk
     }
@@ -59,6 +57,8 @@ ConsoleApplication::~ConsoleApplication() {
             spdlog::warn("{} finished parts wait beside the data file for the next start", waiting);
         }
     }
+    m_shift.reset();  // whoever asked for something to be stored has had the answer now
+    m_window.reset();
     m_quality.reset();
     m_shiftDesk.reset();
     m_modes.reset();
