@@ -77,6 +77,8 @@ endfunction()
 
 # kerf_add_test(tst_name LABEL unit|gui|db|rt|arch SOURCES … LINK … [TIMEOUT s]): one Qt Test program.
 # Every test runs offscreen, from its own scratch folder, with the fixtures' folder in KERF_FIXTURES.
+# What the sanitizers are not to report, for every test.
+set(KERF_SANITIZER_ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
 function(kerf_add_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK;ENV" ${ARGN})
   if(NOT ARG_SOURCES)
@@ -110,5 +112,5 @@ function(kerf_add_test name)
   endif()
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;KERF_FIXTURES=${CMAKE_SOURCE_DIR}/tests/fixtures;KERF_BIN=${CMAKE_BINARY_DIR}/bin;LC_ALL=C.UTF-8;QTEST_FUNCTION_TIMEOUT=1800000;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp;${ARG_ENV}")
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;KERF_FIXTURES=${CMAKE_SOURCE_DIR}/tests/fixtures;KERF_BIN=${CMAKE_BINARY_DIR}/bin;LC_ALL=C.UTF-8;QTEST_FUNCTION_TIMEOUT=1800000;${KERF_SANITIZER_ENVIRONMENT};${ARG_ENV}")
 endfunction()

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/support/console_bench.h"
+#include "tests/support/patience.h"
 
 using namespace kerf;
 
@@ -55,7 +56,7 @@ class TestConsoleLot : public QObject {
     bool enterGauged() { return m_bench.keyIn(QString::number(gauged_mm(), 'f', 3)); }
     void bringUp() {
         m_bench.start(options());
-        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 20'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), test::patience_ms(20'000));
         m_bench.console().window()->showPage("boring");
     }
     void signOn() {
@@ -75,13 +76,13 @@ class TestConsoleLot : public QObject {
             if (QTest::currentTestFailed()) {
                 return;
             }
-            QTRY_VERIFY_WITH_TIMEOUT(waits(number, 0), 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(waits(number, 0), test::patience_ms(20'000));
             if (number == kTypoPart) {
                 slipsADecade(number);
             }
             const double top_mm = gauged_mm();
             QVERIFY2(enterGauged(), qPrintable(QStringLiteral("part %1 top").arg(number)));
-            QTRY_VERIFY_WITH_TIMEOUT(waits(number, 1), 10'000);
+            QTRY_VERIFY_WITH_TIMEOUT(waits(number, 1), test::patience_ms(10'000));
             QCOMPARE(stored_mm(number, 0), top_mm);
             if (number == kRestartPart) {
                 const QString bottom =
@@ -93,7 +94,7 @@ class TestConsoleLot : public QObject {
             } else {
                 QVERIFY(enterGauged());
             }
-            QTRY_VERIFY_WITH_TIMEOUT(part(number).complete, 10'000);
+            QTRY_VERIFY_WITH_TIMEOUT(part(number).complete, test::patience_ms(10'000));
             if (number == kCorrectPart) {
                 correctsAValue(number);
             }
@@ -152,7 +153,7 @@ class TestConsoleLot : public QObject {
         QVERIFY(field != nullptr);
         const QString inches = QString::number(bottom_mm / 25.4, 'f', 5);
         QVERIFY(m_bench.keyIn(inches));
-        QTRY_VERIFY_WITH_TIMEOUT(part(number).complete, 10'000);
+        QTRY_VERIFY_WITH_TIMEOUT(part(number).complete, test::patience_ms(10'000));
         QVERIFY(std::abs(stored_mm(number, 1) - bottom_mm) <= 0.000005 * 25.4 + 1e-9);
         QVERIFY(m_bench.press("settings"));
         QTRY_VERIFY(m_bench.find("unitMillimetre") != nullptr);
@@ -177,7 +178,8 @@ class TestConsoleLot : public QObject {
         QTest::keyClicks(field, QString::number(corrected_mm, 'f', 3));
         QVERIFY(m_bench.press("measurementReason0"));
         QVERIFY(m_bench.press("measurementApply"));
-        QTRY_COMPARE_WITH_TIMEOUT(stored_mm(number, 0), std::round(corrected_mm * 1000.0) / 1000.0, 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(stored_mm(number, 0), std::round(corrected_mm * 1000.0) / 1000.0,
+                                  test::patience_ms(10'000));
         QVERIFY(m_bench.service().estimates.back().value != estimateBefore);
         if (m_bench.find("measurementListClose") != nullptr) {
             QVERIFY(m_bench.press("measurementListClose"));

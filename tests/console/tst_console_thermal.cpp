@@ -8,6 +8,7 @@
 #include "engine/process/thermal/thermal_alarms.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/golden.h"
+#include "tests/support/patience.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/number_display.h"
 
@@ -28,7 +29,7 @@ class TestConsoleThermal : public QObject {
     [[nodiscard]] QTableWidget* table(const char* name) { return m_bench.find<QTableWidget>(name); }
     void bringUp() {
         m_bench.start(options());
-        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 20'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), test::patience_ms(20'000));
         m_bench.console().window()->showPage("thermal");
     }
     void signOn() {
@@ -45,7 +46,7 @@ class TestConsoleThermal : public QObject {
         return button != nullptr && button->isEnabled();
     }
     void pressWhenReady(const char* name) {
-        QTRY_VERIFY_WITH_TIMEOUT(ready(name), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(ready(name), test::patience_ms(20'000));
         QVERIFY(m_bench.press(name));
     }
     void closeSheet() {
@@ -72,7 +73,7 @@ class TestConsoleThermal : public QObject {
 
  private:
     void theFirstModelTrainsItself() {
-        QTRY_COMPARE_WITH_TIMEOUT(thermal().stage, ThermalStage::Following, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(thermal().stage, ThermalStage::Following, test::patience_ms(60'000));
         QCOMPARE(thermal().model, 1U);
         QVERIFY(m_bench.press("thermalModel"));
         QTRY_VERIFY(table("thermalCard") != nullptr && table("thermalCard")->rowCount() > 5);
@@ -86,9 +87,9 @@ class TestConsoleThermal : public QObject {
         }
         QVERIFY(start != nullptr);
         QTest::mouseClick(start, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(thermal().warmUpRunning, 10'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!thermal().warmUpRunning, 120'000);
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(thermal().shifted_um[1].value) >= 3.0, 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(thermal().warmUpRunning, test::patience_ms(10'000));
+        QTRY_VERIFY_WITH_TIMEOUT(!thermal().warmUpRunning, test::patience_ms(120'000));
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(thermal().shifted_um[1].value) >= 3.0, test::patience_ms(30'000));
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
             QVERIFY(std::abs(thermal().shifted_um[axis].value + thermal().drift_um[axis]) < 3.0);
         }
@@ -100,7 +101,7 @@ class TestConsoleThermal : public QObject {
     void aMeasurementChecksTheModel() {
         QVERIFY(m_bench.press("thermalMeasure"));
         pressWhenReady("thermalMeasureNow");
-        QTRY_COMPARE_WITH_TIMEOUT(thermal().gap.phase, GapPhase::Done, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(thermal().gap.phase, GapPhase::Done, test::patience_ms(20'000));
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
             const double difference_um = thermal().gap.measured_um[axis] - thermal().gap.predicted_um[axis];
             QVERIFY2(std::abs(difference_um) < 5.0, qPrintable(QString::number(difference_um)));
@@ -124,11 +125,11 @@ class TestConsoleThermal : public QObject {
                                  120'000);
         QCOMPARE(thermal().model, 1U);
         pressWhenReady("thermalGoLive");
-        QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 2U, 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 2U, test::patience_ms(30'000));
         closeSheet();
         QVERIFY(m_bench.press("thermalModel"));
         pressWhenReady("thermalRollBack");
-        QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 3U, 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(thermal().model, 3U, test::patience_ms(30'000));
         closeSheet();
     }
     void theLanguageSwitches() {
@@ -138,8 +139,10 @@ class TestConsoleThermal : public QObject {
         QVERIFY(m_bench.press("language"));
     }
     void aRestartReadsTheShiftBack() {
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(thermal().shifted_um[1].value) > 2.0, 60'000);  // there is one to read back
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rememberedShift_um() - thermal().shifted_um[1].value) < 0.01, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(thermal().shifted_um[1].value) > 2.0,
+                                 test::patience_ms(60'000));  // there is one to read back
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rememberedShift_um() - thermal().shifted_um[1].value) < 0.01,
+                                 test::patience_ms(60'000));
         double before_um[kAxisCount];
         for (std::size_t axis = 0; axis < kAxisCount; ++axis)
             before_um[axis] = thermal().shifted_um[axis].value;
@@ -152,8 +155,8 @@ class TestConsoleThermal : public QObject {
             }
             return thermal().stage == ThermalStage::Following && thermal().updates >= 2;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(thermal().shifted_um[1].good(), 20'000);
-        QTRY_VERIFY_WITH_TIMEOUT(watch(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(thermal().shifted_um[1].good(), test::patience_ms(20'000));
+        QTRY_VERIFY_WITH_TIMEOUT(watch(), test::patience_ms(60'000));
         QVERIFY2(jump_um < 6.0, qPrintable(QString::number(jump_um)));
         QVERIFY(std::abs(before_um[1]) > 1.0);
     }

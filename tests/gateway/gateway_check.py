@@ -83,6 +83,10 @@ class Gateway:
         except urllib.error.HTTPError as error:
             return error.code, error.read().decode()
 
+    def keeps_what_is_freed(self):
+        """A sanitizer does, for a while: memory then says nothing."""
+        return re.search(r"lib[at]san", pathlib.Path(f"/proc/{self.process.pid}/maps").read_text()) is not None
+
     def memory_kB(self):
         return int(re.search(r"VmRSS:\s+(\d+)", pathlib.Path(f"/proc/{self.process.pid}/status").read_text()).group(1))
 
@@ -254,7 +258,7 @@ def hostile(gateway):
         link.close()
     back = wait_for(lambda: gateway.descriptors() <= descriptors + 3, 15)
     grown = gateway.memory_kB() - memory
-    check(back and grown < 150_000, f"no growth: {gateway.descriptors() - descriptors} descriptors, {grown / 1000:.0f} MB after {slowest:.2f} s at most")
+    check(back and (grown < 150_000 or gateway.keeps_what_is_freed()), f"no growth: {gateway.descriptors() - descriptors} descriptors, {grown / 1000:.0f} MB after {slowest:.2f} s at most")
 
 
 def guarded(folder, work):
