@@ -78,7 +78,7 @@ endfunction()
 # kerf_add_test(tst_name LABEL unit|gui|db|rt|arch SOURCES … LINK … [TIMEOUT s]): one Qt Test program.
 # Every test runs offscreen, from its own scratch folder, with the fixtures' folder in KERF_FIXTURES.
 # What the sanitizers are not to report, for every test.
-set(KERF_SANITIZER_ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
+set(KERF_SANITIZER_ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp:die_after_fork=0;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/lsan.supp")
 function(kerf_add_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK;ENV" ${ARGN})
   if(NOT ARG_SOURCES)
