@@ -159,6 +159,16 @@ class TestTappingPage : public QObject {
         show();
         test::startSaysWhyNot(*m_bench, "tappingTap");
     }
+    /// What is tapped next is chosen whether or not it can be begun now, or from here at all.
+    void aJobIsChosenOnAMachineThatCannotStart() {
+        show();
+        m_bench->engine.caps.cycleStart = {};
+        m_bench->engine.fake.stops[0].slot = {7, 6, StopKind::FeedHold, 201};
+        m_bench->engine.fake.held = true;
+        tick();
+        QVERIFY(!button("tappingTap")->isEnabled());
+        QVERIFY2(button("tappingJob")->isEnabled(), qPrintable(reason("tappingJob")));
+    }
     void aStartRestsUntilTheNewestIsShown() {
         show();
         test::startRests(*m_bench, "tappingTap", ProcessId::Tapping);

@@ -16,7 +16,7 @@ constexpr int kColumns = 6;  ///< of the grid: three buttons of two, or one of t
 TapActions::TapActions(Look& look, const EngineApi& engine, QWidget* parent)
     : Card(look, parent), m_look(look), m_engine(engine), m_grid(new QGridLayout) {
     setObjectName(QStringLiteral("tappingActions"));
-    m_job = add("tappingJob", 0, 0, 2, [this] { return tuning() ? tr("a tuning is under way") : whyNoMove(); });
+    m_job = add("tappingJob", 0, 0, 2, [this] { return tuning() ? tr("a tuning is under way") : whyTapping(); });
     m_tune = add("tappingTune", 0, 2, 2, [this] { return whyNoTune(); });
     m_tap = add("tappingTap", 0, 4, 2, [this] { return whyNoTap(); });
     m_oneMore = add("tappingOneMore", 1, 0, 2, [this] { return whyNoOneMore(); });
@@ -111,12 +111,19 @@ bool TapActions::tuning() const {
            m_view.state == TuningState::Proposed;
 }
 
-QString TapActions::whyNoMove() const {
+QString TapActions::whyTapping() const {
     if (inHole()) {
         return tr("a tap stands in the hole");
     }
     if (m_status.tapping.phase != TapPhase::Idle) {
         return tr("a tap is under way");
+    }
+    return {};
+}
+
+QString TapActions::whyNoMove() const {
+    if (const QString why = whyTapping(); !why.isEmpty()) {
+        return why;
     }
     return startObstacle(m_status, m_engine.capabilities().cycleStart, ProcessId::Tapping, m_look.units());
 }

@@ -42,6 +42,8 @@ class TapActions : public Card {
     ActionButton* add(const char* name, int row, int column, int columns, ActionButton::WhyNot whyNot);
     void retranslate() override;
     void reconsider();
+    /// A tap moves or stands in the hole.
+    [[nodiscard]] QString whyTapping() const;
     [[nodiscard]] QString whyNoMove() const;
     [[nodiscard]] QString whyNoTune() const;
     [[nodiscard]] QString whyNoTap() const;
