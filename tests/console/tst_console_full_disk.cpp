@@ -87,6 +87,16 @@ class TestConsoleFullDisk : public QObject {
             return label->isVisible() && label->text().contains(words);
         });
     }
+    /// What the screen showed last may have ended in the same turn: asked again once the machine stands still.
+    [[nodiscard]] bool pausesWhileCutting() {
+        m_bench.pause();
+        m_bench.console().window()->client().tick();
+        if (m_bench.status().program == ProgramState::Running) {
+            return true;
+        }
+        m_bench.goOn();
+        return false;
+    }
     [[nodiscard]] bool closes() {
         m_bench.console().window()->close();
         return !m_bench.console().window()->isVisible();
@@ -107,8 +117,7 @@ class TestConsoleFullDisk : public QObject {
         start(true);
         QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 30'000);
         QTRY_VERIFY_WITH_TIMEOUT(storedParts() >= 3, 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_bench.status().program == ProgramState::Running, 30'000);
-        m_bench.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(pausesWhileCutting(), 30'000);
         QVERIFY(emptyLog());
         QVERIFY(fill());
         const int before = storedParts();
