@@ -131,33 +131,24 @@ void replay(const ReplayOptions& options) {
                         "to begin with.",
                         options.file));
     }
-    struct RowResult {
-        const boring::RowOutcome* outcome{nullptr};
-        double workingLnFeed{0.0};
-    };
-    std::vector<RowResult> results(entries.size());
+    std::vector<const boring::RowOutcome*> results(entries.size());
     for (const auto& step : tracker.steps()) {
         for (std::size_t i = 0; i < step.visit.count; ++i) {
-            double sum = 0.0;
-            for (std::size_t k = 0; k <= i; ++k) {
-                sum += std::log(step.visit.rows[k].feed_mmPerRev);
-            }
-            results[static_cast<std::size_t>(step.ids[i])] = {&step.rows[i], sum / static_cast<double>(i + 1)};
+            results[static_cast<std::size_t>(step.ids[i])] = &step.rows[i];
         }
     }
     CsvOutput csv("part,overhang_mm,ln_c,alpha,beta,p00,p01,p02,p11,p12,p22,perturbed,next_feed_mm_per_rev");
     for (std::size_t row = 0; row < entries.size(); ++row) {
         const auto& measurement = entries[row].measurement;
-        const boring::Estimate& estimate = results[row].outcome->after;
+        const boring::Estimate& estimate = results[row]->after;
         if (!estimate.ready) {  // the paper's estimator waits for a second overhang
             csv.row(entries[row].part, measurement.overhang_mm, "", "", "", "", "", "", "", "", "", false, "");
             continue;
         }
         const auto& p = estimate.covariance;
-        const double workingLnFeed = params.kind == boring::EstimatorKind::Kalman ? results[row].workingLnFeed : 0.0;
-        const BoringSchedule next = boring::adviseFeed(estimate, workingLnFeed, feed).schedule;
+        const BoringSchedule next = boring::adviseFeed(estimate, feed).schedule;
         csv.row(entries[row].part, measurement.overhang_mm, estimate.law.lnC, estimate.law.alpha, estimate.law.beta,
-                p[0], p[1], p[2], p[3], p[4], p[5], results[row].outcome->perturbed,
+                p[0], p[1], p[2], p[3], p[4], p[5], results[row]->perturbed,
                 next.feed_mmPerRev(measurement.overhang_mm));
     }
     csv.flush();

@@ -75,7 +75,7 @@ class TestBoringCommands : public QObject {
 
  private slots:
     void robustDefaultIsNoWorseOnHardMachines() {
-        const auto run = runKerf({"boring", "robust", "--machines", "100", "--seed", "11"});
+        const auto run = runKerf({"boring", "robust", "--machines", "200", "--seed", "11"});
         QVERIFY2(run.exitCode == 0, qPrintable(run.err));
         const auto all = nlohmann::json::parse(run.out.toStdString());
         QCOMPARE(all["share_unstable"].get<double>(), 0.0);

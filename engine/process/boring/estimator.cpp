@@ -96,11 +96,6 @@ Estimate estimateOf(const EstimatorState& state) noexcept {
     return {};
 }
 
-double workingLnFeed(const EstimatorState& state) noexcept {
-    const auto* kalman = std::get_if<KalmanState>(&state);
-    return kalman != nullptr ? kalman->lnFeed : 0.0;
-}
-
 EstimatorState step(const EstimatorState& before, const EstimatorParams& params, const PartVisit& visit,
                     std::span<RowOutcome> rows, ChangeKnowledge knowledge) noexcept {
     if (const auto* perturbation = std::get_if<PerturbationState>(&before)) {

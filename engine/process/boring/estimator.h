@@ -38,8 +38,6 @@ using EstimatorState = std::variant<PerturbationState, KalmanState>;
 
 [[nodiscard]] EstimatorState initialState(const EstimatorParams& params) noexcept;
 [[nodiscard]] Estimate estimateOf(const EstimatorState& state) noexcept;
-/// Mean ln S of the newest measured part: where the law is known best. Zero before the first measurement.
-[[nodiscard]] double workingLnFeed(const EstimatorState& state) noexcept;
 
 /// One visit. `rows` is empty or has visit.count places: what the estimate was after each of the visit's measurements
 /// (the Kalman filter steps again from `before` with one bore more for each row).

@@ -49,15 +49,28 @@ FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, doub
     if (kind == EstimatorKind::Perturbation) {
         params.minAlpha = kPaperMinAlpha;
         params.maxAlpha = kPaperMaxAlpha;
+        params.clipKeepsMeasured = false;
     }
     return params;
 }
 
-FeedAdvice adviseFeed(const EstimatorState& state, const FeedLawParams& params) noexcept {
-    return adviseFeed(estimateOf(state), workingLnFeed(state), params);
+LawConstants clippedLaw(const Estimate& estimate, const FeedLawParams& params) noexcept {
+    LawConstants law = estimate.law;
+    law.alpha = std::clamp(law.alpha, params.minAlpha, params.maxAlpha);
+    const double moved = law.alpha - estimate.law.alpha;
+    const Eigen::Matrix3d p = matrixOf(estimate.covariance);
+    if (moved != 0.0 && params.clipKeepsMeasured && p(1, 1) > 0.0) {
+        law.lnC += moved * p(0, 1) / p(1, 1);
+        law.beta += moved * p(1, 2) / p(1, 1);
+    }
+    return law;
 }
 
-FeedAdvice adviseFeed(const Estimate& estimate, double workingPoint, const FeedLawParams& params) noexcept {
+FeedAdvice adviseFeed(const EstimatorState& state, const FeedLawParams& params) noexcept {
+    return adviseFeed(estimateOf(state), params);
+}
+
+FeedAdvice adviseFeed(const Estimate& estimate, const FeedLawParams& params) noexcept {
     FeedAdvice advice;
     BoringSchedule& schedule = advice.schedule;
     schedule.targetDeflection_mm = params.targetDeflection_mm;
@@ -70,9 +83,10 @@ FeedAdvice adviseFeed(const Estimate& estimate, double workingPoint, const FeedL
         schedule.constantFeed_mmPerRev = params.firstFeed_mmPerRev;
         return advice;
     }
-    schedule.alpha = std::clamp(estimate.law.alpha, params.minAlpha, params.maxAlpha);
-    schedule.beta = estimate.law.beta;
-    schedule.lnC = estimate.law.lnC + (estimate.law.alpha - schedule.alpha) * workingPoint;
+    const LawConstants law = clippedLaw(estimate, params);
+    schedule.alpha = law.alpha;
+    schedule.beta = law.beta;
+    schedule.lnC = law.lnC;
     if (schedule.alpha != estimate.law.alpha) {
         advice.limited = true;
         advice.reason = Sentence(KERF_TEXT("The estimated exponent α = %1 is outside %2 to %3 and was clipped."),
@@ -99,7 +113,7 @@ double teachMiddle_mm(const FeedLawParams& params) noexcept {
 }
 
 BoringSchedule teachSchedule(const FeedLawParams& params) noexcept {
-    BoringSchedule schedule = adviseFeed(Estimate{}, 0.0, params).schedule;
+    BoringSchedule schedule = adviseFeed(Estimate{}, params).schedule;
     const double high_mmPerRev = schedule.feed_mmPerRev(params.overhangFrom_mm);
     const double low_mmPerRev = std::max(high_mmPerRev / kTeachRatio, params.minFeed_mmPerRev);
     const double fallsAt_mm = 0.5 * (teachMiddle_mm(params) + params.overhangTo_mm);

@@ -16,6 +16,9 @@ struct FeedLawParams {
     double maxFeed_mmPerRev{2.0};                           ///< > min
     double minAlpha{0.25};                                  ///< > 0: α used by the law is clipped here …
     double maxAlpha{1.2};                                   ///< … to here
+    /// What a clipped α leaves of the law. true: the most probable law with that α, see clippedLaw(). false: ln C and β
+    /// as they were estimated, as the paper has it.
+    bool clipKeepsMeasured{true};
     double overhangFrom_mm{kTableOverhangFrom_mm};
     double overhangTo_mm{kTableOverhangTo_mm};
     double spindleSpeed_rpm{400.0};
@@ -24,7 +27,7 @@ struct FeedLawParams {
     double allowedFrom_mm{0.0}, allowedTo_mm{0.0};
 };
 /// Limits that belong to an estimator. Both clamp the feed as the paper does, to [.005, 2]; a part type's recipe may be
-/// narrower. The paper leaves α alone, so its clip is a mere guard against a division by zero.
+/// narrower. The paper leaves α alone, so its clip is a mere guard against a division by zero that moves nothing else.
 [[nodiscard]] FeedLawParams feedLawParams(EstimatorKind kind, double targetDeflection_mm, double firstFeed_mmPerRev);
 
 /// What the feed is chosen for. d0, as long as three standard deviations s of ln d (the wider one of the bore's two
@@ -34,17 +37,22 @@ struct FeedLawParams {
 ///   mm; s dimensionless; between allowedFrom_mm and allowedTo_mm
 [[nodiscard]] double aimedDeflection_mm(const FeedLawParams& params, double spreadLn) noexcept;
 
+/// The estimate with α clipped to [minAlpha, maxAlpha]: the most probable law among those with that α, which is the
+/// conditional mean of N(θ̂, P). P says at which feeds and overhangs the law is known, so that what the bores have shown
+/// is kept at both ends, however far the feed falls in between. An α clipped from below only makes the steps from part
+/// to part smaller: each end closes in on d0, slower than with the α̂ that was estimated.
+///   ln C += (α − α̂)·P01/P11, β += (α − α̂)·P12/P11
+[[nodiscard]] LawConstants clippedLaw(const Estimate& estimate, const FeedLawParams& params) noexcept;
+
 struct FeedAdvice {
     BoringSchedule schedule{};
     bool limited{false};  ///< α clipped, or the optimum lies outside the feed range somewhere on the bore
     Sentence reason{};    ///< why it is limited; empty when it is not
 };
 
-/// Eq. 3 with the estimate. When α is clipped, ln C moves with it so that the deflection at the working point stays.
+/// Eq. 3 with the estimate, α clipped.
 [[nodiscard]] FeedAdvice adviseFeed(const EstimatorState& state, const FeedLawParams& params) noexcept;
-/// The same from an estimate and its working point (mean ln S of the newest part).
-[[nodiscard]] FeedAdvice adviseFeed(const Estimate& estimate, double workingLnFeed,
-                                    const FeedLawParams& params) noexcept;
+[[nodiscard]] FeedAdvice adviseFeed(const Estimate& estimate, const FeedLawParams& params) noexcept;
 
 /// A first part that teaches: S0 over most of the bore, a fifth of it near the far end, measured at three depths. ln S
 /// is then no straight line in ln L, so that α, β and ln C can be told apart from this one part. The feed only falls

@@ -79,14 +79,46 @@ class TestBoringLaws : public QObject {
         KERF_CLOSE(advice.schedule.feed_mmPerRev(175.0), 0.11398751624199456, 1e-12);
         QVERIFY(!advice.limited && advice.reason.empty());
     }
-    void alphaNearZeroOrNegativeIsClippedAndKeepsTheWorkingPoint() {
-        for (const double alpha : {0.05, 0.0, -0.4, 2.0}) {
-            LawConstants law{std::log(0.1165), alpha, 0.0};
-            law.lnC -= alpha * std::log(0.114);
-            const auto advice = adviseFeed(EstimatorState{stateAt(law)}, FeedLawParams{});
+    void alphaNearZeroOrNegativeIsClippedAndKeepsWhatWasMeasuredAtBothEnds() {
+        // ln d known at (.14 mm/rev, 40 mm) and (.01 mm/rev, 310 mm) to .001, α to .1, β then follows.
+        const Eigen::RowVector3d top(1.0, std::log(0.14), std::log(40.0));
+        const Eigen::RowVector3d deep(1.0, std::log(0.01), std::log(310.0));
+        const Eigen::RowVector3d alphaAlone(0.0, 1.0, 0.0);
+        const Eigen::Matrix3d information =
+            1e6 * (top.transpose() * top + deep.transpose() * deep) + 100.0 * alphaAlone.transpose() * alphaAlone;
+        for (const double alpha : {0.17, 0.05, 0.0, -0.4, 2.0}) {
+            const double beta = (std::log(0.13 / 0.11) - alpha * (deep(1) - top(1))) / (deep(2) - top(2));
+            const LawConstants law{std::log(0.11) - alpha * top(1) - beta * top(2), alpha, beta};
+            const Estimate estimate{true, law, covarianceOf(information.inverse())};
+            const LawConstants clipped = clippedLaw(estimate, FeedLawParams{});
+            KERF_CLOSE(clipped.alpha, std::clamp(alpha, 0.25, 1.2), 1e-12);
+            KERF_CLOSE(deflection_mm(clipped, 0.14, 40.0), 0.11, 1e-3);
+            KERF_CLOSE(deflection_mm(clipped, 0.01, 310.0), 0.13, 1e-3);
+            const FeedAdvice advice = adviseFeed(estimate, FeedLawParams{});
             QVERIFY(advice.limited && !advice.reason.empty());
-            KERF_CLOSE(advice.schedule.alpha, std::clamp(alpha, 0.25, 1.2), 1e-12);
-            KERF_CLOSE(advice.schedule.feed_mmPerRev(175.0), 0.114, 1e-9);
+            QCOMPARE(advice.schedule.alpha, clipped.alpha);
+            QVERIFY(advice.schedule.feed_mmPerRev(40.0) > 0.14 && advice.schedule.feed_mmPerRev(310.0) < 0.01);
+            const auto paper =
+                clippedLaw(estimate, feedLawParams(EstimatorKind::Perturbation, kTableTargetDeflection_mm, 0.5));
+            QVERIFY(paper.lnC == law.lnC && paper.beta == law.beta);
+        }
+    }
+    void alphaBelowTheClipIsStillBoredToSizeAtBothEnds() {
+        const EstimatorParams params = estimatorParams(EstimatorKind::Kalman, 0.005, kTableTargetDeflection_mm, 0.5);
+        const FeedLawParams feed = feedLawParams(EstimatorKind::Kalman, kTableTargetDeflection_mm, 0.5);
+        LawConstants flat{0.0, 0.15, 0.35};  // from part 11 on; d0 at .1 mm/rev and 120 mm
+        flat.lnC = std::log(kTableTargetDeflection_mm) - flat.alpha * std::log(0.1) - flat.beta * std::log(120.0);
+        EstimatorState state = initialState(params);
+        for (std::uint32_t part = 1; part <= 30; ++part) {
+            const BoringSchedule schedule = adviseFeed(state, feed).schedule;
+            const LawConstants& truth = part <= 10 ? kTruth : flat;
+            for (const double overhang_mm : {40.0, 310.0}) {
+                const double error_mm =
+                    deflection_mm(truth, schedule.feed_mmPerRev(overhang_mm), overhang_mm) - kTableTargetDeflection_mm;
+                QVERIFY2(part <= 15 || std::abs(error_mm) < (part <= 20 ? 0.009 : 0.006),
+                         qPrintable(QStringLiteral("part %1, %2 mm: %3").arg(part).arg(overhang_mm).arg(error_mm)));
+            }
+            state = step(state, params, visitOf(part, schedule, truth));
         }
     }
     void optimumOutsideTheFeedRangeSitsAtTheLimitAndSaysSo() {
