@@ -28,8 +28,9 @@ struct Prepared {
 Eigen::MatrixXd wanderOf(const Eigen::VectorXd& t, double tau_min) {
     Eigen::MatrixXd out(t.size(), t.size());
     for (Index i = 0; i < t.size(); ++i) {
-        for (Index j = 0; j < t.size(); ++j) {
+        for (Index j = 0; j <= i; ++j) {  // symmetric
             out(i, j) = std::exp(-std::abs(t[i] - t[j]) / tau_min) - std::exp(-(t[i] + t[j]) / tau_min);
+            out(j, i) = out(i, j);
         }
     }
     return out;

@@ -16,10 +16,14 @@ Eigen::MatrixXd featureMatrix(const ThermalHistory& history, const FeatureSpec& 
         const auto k = static_cast<std::size_t>(row);
         return history.time_min[k] - history.time_min[k - 1];
     };
+    std::vector<std::array<double, 2>> shares;
+    for (Eigen::Index row = first; row < history.rows(); ++row) {
+        shares.push_back({leakShare(dtOf(row), spec.leak_min[0]), leakShare(dtOf(row), spec.leak_min[1])});
+    }
     for (Eigen::Index s = 0; s < sensors; ++s) {
         SensorTerms terms;
         for (Eigen::Index row = first; row < history.rows(); ++row) {
-            terms.update(history.temp_degC(row, s) - baseline[s], dtOf(row), spec);
+            terms.update(history.temp_degC(row, s) - baseline[s], shares[static_cast<std::size_t>(row - first)]);
             for (int k = 0; k < kTermsPerSensor; ++k) {
                 out(row - first, s * kTermsPerSensor + k) = terms.value[static_cast<std::size_t>(k)];
             }

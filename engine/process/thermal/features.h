@@ -40,9 +40,13 @@ struct SensorTerms {
     std::array<double, kTermsPerSensor> value{};  ///< rise and its two leaky means, K
 
     void update(double rise_K, double dt_min, const FeatureSpec& spec) noexcept {
+        update(rise_K, {leakShare(dt_min, spec.leak_min[0]), leakShare(dt_min, spec.leak_min[1])});
+    }
+    /// With the shares of this step, the same for every sensor.
+    void update(double rise_K, const std::array<double, 2>& share) noexcept {
         value[0] = rise_K;
-        value[1] += leakShare(dt_min, spec.leak_min[0]) * (rise_K - value[1]);
-        value[2] += leakShare(dt_min, spec.leak_min[1]) * (rise_K - value[2]);
+        value[1] += share[0] * (rise_K - value[1]);
+        value[2] += share[1] * (rise_K - value[2]);
     }
 };
 

@@ -41,6 +41,9 @@ struct Fold {
         y.conservativeResize(rows + terms.rows(), drift.cols());
         x.bottomRows(terms.rows()) = terms;
         y.bottomRows(terms.rows()) = drift;
+    }
+    /// The products, of all that was added.
+    void close() {
         gram = x.transpose() * x;
         moment = x.transpose() * y;
         yy = y.colwise().squaredNorm();
@@ -82,10 +85,14 @@ AllFolds foldsOf(const std::vector<ThermalHistory>& days, const FeatureSpec& spe
             Fold fold;
             fold.atRest = atRest[d];
             fold.add(x.middleRows(begin, end - begin), y.middleRows(begin, end - begin));
+            fold.close();
             folds.asRecorded.push_back(fold);
             for (Index quarter = 1; parts == 1 && quarter < 4; ++quarter) {
                 const ThermalHistory again = restartedAt(days[d], x.rows() * quarter / 4);
                 fold.add(featureMatrix(again, spec), detail::measuredDrift(again));
+            }
+            if (fold.seriesBegin.size() > 1) {
+                fold.close();
             }
             folds.anyStart.push_back(std::move(fold));
         }

@@ -133,10 +133,22 @@ void ThermalPlant::restart(std::uint64_t daySeed) noexcept {
     setReference();
 }
 
+void ThermalPlant::stepBy(double dt_s) noexcept {
+    if (dt_s == m_step_s) {
+        return;
+    }
+    m_step_s = dt_s;
+    m_kept = std::exp(-dt_s / kWanderMemory_s);
+    m_stirred = std::sqrt(std::max(0.0, 1.0 - m_kept * m_kept));
+    for (Thermocouple& one : m_couples) {
+        one.share = -std::expm1(-dt_s / one.lag_s);
+    }
+}
+
 void ThermalPlant::moveRoom(double dt_s) noexcept {
     m_time_s += dt_s;
-    const double kept = std::exp(-dt_s / kWanderMemory_s);
-    m_wander_K = kept * m_wander_K + kWander_K * std::sqrt(std::max(0.0, 1.0 - kept * kept)) * m_random.gauss();
+    stepBy(dt_s);
+    m_wander_K = m_kept * m_wander_K + kWander_K * m_stirred * m_random.gauss();
     const double angle = 2.0 * std::numbers::pi * m_time_s / kSwingPeriod_s + m_roomPhase;
     m_room_degC = m_roomMean_degC + m_roomSwing_K * std::sin(angle) + m_wander_K;
 }
@@ -175,7 +187,7 @@ void ThermalPlant::step(double speed_rpm, double dt_s) noexcept {
     for (Thermocouple& one : m_couples) {
         const double node_degC = one.node == kRoom ? m_room_degC : m_temp_degC[one.node];
         const double target_degC = one.contact * node_degC + (1.0 - one.contact) * m_room_degC;
-        one.value_degC += -std::expm1(-dt_s / one.lag_s) * (target_degC - one.value_degC);
+        one.value_degC += one.share * (target_degC - one.value_degC);
     }
 }
 

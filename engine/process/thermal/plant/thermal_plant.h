@@ -89,6 +89,7 @@ class ThermalPlant {
 
  private:
     void step(double speed_rpm, double dt_s) noexcept;
+    void stepBy(double dt_s) noexcept;
     void moveRoom(double dt_s) noexcept;
     void addSeason(std::array<double, kPlantNodes>& heat_W) const noexcept;
 
@@ -98,9 +99,14 @@ class ThermalPlant {
         double offset_K{0.0};
         double contact{1.0};  ///< 1: reads its node; .5: half the room
         double lag_s{0.0};
+        double share{0.0};  ///< of the way to its target in a step
         double value_degC{0.0};
     };
     HardThermal m_hard{};
+    /// Steps mostly have one length: what depends on it alone is kept for the next.
+    double m_step_s{-1.0};
+    double m_kept{1.0};     ///< of the room's wander after a step
+    double m_stirred{0.0};  ///< … and what a step adds to it, of its spread
     std::array<Thermocouple, kMaxTemperatures> m_couples{};
     std::array<double, kPlantNodes> m_temp_degC{};
     std::array<double, kPlantNodes> m_reference_degC{};
