@@ -79,7 +79,7 @@ bool SimulatedBoring::advance(const SimulationStep& step, MachineInputs& inputs)
     const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
     if (m_running) {
         const double wanted_mmPerS = programmed_mmPerS * step.feedFactor * step.spindleFactor;
-        m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * (1.0 - std::exp(-step.dt_s / m_params.driveLag_s));
+        m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * m_driveLag.of(step.dt_s, m_params.driveLag_s);
         if (m_hole.count > 0) {  // the first station is cut with the feed of the entry, before the spindle moves on
             m_overhang_mm += m_feed_mmPerS * step.dt_s;
         }

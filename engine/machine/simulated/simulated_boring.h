@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/core/lag_share.h"
 #include "engine/core/spsc_ring.h"
 #include "engine/machine/simulated/simulated_process.h"
 
@@ -65,6 +66,7 @@ class SimulatedBoring final : public SimulatedProcess {
     StartProgram m_program{};
     double m_overhang_mm{0.0};
     double m_feed_mmPerS{0.0};
+    LagShare m_driveLag{};
     bool m_running{false};
     Reading m_lastOverhang_mm{};
     Reading m_lastSpeed_rpm{};

@@ -56,7 +56,7 @@ Result<void> SimulatedMilling::begin(const StartProgram& program, std::uint32_t 
 void SimulatedMilling::cut(const SimulationStep& step, double speed_rpm) noexcept {
     const double programmed_mmPerS = m_program.programmedFeed_mmPerRev * m_program.spindleSpeed_rpm / 60.0;
     const double wanted_mmPerS = programmed_mmPerS * step.feedFactor;
-    m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * (1.0 - std::exp(-step.dt_s / m_params.driveLag_s));
+    m_feed_mmPerS += (wanted_mmPerS - m_feed_mmPerS) * m_driveLag.of(step.dt_s, m_params.driveLag_s);
     m_cut.step(m_feed_mmPerS * step.dt_s, speed_rpm / 60.0 * step.dt_s, step.faults->toolBroken ? 0.02 : 1.0);
 }
 
@@ -71,6 +71,9 @@ void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm,
     const auto count = static_cast<std::size_t>(std::min(owed, static_cast<double>(kMaxFastSamples)));
     milling::ForceShape shape = m_params.shape;
     shape.missing = shape.missing || step.faults->fluteChipped;
+    const double sample_s = step.dt_s / static_cast<double>(std::max<std::size_t>(count, 1));
+    const double passes =
+        m_params.corner_Hz > 0.0 ? 1.0 - std::exp(-2.0 * std::numbers::pi * m_params.corner_Hz * sample_s) : 1.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double share = static_cast<double>(i + 1) / static_cast<double>(count);
         const double ago_s = (1.0 - share) * step.dt_s;
@@ -82,13 +85,10 @@ void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm,
         }
         const double mean_N = std::lerp(forceBefore_N, m_toldForce_N, share);
         const double time_s = m_time_s - ago_s;
-        double force_N = milling::sampledForce_N(shape, mean_N, sample.spindleAngle_rev) +
-                         m_chatter_N * std::sin(2.0 * std::numbers::pi * m_params.chatter_Hz * time_s) + m_offset_N +
-                         m_zero_N + m_params.sampleNoise_N * m_noise.gauss();
+        double force_N = milling::sampledForce_N(shape, mean_N, sample.spindleAngle_rev) + swing_N(time_s) +
+                         m_offset_N + m_zero_N + m_params.sampleNoise_N * m_noise.gauss();
         if (m_params.corner_Hz > 0.0) {
-            const double sample_s = step.dt_s / static_cast<double>(count);
-            m_passed_N +=
-                (force_N - m_passed_N) * (1.0 - std::exp(-2.0 * std::numbers::pi * m_params.corner_Hz * sample_s));
+            m_passed_N += (force_N - m_passed_N) * passes;
             force_N = m_passed_N;
         }
         SignalFault fault = step.faults->force;
@@ -106,12 +106,19 @@ void SimulatedMilling::sampleForce(const SimulationStep& step, double speed_rpm,
     inputs.fastCount = static_cast<std::uint16_t>(count);
 }
 
+double SimulatedMilling::swing_N(double time_s) const noexcept {
+    return m_chatter_N == 0.0 ? 0.0 : m_chatter_N * std::sin(2.0 * std::numbers::pi * m_params.chatter_Hz * time_s);
+}
+
 /// A swing grows from next to nothing while the cut is too deep and dies away when it is not.
 void SimulatedMilling::chatter(double dt_s) noexcept {
     constexpr double kGrowth_perS = 2.0;
     constexpr double kDecay_perS = 10.0;
     constexpr double kLeast = 0.002, kMost = 0.4;  // of the mean force
     const bool grows = m_params.chattersFrom_mm > 0.0 && m_cut.depth_mm() > m_params.chattersFrom_mm;
+    if (!grows && m_chatter_N == 0.0) {
+        return;
+    }
     m_chatter_N = grows ? std::clamp(m_chatter_N * std::exp(kGrowth_perS * dt_s), kLeast * m_cut.force_N(),
                                      kMost * m_cut.force_N())
                         : m_chatter_N * std::exp(-kDecay_perS * dt_s);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/core/lag_share.h"
 #include "engine/core/random.h"
 #include "engine/machine/simulated/simulated_process.h"
 #include "engine/process/milling/moving_cut.h"
@@ -60,6 +61,7 @@ class SimulatedMilling final : public SimulatedProcess {
     void sampleForce(const SimulationStep& step, double speed_rpm, double forceBefore_N,
                      MachineInputs& inputs) noexcept;
     void chatter(double dt_s) noexcept;
+    [[nodiscard]] double swing_N(double time_s) const noexcept;
     /// What the sensors tell of: now, or one revolution ago.
     struct Told {
         double force_N{0.0};
@@ -73,6 +75,7 @@ class SimulatedMilling final : public SimulatedProcess {
     StartProgram m_program{};
     milling::MovingCut m_cut{};
     double m_feed_mmPerS{0.0};
+    LagShare m_driveLag{};
     double m_samplesOwed{0.0};
     double m_revolution{0.0};
     double m_offset_N{0.0};   ///< of this revolution's mean

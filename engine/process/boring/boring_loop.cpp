@@ -118,7 +118,7 @@ LoopVerdict BoringLoop::follow(const MachineInputs& inputs, const Capabilities& 
                     : KERF_TEXT("Spindle overhang unknown: no faster than the schedule's lowest feed."))};
     }
     const double overhang_mm = inputs.overhang_mm.value;
-    const double best_mmPerRev = schedule.unclampedFeed_mmPerRev(overhang_mm);
+    const double best_mmPerRev = schedule.unclampedFeed_mmPerRev(overhang_mm, m_lnTarget);
     const double wanted_mmPerRev = schedule.clamped_mmPerRev(best_mmPerRev);
     m_status.wantedFeed_mmPerRev = wanted_mmPerRev;
     const double length_mm = schedule.overhangTo_mm - schedule.overhangFrom_mm;
@@ -193,6 +193,7 @@ void BoringLoop::beginPart(const MachineInputs& inputs) noexcept {
     m_part = beginRecord(inputs);
     m_part.schedule = m_next;
     m_lowestFeed_mmPerRev = m_next.lowestFeed_mmPerRev();
+    m_lnTarget = std::log(m_next.targetDeflection_mm);
     m_offScheduleSince_ns = -1;
     m_lookedAt_ns = inputs.time_ns;
     m_unseen_mm = 0.0;

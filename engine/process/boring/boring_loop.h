@@ -36,6 +36,7 @@ class BoringLoop final : public ProcessLoop {
     BoringSchedule m_next{};
     PartRecord m_part{};
     double m_lowestFeed_mmPerRev{0.0};  ///< of its schedule: two ends, each a logarithm and a power, once a part
+    double m_lnTarget{0.0};             ///< of its schedule, the same
     bool m_startWanted{false};
     std::int64_t m_offScheduleSince_ns{-1};
     std::int64_t m_lookedAt_ns{0};

@@ -35,7 +35,14 @@ struct BoringSchedule {
         if (constantFeed_mmPerRev > 0.0) {
             return constantFeed_mmPerRev;
         }
-        return std::exp((std::log(targetDeflection_mm) - lnC - beta * std::log(overhang_mm)) / alpha);
+        return unclampedFeed_mmPerRev(overhang_mm, std::log(targetDeflection_mm));
+    }
+    /// The same for who keeps the logarithm of d0, for every cycle of a bore.
+    [[nodiscard]] double unclampedFeed_mmPerRev(double overhang_mm, double lnTarget) const noexcept {
+        if (constantFeed_mmPerRev > 0.0) {
+            return constantFeed_mmPerRev;
+        }
+        return std::exp((lnTarget - lnC - beta * std::log(overhang_mm)) / alpha);
     }
     [[nodiscard]] double clamped_mmPerRev(double feed_mmPerRev) const noexcept {
         return std::clamp(feed_mmPerRev, minFeed_mmPerRev, maxFeed_mmPerRev);

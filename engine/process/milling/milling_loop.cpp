@@ -55,9 +55,13 @@ LoopVerdict MillingLoop::step(const MachineInputs& inputs, const Capabilities& c
                 events.clear(alarm.code);
             }
         }
-        events.set(milling_alarm::kToolWorn, m_wear.parts() > 0 && m_wear.rise() > m_setup.wearWarning,
-                   Sentence(KERF_TEXT("The cutting stiffness has risen by %1 % since the tool was new."),
-                            {100.0 * (std::exp(m_wear.rise()) - 1.0), 0}));
+        if (m_wear.parts() > 0 && m_wear.rise() > m_setup.wearWarning) {
+            events.raise(milling_alarm::kToolWorn,
+                         Sentence(KERF_TEXT("The cutting stiffness has risen by %1 % since the tool was new."),
+                                  {100.0 * (std::exp(m_wear.rise()) - 1.0), 0}));
+        } else {
+            events.clear(milling_alarm::kToolWorn);
+        }
         m_last_ns = inputs.time_ns;
         const bool control = m_mode == LoopMode::Control;
         return {control ? LoopState::Controlling : LoopState::Advising,

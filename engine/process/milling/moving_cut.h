@@ -22,6 +22,10 @@ class MovingCut {
         m_plant = plant;
         m_blank = blank;
         m_coefficient = coefficient;
+        const double theta = plant.forceAngle_deg * std::numbers::pi / 180.0;
+        m_cos = std::cos(theta);
+        m_tan = std::tan(theta);
+        m_turned_rev = 0.0;
         m_axis_mm = axis_mm;
         m_tip_mm = axis_mm;
         leaveWork();
@@ -33,14 +37,16 @@ class MovingCut {
             m_tip_mm = m_axis_mm - m_deflection_mm;  // a standing tool does not cut
             return;
         }
-        const double theta = m_plant.forceAngle_deg * std::numbers::pi / 180.0;
+        if (turned_rev != m_turned_rev) {  // at one speed it is taken once
+            m_turned_rev = turned_rev;
+            m_perTurn = std::pow(turned_rev, -m_plant.exponent);
+        }
         m_depth_mm = m_blank.engagedDepth_mm(m_tip_mm, m_plant.toolRadius_mm);
-        const double compliance = m_coefficient * sharpness * m_depth_mm * std::cos(theta) / m_plant.kx_NPerMm;
+        const double compliance = m_coefficient * sharpness * m_depth_mm * m_cos / m_plant.kx_NPerMm;
         const double supply_mm = moved_mm + m_deflection_mm;
-        const double cut_mm =
-            solveCutFeed_mmPerRev(compliance * std::pow(turned_rev, -m_plant.exponent), supply_mm, m_plant.exponent);
+        const double cut_mm = solveCutFeed_mmPerRev(compliance * m_perTurn, supply_mm, m_plant.exponent);
         m_deflection_mm = std::max(0.0, supply_mm - cut_mm);
-        m_force_N = m_deflection_mm * m_plant.kx_NPerMm * std::tan(theta);
+        m_force_N = m_deflection_mm * m_plant.kx_NPerMm * m_tan;
         m_tip_mm += cut_mm;
     }
     void leaveWork() noexcept {
@@ -59,6 +65,10 @@ class MovingCut {
     PlantParams m_plant{};
     BlankProfile m_blank{};
     double m_coefficient{0.0};
+    double m_cos{1.0};  ///< of θ
+    double m_tan{0.0};
+    double m_turned_rev{0.0};
+    double m_perTurn{0.0};  ///< (n dt)^−m
     double m_axis_mm{0.0};
     double m_tip_mm{0.0};
     double m_deflection_mm{0.0};

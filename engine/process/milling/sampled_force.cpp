@@ -7,6 +7,9 @@
 namespace kerf::milling {
 
 double sampledForce_N(const ForceShape& shape, double meanForce_N, double angle_rev) noexcept {
+    if (meanForce_N == 0.0) {  // in air
+        return 0.0;
+    }
     const double flute_rev = angle_rev + shape.markAt_rev;
     const double turn = 2.0 * std::numbers::pi * (flute_rev - std::floor(flute_rev));
     const double tooth = static_cast<double>(shape.flutes) * turn;
