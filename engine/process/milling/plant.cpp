@@ -49,14 +49,25 @@ double solveCutFeed_mmPerRev(double compliance, double supply_mm, double exponen
     // In y = l^m the equation y^(1/m) + c y = s is convex, so Newton from a point right of the root falls onto it
     // without ever leaving (0, start].
     const double inverse = 1.0 / exponent;
+    constexpr int kMost = 64;
     double y = std::fmin(std::pow(supply_mm, exponent), supply_mm / compliance);
-    for (int i = 0; i < 64; ++i) {
+    double before = 0.0;
+    for (int i = 0; i < kMost; ++i) {
         const double l = std::pow(y, inverse);
         const double excess = l + compliance * y - supply_mm;
         const double step = excess / (inverse * l / y + compliance);
-        y -= step;
+        const double next = y - step;
+        if (next == y) {
+            return l;
+        }
+        const bool swings = next == before;
+        before = y;
+        y = next;
         if (std::abs(step) <= tolerance * y) {
             break;
+        }
+        if (swings) {  // between two neighbours for all steps to come: which of them is last is known
+            return (kMost - 1 - i) % 2 != 0 ? l : std::pow(y, inverse);
         }
     }
     return std::pow(y, inverse);
