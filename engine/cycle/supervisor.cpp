@@ -4,6 +4,11 @@
 namespace kerf {
 namespace {
 
+/// The machine hears and may move: asked for every loop in every cycle, so without the words.
+bool machineReady(const MachineInputs& inputs) noexcept {
+    return inputs.link == LinkState::Up && !inputs.emergencyStop && inputs.machineOn;
+}
+
 /// What stops every loop at this moment; empty when nothing does.
 Sentence machineObstacle(const MachineInputs& inputs) {
     if (inputs.link != LinkState::Up) {
@@ -41,7 +46,7 @@ void Supervisor::hold(const Sentence& why) noexcept {
 
 bool Supervisor::watch(const MachineInputs& inputs) noexcept {
     const bool linked = inputs.link == LinkState::Up;
-    const bool ready = machineObstacle(inputs).empty();
+    const bool ready = machineReady(inputs);
     const bool lost = m_ready && !ready;
     const bool running = inputs.program == ProgramState::Running || inputs.program == ProgramState::Paused;
     const bool amidst = linked && !m_seen && running;  // a console that comes back while a program runs
@@ -77,7 +82,7 @@ LoopMode Supervisor::effectiveMode(ProcessId id, const MachineInputs& inputs,
     const Loop& loop = m_loops[index];
     const StopSlot& stop = inputs.stops[index];
     const bool out = stop.active() && stop.kind == StopKind::LoopOut;
-    if (held() || out || !capabilities.process[index].fitted || !machineObstacle(inputs).empty()) {
+    if (held() || out || !capabilities.process[index].fitted || !machineReady(inputs)) {
         return LoopMode::Off;
     }
     return loop.mode;
