@@ -11,6 +11,9 @@ bool machineReady(const MachineInputs& inputs) noexcept {
 
 /// What stops every loop at this moment; empty when nothing does.
 Sentence machineObstacle(const MachineInputs& inputs) {
+    if (machineReady(inputs)) {
+        return {};
+    }
     if (inputs.link != LinkState::Up) {
         return Sentence(KERF_TEXT(
             "No connection to the machine: the last offset stays, the feed is at most the planned one, or held."));
@@ -18,10 +21,7 @@ Sentence machineObstacle(const MachineInputs& inputs) {
     if (inputs.emergencyStop) {
         return Sentence(KERF_TEXT("Emergency stop: the control has stopped the machine."));
     }
-    if (!inputs.machineOn) {
-        return Sentence(KERF_TEXT("The machine is switched off."));
-    }
-    return {};
+    return Sentence(KERF_TEXT("The machine is switched off."));
 }
 
 }  // namespace
