@@ -13,8 +13,11 @@ constexpr double kTurning = 0.03;      // slope of ln(C b) per revolution that c
 constexpr double kTurnMemory = 1.0 - 1.0 / 60.0;
 constexpr int kEntry = 30;  // revolutions: what the estimate does then is no step of the blank
 constexpr double kFewTurns = 2.5, kManyTurns = 5.0;
+constexpr double kFewTurnsTrim = 1.0, kManyTurnsTrim = 3.0;
+constexpr double kSteppingTrim = 2.0;  // a step half likely stops the trim
 constexpr double kFewTurnsLate = 1.5, kManyTurnsLate = 3.0;
-constexpr double kMostBelow = 0.03;
+constexpr double kMostBelow = 0.04;
+constexpr int kTrimFrom = 50;  // revolutions in the work from which the aim is trimmed
 constexpr int kAimEarly = 60;  // revolutions in which the aim is taken, before the wall that is judged
 constexpr double kAimFast_rev = 20.0, kAimSlow_rev = 200.0;
 constexpr double kUnknownNoise = 0.0253;  // of the reference: of a force about which nothing was learnt yet
@@ -73,6 +76,7 @@ void FeedController::beginCut() noexcept {
     m_changed = false;
     m_revolutionsInWork = 0;
     m_below = 0.0;
+    m_trim_N = 0.0;
     m_turns = 0.0;
     m_slopeSign = 0;
 }
@@ -115,8 +119,25 @@ double FeedController::knownChange() const noexcept {
 void FeedController::takeAim() noexcept {
     const double turning = std::clamp((m_turns - kFewTurnsLate) / (kManyTurnsLate - kFewTurnsLate), 0.0, 1.0);
     const auto late_periods = static_cast<double>(late());
-    const double below = std::min(m_params.model.below + m_params.model.belowLate * late_periods * turning, kMostBelow);
+    const ModelLawParams& model = m_params.model;
+    const double noisy = 1.0 - m_estimator.estimate().quiet;
+    const double below =
+        std::min(model.below + model.belowNoisy * noisy + model.belowLate * late_periods * turning, kMostBelow);
     m_below += (below - m_below) / (m_revolutionsInWork < kAimEarly ? kAimFast_rev : kAimSlow_rev);
+}
+
+void FeedController::trimAim(const RevolutionInput& input) noexcept {
+    const ModelLawParams& model = m_params.model;
+    if (m_revolutionsInWork <= kTrimFrom || input.overridden || input.advised) {
+        return;
+    }
+    const StiffnessEstimate& now = m_estimator.estimate();
+    const double turning = std::clamp((m_turns - kFewTurnsTrim) / (kManyTurnsTrim - kFewTurnsTrim), 0.0, 1.0);
+    const double trust = (1.0 - turning) * std::max(0.0, 1.0 - kSteppingTrim * now.stepping) * now.quiet * now.quiet;
+    const double clip_N = model.trimClip * m_params.reference_N;
+    const double most_N = model.trimMost * m_params.reference_N;
+    m_trim_N += trust * model.trimGain * std::clamp(aim_N() - *input.force_N, -clip_N, clip_N);
+    m_trim_N = (1.0 - model.trimLeak) * std::clamp(m_trim_N, -most_N, most_N);
 }
 
 void FeedController::watchTurns() noexcept {
@@ -129,12 +150,12 @@ void FeedController::watchTurns() noexcept {
     }
 }
 
-double FeedController::modelShare(const RevolutionInput& input) const noexcept {
+double FeedController::modelShare(const RevolutionInput& input, double noisyShare) const noexcept {
     if (input.overridden || input.advised) {  // feedback from a feed that somebody else made would wind up
         return 1.0;
     }
     const ModelLawParams& model = m_params.model;
-    const double share = 1.0 - (1.0 - m_estimator.estimate().quiet) * (1.0 - model.modelShareNoisy);
+    const double share = 1.0 - (1.0 - m_estimator.estimate().quiet) * (1.0 - noisyShare);
     const double turning = std::clamp((m_turns - kFewTurns) / (kManyTurns - kFewTurns), 0.0, 1.0);
     const double most = late() > 0 ? model.shareTurningLate : model.shareTurning;
     return share + turning * (std::min(share, most) - share);
@@ -167,19 +188,22 @@ double FeedController::lawFeed_mmPerS(const RevolutionInput& input, double known
     const InversionModel model{m_params.stiffness.assume.exponent, m_params.stiffness.assume.forceAngle_deg,
                                m_estimator.estimate().kx_NPerMm};
     takeAim();
+    trimAim(input);
     const double wanted_mm =
         modelFeed_mmPerRev(m_params.model, model, m_estimator.after(m_axis.pending_mm()),
-                           knownChange + m_estimator.pendingChange(), aim_N(), m_revolutionsInWork);
+                           knownChange + m_estimator.pendingChange(), aim_N() + m_trim_N, m_revolutionsInWork);
     const double error_N = aim_N() - *input.force_N;
     const double b0_NPerMm = forcePerFeed_NPerMm(model, aim_N(), input.feed_mmPerRev);
-    const double feedback_mm =
-        feedbackFeed_mmPerRev(m_params.model, b0_NPerMm, m_feed_mmPerS * input.revolution_s, error_N, m_lastError_N);
+    const ModelLawParams::Feedback gains =
+        feedbackAt(m_params.model, m_estimator.estimate().noise_N / m_params.reference_N, m_revolutionsInWork);
+    const double feedback_mm = feedbackFeed_mmPerRev(gains, std::max(b0_NPerMm, m_params.model.leastB0_NPerMm),
+                                                     m_feed_mmPerS * input.revolution_s, error_N, m_lastError_N);
     if (input.overridden && error_N > 0.0) {  // more feed would not arrive
         return invert(model, m_estimator.estimate().lnCb, *input.force_N, m_params.reference_N).steady_mmPerRev /
                input.revolution_s;
     }
     watchTurns();
-    const double share = modelShare(input);
+    const double share = modelShare(input, gains.modelShare);
     const double feed_mm = share * m_axis.toMake_mm(wanted_mm) + (1.0 - share) * feedback_mm;
     return std::min(feed_mm, mostDoubted_mm(input, error_N)) / input.revolution_s;
 }

@@ -107,9 +107,11 @@ class FeedController {
     /// Force the model laws steer for: a little below the reference.
     [[nodiscard]] double aim_N() const noexcept { return m_params.reference_N * (1.0 - m_below); }
     void takeAim() noexcept;
+    /// By what the force has lately been beside the aim, for what the model leaves wrong.
+    void trimAim(const RevolutionInput& input) noexcept;
     /// How much the depth has been turning from harder to easier and back lately, 0 … 1.
     void watchTurns() noexcept;
-    [[nodiscard]] double modelShare(const RevolutionInput& input) const noexcept;
+    [[nodiscard]] double modelShare(const RevolutionInput& input, double noisyShare) const noexcept;
     /// While the forces of the entry rather speak for another lateness than the one believed: the model may not raise
     /// the feed faster than the PI, which does not ask for it.
     [[nodiscard]] double mostDoubted_mm(const RevolutionInput& input, double error_N) const noexcept;
@@ -124,9 +126,10 @@ class FeedController {
     BlankProfile m_blank{};
     double m_feed_mmPerS{0.0};  ///< last decision
     double m_lastError_N{0.0};
-    double m_below{0.0};  ///< share of the reference
-    double m_turns{0.0};  ///< of the slope, slowly forgotten
-    int m_slopeSign{0};   ///< of the last one that counted
+    double m_trim_N{0.0};  ///< added to the aim of the model's feed
+    double m_below{0.0};   ///< share of the reference
+    double m_turns{0.0};   ///< of the slope, slowly forgotten
+    int m_slopeSign{0};    ///< of the last one that counted
     double m_blend_mmPerS{0.0};
     bool m_changed{false};  ///< law changed since the last revolution
     int m_period{1};

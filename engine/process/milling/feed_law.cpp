@@ -51,10 +51,25 @@ double modelFeed_mmPerRev(const ModelLawParams& params, const InversionModel& mo
     return plan.steady_mmPerRev + share * (plan.deadbeat_mmPerRev - plan.steady_mmPerRev);
 }
 
-double feedbackFeed_mmPerRev(const ModelLawParams& params, double b0_NPerMm, double lastFeed_mmPerRev, double error_N,
-                             double lastError_N) noexcept {
-    return lastFeed_mmPerRev + (params.proportional * (error_N - lastError_N) + params.integral * lastError_N) /
-                                   std::max(b0_NPerMm, params.leastB0_NPerMm);
+ModelLawParams::Feedback feedbackAt(const ModelLawParams& params, double noiseShare, int revolutionsInWork) noexcept {
+    constexpr double kNoisy = 0.04, kVeryNoisy = 0.125;  // of the reference
+    const double way =
+        std::clamp(std::log(std::max(noiseShare, kNoisy) / kNoisy) / std::log(kVeryNoisy / kNoisy), 0.0, 1.0);
+    const auto between = [way](double noisy, double veryNoisy) { return noisy + way * (veryNoisy - noisy); };
+    ModelLawParams::Feedback gains{between(params.noisy.modelShare, params.veryNoisy.modelShare),
+                                   between(params.noisy.proportional, params.veryNoisy.proportional),
+                                   between(params.noisy.integral, params.veryNoisy.integral)};
+    if (revolutionsInWork < params.settledFrom) {  // or the sum of the entry's errors would overshoot
+        gains.proportional = params.entryProportional;
+        gains.integral = params.entryIntegral;
+    }
+    return gains;
+}
+
+double feedbackFeed_mmPerRev(const ModelLawParams::Feedback& gains, double b0_NPerMm, double lastFeed_mmPerRev,
+                             double error_N, double lastError_N) noexcept {
+    return lastFeed_mmPerRev +
+           (gains.proportional * (error_N - lastError_N) + gains.integral * lastError_N) / b0_NPerMm;
 }
 
 }  // namespace kerf::milling

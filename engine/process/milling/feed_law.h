@@ -71,33 +71,51 @@ struct Inversion {
 struct ModelLawParams {
     double backOff{1.2};    ///< share of the deadbeat feed when the force is above the reference, [0, 1]
     double recover{0.884};  ///< when it is below, [0, backOff]
-    double recoverNoisy{0.45};
+    double recoverNoisy{0.4};
     double leadHarder{1.075};  ///< revolutions ahead on a rising slope
-    double leadHarderNoisy{1.8};
+    double leadHarderNoisy{2.2};
     double leadEasier{0.628};  ///< on a falling one
     double leadEasierNoisy{0.55};
     double entryShare{0.121};  ///< of both shares during the first `entryRevolutions` in the work
     double entryLead{0.208};   ///< revolutions further ahead then: how late a force comes is not known yet
     int entryRevolutions{33};
     double aheadShare{1.01};  ///< of both shares for each revolution predicted since the last force
-    double aheadShareNoisy{1.0};
+    double aheadShareNoisy{1.375};
     double aheadLead{0.936};  ///< of the lead
-    double aheadLeadNoisy{1.0};
+    double aheadLeadNoisy{0.7};
     double caution{0.238};  ///< ln(C b) is taken for larger by this share of its standard deviation above `sure`
     double sure{0.0127};
 
-    /// A noisy force: the model's feed counts this much, the rest is feedback from the last feed given,
+    /// A noisy force: the model's feed counts `modelShare`, the rest is feedback from the last feed given,
     ///   f = f_last + (c_p (e − e_last) + c_i e_last)/b0,
-    /// the paper's law with gains that follow the tool learnt. Two answers to the same noise shake less than one.
-    double modelShareNoisy{0.25};
-    double proportional{0.8};      ///< c_p
-    double integral{0.14};         ///< c_i
-    double leastB0_NPerMm{260.0};  ///< a softer tool is not given more gain
+    /// the paper's law with gains that follow the tool learnt. Two answers to the same noise shake less than one. The
+    /// noisier, the calmer: from `noisy` to `veryNoisy` with the logarithm of the noise.
+    struct Feedback {
+        double modelShare;
+        double proportional;  ///< c_p
+        double integral;      ///< c_i
+    };
+    Feedback noisy{0.22, 0.834, 0.24};
+    Feedback veryNoisy{0.17, 0.65, 0.18};
+    double entryProportional{0.8};  ///< while the force of the entry builds up
+    double entryIntegral{0.14};
+    int settledFrom{40};           ///< revolutions in the work from which the other gains hold
+    double leastB0_NPerMm{360.0};  ///< a softer tool is not given more gain
+
+    /// What exponent, angle and k_x leave wrong is constant for a while: the force aimed at is trimmed by the sum of
+    /// the errors, each at most `trimClip` of the reference (a step is the model's own affair), the sum at most
+    /// `trimMost`.
+    double trimGain{0.12};  ///< per revolution, of a clean force; of a noisy one, by the square of `quiet`
+    double trimClip{0.04};
+    double trimMost{0.03};
+    double trimLeak{0.025};  ///< forgotten per revolution
 
     /// The safety net. The force is held from below: by `below` of the reference, by more where it comes late and the
-    /// depth turns. Where the depth turns often (a comb) it cannot be foretold: the model's feed counts less there.
-    double below{0.0081};
-    double belowLate{0.02};  ///< further, for each period of lateness, when the depth turns
+    /// depth turns or where it is noisy. Where the depth turns often (a comb) it cannot be foretold: the model's feed
+    /// counts less there.
+    double below{0.0105};
+    double belowNoisy{0.012};  ///< further, in a noisy force
+    double belowLate{0.025};   ///< further, for each period of lateness, when the depth turns
     double shareTurning{0.5};
     double shareTurningLate{0.2};
 };
@@ -107,8 +125,12 @@ struct ModelLawParams {
                                         const StiffnessEstimate& estimate, double knownChange, double reference_N,
                                         int revolutionsInWork) noexcept;
 
-/// Feed per revolution after `lastFeed_mmPerRev` by the error e = reference − averaged force alone.
-[[nodiscard]] double feedbackFeed_mmPerRev(const ModelLawParams& params, double b0_NPerMm, double lastFeed_mmPerRev,
-                                           double error_N, double lastError_N) noexcept;
+/// Gains for a force whose noise is `noiseShare` ≥ 0 of the reference.
+[[nodiscard]] ModelLawParams::Feedback feedbackAt(const ModelLawParams& params, double noiseShare,
+                                                  int revolutionsInWork) noexcept;
+
+/// Feed per revolution after `lastFeed_mmPerRev` by the error e = reference − averaged force alone; `b0_NPerMm` > 0.
+[[nodiscard]] double feedbackFeed_mmPerRev(const ModelLawParams::Feedback& gains, double b0_NPerMm,
+                                           double lastFeed_mmPerRev, double error_N, double lastError_N) noexcept;
 
 }  // namespace kerf::milling

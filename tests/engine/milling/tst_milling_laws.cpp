@@ -7,6 +7,7 @@
 
 #include "engine/core/random.h"
 #include "engine/process/milling/cut_simulation.h"
+#include "engine/process/milling/drawn_blank.h"
 #include "engine/process/milling/hard_machine.h"
 
 using namespace kerf;
@@ -152,7 +153,7 @@ class TestMillingLaws : public QObject {
         QTest::addColumn<double>("noise_kgf");
         QTest::addColumn<bool>("late");
         for (int blank = 0; blank < 3; ++blank) {
-            for (const double noise_kgf : {3.0, 5.0}) {
+            for (const double noise_kgf : {0.5, 1.0, 2.0, 3.0, 5.0}) {
                 for (const bool late : {false, true}) {
                     QTest::addRow("blank %d, %g kgf, late %d", blank, noise_kgf, late) << blank << noise_kgf << late;
                 }
@@ -187,10 +188,35 @@ class TestMillingLaws : public QObject {
         };
         const Worst ours = cutBy(LawKind::Model);
         const Worst paper = cutBy(LawKind::Pi);
-        QVERIFY2(ours.mean_um <= 1.05 * paper.mean_um,
+        QVERIFY2(ours.mean_um <= 1.03 * paper.mean_um,
                  qPrintable(QString("%1 µm, paper %2").arg(ours.mean_um).arg(paper.mean_um)));
-        QVERIFY2(ours.peak_kgf <= paper.peak_kgf,
+        QVERIFY2(ours.peak_kgf <= 1.01 * paper.peak_kgf,
                  qPrintable(QString("%1 kgf, paper %2").arg(ours.peak_kgf).arg(paper.peak_kgf)));
+    }
+    // What exponent and k_x leave wrong is an offset of the force that comes and goes with the depth, unless it is
+    // trimmed away.
+    void aDepthThatChangesSlowlyIsHeldAsThePaperHoldsIt_data() {
+        QTest::addColumn<int>("blank");
+        QTest::addColumn<bool>("late");
+        for (const int blank : {0, 1, 4, 7, 9}) {  // sines, saws and a walk
+            for (const bool late : {false, true}) {
+                QTest::addRow("blank %d, late %d", blank, late) << blank << late;
+            }
+        }
+    }
+    void aDepthThatChangesSlowlyIsHeldAsThePaperHoldsIt() {
+        QFETCH(int, blank);
+        QFETCH(bool, late);
+        const auto cutBy = [&](LawKind law) {
+            CutCase cut = bare(law);
+            cut.blank = drawnBlank(1, static_cast<std::uint64_t>(blank)).blank;
+            cut.wholePulses = true;
+            cut.lag = late;
+            return waviness_um(simulateCut(cut));
+        };
+        const double ours_um = cutBy(LawKind::Model);
+        const double paper_um = cutBy(LawKind::Pi);
+        QVERIFY2(ours_um <= 1.1 * paper_um, qPrintable(QString("%1 µm, paper %2").arg(ours_um).arg(paper_um)));
     }
     void aForceThatAloneComesLateDoesNotPeakInTheEntry() {
         std::vector<double> ramp_mm(200);
