@@ -139,13 +139,14 @@ class TestConsoleThermal : public QObject {
         QVERIFY(m_bench.press("language"));
     }
     void aRestartReadsTheShiftBack() {
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(thermal().shifted_um[1].value) > 2.0,
-                                 test::patience_ms(60'000));  // there is one to read back
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rememberedShift_um() - thermal().shifted_um[1].value) < 0.01,
-                                 test::patience_ms(60'000));
-        double before_um[kAxisCount];
-        for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-            before_um[axis] = thermal().shifted_um[axis].value;
+        // One to read back, and written down: together, for the shift goes on, and may go through zero.
+        double before_um[kAxisCount]{};
+        const auto remembered = [&] {
+            for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+                before_um[axis] = thermal().shifted_um[axis].value;
+            return std::abs(before_um[1]) > 2.0 && std::abs(rememberedShift_um() - before_um[1]) < 0.01;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(remembered(), test::patience_ms(120'000));
         m_bench.stop();
         bringUp();
         double jump_um = 0.0;
@@ -158,7 +159,6 @@ class TestConsoleThermal : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(thermal().shifted_um[1].good(), test::patience_ms(20'000));
         QTRY_VERIFY_WITH_TIMEOUT(watch(), test::patience_ms(60'000));
         QVERIFY2(jump_um < 6.0, qPrintable(QString::number(jump_um)));
-        QVERIFY(std::abs(before_um[1]) > 1.0);
     }
 
     /// What the machine would still have after a restart, along Y.
