@@ -190,7 +190,7 @@ class TestMillingLaws : public QObject {
         const Worst paper = cutBy(LawKind::Pi);
         QVERIFY2(ours.mean_um <= 1.03 * paper.mean_um,
                  qPrintable(QString("%1 µm, paper %2").arg(ours.mean_um).arg(paper.mean_um)));
-        QVERIFY2(ours.peak_kgf <= 1.01 * paper.peak_kgf,
+        QVERIFY2(ours.peak_kgf <= (noise_kgf < 1.0 ? 1.01 : 1.0) * paper.peak_kgf,
                  qPrintable(QString("%1 kgf, paper %2").arg(ours.peak_kgf).arg(paper.peak_kgf)));
     }
     // What exponent and k_x leave wrong is an offset of the force that comes and goes with the depth, unless it is
