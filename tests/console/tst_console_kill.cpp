@@ -87,6 +87,7 @@ class TestConsoleKill : public QObject {
                                         QStringLiteral("--auto-operator"),  QStringLiteral("--print-acceptances")};
         options.prepare = [&bench](int) {
             bench = std::make_unique<test::ConsoleBench>();
+            bench->prepareQuickBores();
             return QStringList{QStringLiteral("--data"), bench->folder()};
         };
         options.rounds = asked > 0 ? asked : 10;

@@ -70,6 +70,7 @@ class TestConsoleLot : public QObject {
 
  private slots:
     void wholeLotThroughTheScreen() {
+        m_bench.prepareQuickBores();
         bringUp();
         signOn();
         for (std::uint32_t number = 1; number <= kParts; ++number) {

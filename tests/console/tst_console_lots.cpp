@@ -62,6 +62,7 @@ class TestConsoleLots : public QObject {
  private slots:
     void aFullLotSaysSoAndOffersTheNextOne() {
         test::ConsoleBench bench;
+        bench.prepareQuickBores();
         start(bench, options(3, true));
         QVERIFY(waitForFullLot(bench));
         bench.console().window()->showPage("boring");
@@ -90,6 +91,7 @@ class TestConsoleLots : public QObject {
     }
     void anEarlierLotGoesOnAndCanBeClosed() {
         test::ConsoleBench bench;
+        bench.prepareQuickBores();
         start(bench, options(2, true));
         QVERIFY(waitForFullLot(bench));
         signOn(bench, "Kim", ui::Role::Setter);
@@ -112,6 +114,7 @@ class TestConsoleLots : public QObject {
     }
     void aBoreThatWaitsIsKeptAndTheLawStays() {
         test::ConsoleBench bench;
+        bench.prepareQuickBores();
         start(bench, options(5, false));
         QTRY_VERIFY_WITH_TIMEOUT(bench.service().awaiting.has_value(), 60'000);
         const PartId part = *bench.service().awaiting;

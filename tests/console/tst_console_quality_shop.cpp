@@ -81,6 +81,7 @@ class TestConsoleQualityShop : public QObject {
         options.autoOperator = true;
         options.simulationSpeed = 0.0;
         options.changeAtPart = 0;
+        m_bench.prepareQuickBores();
         m_bench.start(options);
         QTRY_VERIFY2_WITH_TIMEOUT(m_bench.up(), qPrintable(m_bench.failure()), 20'000);
         QVERIFY(m_bench.console().window()->session().signOn(QStringLiteral("Kim"), ui::Role::Engineer));

@@ -29,6 +29,7 @@ class TestConsoleSoak : public QObject {
         options.simulationSpeed = 0.0;
         options.autoOperator = true;
         options.lotSize = static_cast<std::uint32_t>(parts);
+        bench.prepareQuickBores();
         bench.start(options);
         QTRY_VERIFY2_WITH_TIMEOUT(bench.up(), qPrintable(bench.failure()), 20'000);
         const auto done = [&bench](int number) {
