@@ -29,7 +29,7 @@ class TestConsoleLinuxCnc : public QObject {
         BoringRecipe recipe;
         recipe.overhangFrom_mm = 40.0;
         recipe.overhangTo_mm = 120.0;
-        recipe.spindleSpeed_rpm = 3000.0;
+        recipe.spindleSpeed_rpm = 6000.0;
         recipe.firstFeed_mmPerRev = 0.3;
         recipe.depths = {{"top", 40.0}, {"bottom", 120.0}};
         return recipe;

@@ -494,7 +494,7 @@ class TestLinuxCncMachine : public kerf::test::PortConformance {
     }
     [[nodiscard]] bool homed() const { return m_machine->commandsReady(); }
     void settle() {
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 100; ++i) {
             cycle(neutral());
         }
     }

@@ -126,11 +126,11 @@ class TestLinuxCncThermal : public QObject {
                  qPrintable(QStringLiteral("stage %1").arg(static_cast<int>(thermal().stage))));
         QCOMPARE(largestShift_um(), 0.0);
 
-        // The machine warms: twenty minutes of that day with every prediction.
+        // The machine warms: an hour of that day with every prediction.
         Eigen::Index row = m_day.baselineRows();
         const auto warm = [&] {
             const std::uint32_t before = thermal().updates;
-            row = std::min(row + 20, m_day.rows() - 1);
+            row = std::min(row + 60, m_day.rows() - 1);
             return setRow(row) && QTest::qWaitFor([&] { return thermal().updates > before; }, 20'000);
         };
         for (int k = 0; k < 10 && largestShift_um() < 3.0; ++k) {

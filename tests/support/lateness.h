@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "engine/machine/linuxcnc/shared_link.h"
+#include "tests/support/linuxcnc_control.h"
+#include "tests/support/passed_before.h"
 
 /// Tells lateness from wrongness in tests that run beside LinuxCNC in real time.
 namespace kerf::test {
@@ -42,6 +44,7 @@ class Lateness {
         return std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - then).count();
     }
     void watch() {
+        LinuxCncControl::goFirst();
         linuxcnc::SharedLink link;
         std::uint64_t beat = 0;
         Clock::time_point due = Clock::now();
@@ -69,15 +72,25 @@ class Lateness {
     std::thread m_thread;  // last: it uses the others
 };
 
-/// Runs `test`. When it fails and something was late by more than kTooLate_us, the computer was busy: said with the
-/// measured delay, and skipped. A failure in time fails.
+/// Runs `test`, unless it has passed with the very same programs and files before: skipped, and said. When it fails and
+/// something was late by more than kTooLate_us, the computer was busy: said with the measured delay, and skipped. A
+/// failure in time fails.
 inline int runInTime(const std::function<int()>& test) {
+    const PassedBefore before;
+    const bool whole = QCoreApplication::arguments().size() == 1 && LinuxCncControl::whyNot().isEmpty();
+    if (whole && before.passed()) {
+        std::puts("SKIPPED: passed before with the very same programs and files (KERF_AGAIN=1 runs it again)");
+        return kSkipped;
+    }
     Lateness lateness;
     const int result = test();
     const std::int64_t worst_us = lateness.worst_us();
     const bool late = result != 0 && worst_us > kTooLate_us;
     std::printf("%sthis computer was late by %.1f ms at most (allowed: %.0f ms)\n", late ? "SKIPPED: " : "",
                 static_cast<double>(worst_us) / 1000.0, static_cast<double>(kTooLate_us) / 1000.0);
+    if (result == 0 && whole) {
+        before.remember();
+    }
     return late ? kSkipped : result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -42,8 +43,8 @@ class LinuxCncControl {
     }
     /// Returns when the machine is ready; false, with log() saying why, when it does not get there.
     [[nodiscard]] bool start(const QStringList& options = {}) {
-        (void)shm_unlink(linuxcnc::kStopsName);   // a machine where nothing has happened yet
-        (void)setpriority(PRIO_PROCESS, 0, -10);  // where that is allowed: a console does not wait for other work
+        (void)shm_unlink(linuxcnc::kStopsName);  // a machine where nothing has happened yet
+        goFirst();
         const QString ready = m_folder.filePath(QStringLiteral("ready"));
         QFile::remove(ready);
         m_process.setProgram(QStringLiteral(KERF_SOURCE_DIR "/scripts/linuxcnc-sim"));
@@ -104,6 +105,15 @@ class LinuxCncControl {
     /// LinuxCNC's real-time part and its task killed as kill -9 does; stop() clears up after them.
     [[nodiscard]] static std::int64_t killControl() {
         return killAll({QStringLiteral("rtapi_app"), QStringLiteral("milltask"), QStringLiteral("linuxcncsvr")});
+    }
+
+    /// This thread and those it makes do not wait for other work of this computer, where that is allowed; the control
+    /// itself (scripts/linuxcnc-sim) goes before them.
+    static void goFirst() {
+        const sched_param param{.sched_priority = 5};
+        if (sched_setscheduler(0, SCHED_RR, &param) != 0) {
+            (void)setpriority(PRIO_PROCESS, 0, -10);
+        }
     }
 
  private:
