@@ -16,7 +16,7 @@ function(kerf_precompile target kind)
 endfunction()
 
 # How far each kind is optimised, given after the build type's own; a precompiled header is taken only with the same.
-set(KERF_QUICK_CODE -O1 CACHE STRING "Optimisation of what is compiled once and run a few times: tests and commands")
+set(KERF_QUICK_CODE -Og CACHE STRING "Optimisation of what is compiled once and run a few times: tests and commands")
 set(KERF_CONSOLE_CODE -O2 CACHE STRING "Optimisation of screens, services and data; the loops have the build type's own")
 function(kerf_optimise target kind)
   if(kind MATCHES "headless|test")
@@ -47,6 +47,8 @@ kerf_pch(engine HEADERS ${kerf_common_headers} <Eigen/Dense> LINK Eigen3::Eigen)
 kerf_pch(test HEADERS ${kerf_common_headers} <QtTest> <nlohmann/json.hpp> <fstream> LINK kerf_qt_test nlohmann_json::nlohmann_json)
 kerf_pch(gui_test HEADERS ${kerf_common_headers} <QtTest> <QtWidgets> <QtCharts> <nlohmann/json.hpp>
          LINK kerf_qt_test Qt6::Widgets Qt6::Charts nlohmann_json::nlohmann_json)
+kerf_pch(console_test HEADERS ${kerf_common_headers} <QtTest> <QtWidgets> <QtCharts> <nlohmann/json.hpp>
+         ${CMAKE_SOURCE_DIR}/tests/support/console_bench.h LINK kerf_qt_test kerf_ui_console nlohmann_json::nlohmann_json)
 
 # Several files of a target compiled as one: most of a file's time goes into what it includes. The loops stay apart: short
 # files with heavy mathematics.
@@ -105,7 +107,9 @@ function(kerf_add_test name)
   target_sources(${name} PRIVATE $<TARGET_OBJECTS:kerf_test_scratch>)
   target_link_libraries(${name} PRIVATE kerf_options kerf_test_support ${ARG_LINK})
   # A test that links the screens has the larger precompiled header: its definitions are others.
-  if("${ARG_LINK}" MATCHES "kerf_ui|Qt6::Widgets")
+  if("${ARG_LINK}" MATCHES "kerf_ui_console")
+    kerf_precompile(${name} console_test)
+  elseif("${ARG_LINK}" MATCHES "kerf_ui|Qt6::Widgets")
     kerf_precompile(${name} gui_test)
   else()
     kerf_precompile(${name} test)
