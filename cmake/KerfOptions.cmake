@@ -2,7 +2,7 @@
 option(KERF_WERROR "Treat warnings as errors" ON)
 option(KERF_BENCH "Build tests/bench (Google Benchmark)" ON)
 option(KERF_FUZZ "Build tests/fuzz (clang's libFuzzer)" OFF)
-set(KERF_UNITY 6 CACHE STRING "Files of app, db and ui compiled as one; 0 while working on them: only what changed is compiled again")
+set(KERF_UNITY 12 CACHE STRING "Files of app, db and ui compiled as one; 0 while working on them: only what changed is compiled again")
 set(KERF_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 'thread'")
 
 find_program(KERF_CCACHE ccache)

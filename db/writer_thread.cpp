@@ -21,7 +21,7 @@ namespace kerf::db {
 namespace {
 constexpr std::size_t kPartsPerTransaction = 32;
 constexpr qint64 kRoomWanted_bytes = 1'000'000;
-constexpr int kFull = 13;  // SQLite's own number
+constexpr int kDiskFull = 13;  // SQLite's own number
 constexpr std::uint32_t kNoPageLimit = 0xFFFFFFFE;
 /// Each table and index of an acceptance may need a page more; one free page of the file is no room for it.
 constexpr const char* kAsMuchAsAnEntry = "INSERT INTO room_probe VALUES (zeroblob(50000))";
@@ -234,7 +234,7 @@ class WriterThread::Worker {
     bool probe() {
         const QStorageInfo disk(QFileInfo(QString::fromStdString(m_owner.m_path)).absolutePath());
         if (disk.isValid() && disk.bytesAvailable() < kRoomWanted_bytes) {
-            failed(sentenceForCode(kFull));
+            failed(sentenceForCode(kDiskFull));
             return false;
         }
         const Result<void> wrote = written([&] {

@@ -6,7 +6,7 @@
 namespace kerf::console {
 namespace {
 
-std::string keyOf(ProcessId process) {
+std::string modeKeyOf(ProcessId process) {
     return std::string("loop.mode.") + processKey(process);
 }
 
@@ -31,7 +31,7 @@ LoopMode modeOf(const std::string& name) {
 LoopModes::LoopModes(EngineApi& engine, SettingsReader& settings, Save save)
     : m_engine(engine), m_save(std::move(save)) {
     for (const ProcessId process : allProcesses()) {
-        const auto stored = settings.setting(keyOf(process));
+        const auto stored = settings.setting(modeKeyOf(process));
         LoopMode& kept = m_kept[static_cast<std::size_t>(process)];
         kept = m_engine.capabilities().simulated ? LoopMode::Control : LoopMode::Advise;
         if (stored && *stored) {
@@ -63,7 +63,7 @@ void LoopModes::poll() {
             m_inForce[index] = loop.mode == m_kept[index];
         } else if (loop.mode != m_kept[index]) {
             m_kept[index] = loop.mode;
-            m_save(keyOf(process), nameOf(loop.mode));
+            m_save(modeKeyOf(process), nameOf(loop.mode));
         }
     }
 }

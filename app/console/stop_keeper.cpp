@@ -8,7 +8,7 @@
 namespace kerf::console {
 namespace {
 
-std::string keyOf(ProcessId process) {
+std::string stopKeyOf(ProcessId process) {
     return std::string("stop.") + processKey(process);
 }
 
@@ -45,7 +45,7 @@ StopSlot slotOf(const std::string& text) {
 StopKeeper::StopKeeper(EngineApi& engine, SettingsReader& settings, Save save)
     : m_engine(engine), m_save(std::move(save)) {
     for (const ProcessId process : allProcesses()) {
-        if (const auto stored = settings.setting(keyOf(process)); stored && *stored) {
+        if (const auto stored = settings.setting(stopKeyOf(process)); stored && *stored) {
             m_kept[static_cast<std::size_t>(process)] = slotOf(**stored);
         }
     }
@@ -65,7 +65,7 @@ void StopKeeper::poll() {
         if (now != m_kept[index]) {
             const bool stopped = now.number != m_kept[index].number;
             m_kept[index] = now;
-            m_save(keyOf(process), textOf(now), stopped ? status.stops[index].reason.english() : "released");
+            m_save(stopKeyOf(process), textOf(now), stopped ? status.stops[index].reason.english() : "released");
         }
     }
 }

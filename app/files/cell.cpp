@@ -56,10 +56,6 @@ constexpr std::array<std::string_view, 16> kOverRangeLetters{
     "opencircuit", "opencct", "burnout",   "break",      "sbr",   "sensorbreak", "wirebreak", "sensoropen"};
 constexpr std::size_t kLongestMark = 24;
 
-bool digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
-
 /// Dashes, dots, stars or question marks alone: how displays and reports show "nothing".
 bool isRule(std::string_view text) noexcept {
     return text.find_first_not_of("-_.*?# ") == std::string_view::npos || text == "\xE2\x80\x93" ||
@@ -75,7 +71,7 @@ bool grouped(std::string_view digits, char mark) noexcept {
     for (std::size_t at = first; at < digits.size(); at += 4) {
         if (digits[at] != mark || digits.size() - at < 4 ||
             !std::all_of(digits.begin() + static_cast<std::ptrdiff_t>(at) + 1,
-                         digits.begin() + static_cast<std::ptrdiff_t>(at) + 4, digit)) {
+                         digits.begin() + static_cast<std::ptrdiff_t>(at) + 4, isDigit)) {
             return false;
         }
     }
@@ -100,7 +96,7 @@ Number readNumber(std::string_view text, char decimal) noexcept {
         buffer[length++] = '-';
         text.remove_prefix(1);
     }
-    if (text.empty() || text.size() > kLongestNumber - 2 || (!digit(text[0]) && text[0] != '.' && text[0] != ',')) {
+    if (text.empty() || text.size() > kLongestNumber - 2 || (!isDigit(text[0]) && text[0] != '.' && text[0] != ',')) {
         return {};
     }
     const auto exponentAt = text.find_first_of("eEdD");

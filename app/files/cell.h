@@ -32,6 +32,11 @@ struct Cell {
     Marks marks{Marks::None};
 };
 
+/// 0 to 9, whatever the locale.
+[[nodiscard]] constexpr bool isDigit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+
 /// `decimal`: '.' or ',' when it is known; the other one is then thousands. 0: as written.
 [[nodiscard]] Cell readCell(std::string_view text, char decimal = 0) noexcept;
 

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/cell.h"
+
 /// A value line of a Q-DAS file taken apart: one part, characteristics and their fields.
 namespace kerf::dfq {
 
@@ -16,11 +18,9 @@ inline constexpr char kBetweenFields = '\x14';
 inline constexpr std::array<int, 10> kVariableOrder{1, 2, 4, 5, 6, 7, 8, 10, 11, 12};
 inline constexpr std::array<int, 12> kAttributeOrder{20, 21, -3, 2, 4, 5, 6, 7, 8, 10, 11, 12};
 
+using files::isDigit;
 using LineFields = std::vector<std::vector<std::string_view>>;  ///< by characteristic
 
-[[nodiscard]] constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char at);
 /// A characteristic without a single field that says something.

@@ -9,10 +9,6 @@
 namespace kerf::files {
 namespace {
 
-bool digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
-
 /// Numbers, dates and clock times begin with a digit, behind a sign or a mark.
 bool looksLikeData(std::string_view field) noexcept {
     if (field.empty() || field == "error") {  // a logger's mark for no value, and a column of the charts
@@ -21,7 +17,7 @@ bool looksLikeData(std::string_view field) noexcept {
     if (readCell(field).kind != CellKind::Text) {
         return true;
     }
-    return digit(field[0]);
+    return isDigit(field[0]);
 }
 
 }  // namespace

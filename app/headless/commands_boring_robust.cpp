@@ -45,7 +45,7 @@ Outcome boredBy(boring::EstimatorKind kind, const boring::HardMachine& machine, 
     return outcome;
 }
 
-void robust(const BoringRobustOptions& options) {
+void boringRobust(const BoringRobustOptions& options) {
     CsvOutput csv(
         "machine_seed,scrap_default,scrap_simple,rms_default_um,rms_simple_um,ratio,worse,unstable_default,"
         "unstable_simple,sigma_factor_true,sigma_factor_found");
@@ -105,7 +105,7 @@ void addBoringRobust(CLI::App& boring) {
     command->add_option("--sigma-mm", options->sigma_mm, "assumed standard deviation of a measured deflection, mm")
         ->check(CLI::Range(1e-6, 10.0))
         ->capture_default_str();
-    command->callback([options] { robust(*options); });
+    command->callback([options] { boringRobust(*options); });
 }
 
 }  // namespace kerf::headless

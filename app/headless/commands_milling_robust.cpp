@@ -32,7 +32,7 @@ CutOutcome milledBy(milling::LawKind law, const milling::HardMachine& machine, s
             milling::unstable(result, cut.controller.reference_N)};
 }
 
-void robust(const RobustOptions& options) {
+void millingRobust(const RobustOptions& options) {
     CsvOutput csv(
         "machine_seed,waviness_default_um,waviness_simple_um,force_max_default_n,force_max_simple_n,ratio,ratio_force,"
         "worse,unstable_default,unstable_simple,noise_n,late,axis_lag_s,kx_n_per_mm,m,theta_deg");
@@ -96,7 +96,7 @@ void addMillingRobust(CLI::App& milling) {
         "half),\n"
         "  and what was drawn. Without it, JSON: share_worse, worst_ratio, share_unstable and means.");
     options->addTo(*command);
-    command->callback([options] { robust(*options); });
+    command->callback([options] { millingRobust(*options); });
 }
 
 }  // namespace kerf::headless

@@ -38,7 +38,7 @@ TapOutcome tuned(const DriveParams& drive, double allowedPp_um, std::uint64_t se
     return out;
 }
 
-void robust(const RobustOptions& options) {
+void tappingRobust(const RobustOptions& options) {
     CsvOutput csv(
         "machine_seed,pp_default_um,pp_simple_um,saec_default_mm,saec_simple_mm,ratio,worse,unstable_default,"
         "unstable_simple,within_default,within_simple,limited_by,proposed_acc_rev_s2,pp_proposed_um,within_proposed,"
@@ -111,7 +111,7 @@ void addTappingRobust(CLI::App& tapping) {
         "again with\n"
         "  it, taps. Without it, JSON: share_worse, worst_ratio, share_unstable and more.");
     options->addTo(*command);
-    command->callback([options] { robust(*options); });
+    command->callback([options] { tappingRobust(*options); });
 }
 
 }  // namespace kerf::headless

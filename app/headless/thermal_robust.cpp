@@ -85,7 +85,7 @@ ThermalModel need(Trained model) {
     return std::move(*model);
 }
 
-void robust(const RobustOptions& options) {
+void thermalRobust(const RobustOptions& options) {
     CsvOutput csv(
         "machine_seed,season,rms_uncompensated_um,rms_simple_um,rms_default_um,rms_measured_um,inside,ratio,worse,"
         "unstable_default,unstable_simple");
@@ -148,7 +148,7 @@ void addThermalRobust(CLI::App& thermal) {
         "  ratio (default over regression, .5 um added to both), worse, unstable (above three times uncompensated).\n"
         "  Without it, JSON: share_worse, worst_ratio, share_unstable and more.");
     options->addTo(*command);
-    command->callback([options] { robust(*options); });
+    command->callback([options] { thermalRobust(*options); });
 }
 
 }  // namespace kerf::headless

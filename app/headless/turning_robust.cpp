@@ -70,7 +70,7 @@ std::string kindsOf(const HardLathe& lathe) {
     return text;
 }
 
-void robust(const TurningRobustOptions& options) {
+void turningRobust(const TurningRobustOptions& options) {
     CsvOutput csv(
         "machine_seed,plant,disturbance,rms_open_um,rms_paper_um,rms_pi_um,rms_default_um,ratio,worse,"
         "unstable_default,unstable_simple");
@@ -132,7 +132,7 @@ void addTurningRobust(CLI::App& turning) {
         "  Without it, JSON: share_worse, worst_ratio, share_unstable and more.");
     options->shared.addTo(*command);
     command->add_option("--plant", options->plant, "b1 or b2 alone")->check(CLI::IsMember({"b1", "b2"}));
-    command->callback([options] { robust(*options); });
+    command->callback([options] { turningRobust(*options); });
 }
 
 }  // namespace kerf::headless

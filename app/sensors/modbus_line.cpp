@@ -13,8 +13,6 @@
 namespace kerf::sensors {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
-
 QModbusDataUnit::RegisterType kindOf(int function) {
     switch (function) {
         case 1:

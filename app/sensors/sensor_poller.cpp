@@ -10,7 +10,6 @@
 namespace kerf::sensors {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr std::int64_t kShortestPatience_ns = 500 * kMillisecond_ns;
 
 }  // namespace

@@ -24,10 +24,10 @@ constexpr double kSlavedAbortOverAllowed = 25.0;  ///< untuned, a Z that follows
 constexpr const char* kMachinesOwn = R"({"machines_own":true)";
 
 std::string machinesOwn(const TapChoice& choice) {
-    nlohmann::ordered_json json;
-    json["machines_own"] = true;
-    json["thread"] = choice.thread;
-    return json.dump();
+    nlohmann::ordered_json own;
+    own["machines_own"] = true;
+    own["thread"] = choice.thread;
+    return own.dump();
 }
 
 /// Oldest first; one that cannot be read is left out and named in the log.

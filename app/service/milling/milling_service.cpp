@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = 1U << 20U;
 constexpr const char* kAtTheMachine = "changed while cutting";
-constexpr const char* kBrought = "blank profile of before";
+constexpr const char* kBroughtBlank = "blank profile of before";
 
 /// Preview looks ahead on a blank; without one it is the model's law.
 MillingLaw lawWith(const MillingBlank& blank, MillingLaw law) {
@@ -86,7 +86,7 @@ void StoredMillingService::bringBlanks(const std::vector<RoomRecordRow>& rows, c
         type.recipe.blank = blank;
         m_way.keep(
             [&](StoreWriter::Done stored) {
-                m_recipes.keep(row.subject, millingRecipeJson(type.recipe), kItself, kBrought, std::nullopt,
+                m_recipes.keep(row.subject, millingRecipeJson(type.recipe), kItself, kBroughtBlank, std::nullopt,
                                std::move(stored));
             },
             [this, name = row.subject](const Receipt& revision) {

@@ -36,7 +36,7 @@ std::int64_t numberOf(const std::string& text) {
     return value;
 }
 
-double figureOf(const PartRow& part, std::string_view key) {
+double figureOrZero(const PartRow& part, std::string_view key) {
     const auto found = std::ranges::find(part.figures, key, &PartFigure::key);
     return found == part.figures.end() ? 0.0 : found->value;
 }
@@ -125,8 +125,8 @@ Result<void> readParts(ShiftView& view, const ShiftSources& from, std::vector<Sh
         const auto lasted_ms = static_cast<std::int64_t>(
             static_cast<double>(part.machineEnd_ns - part.machineBegin_ns) / kNanosecondsPerMillisecond);
         cuts.push_back({part.endedUtc_ms - lasted_ms, part.endedUtc_ms});
-        if (part.process == ProcessId::Milling && part.complete && figureOf(part, "planned_time_s") > 0.0) {
-            view.saving.saved_s += figureOf(part, "planned_time_s") - figureOf(part, "cut_time_s");
+        if (part.process == ProcessId::Milling && part.complete && figureOrZero(part, "planned_time_s") > 0.0) {
+            view.saving.saved_s += figureOrZero(part, "planned_time_s") - figureOrZero(part, "cut_time_s");
             ++view.saving.cuts;
         } else if (part.process == ProcessId::Boring && part.complete) {
             countBores(view, from, part, judge.characteristics(part));

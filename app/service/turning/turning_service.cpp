@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kPartsShown = 25;
 constexpr const char* kAuthor = "Kerf";
 constexpr const char* kController = "controller";
-constexpr const char* kBrought = "law of before";
+constexpr const char* kBroughtLaw = "law of before";
 constexpr const char* kPart = "part";
 constexpr const char* kMemory = "memory";  // subject: the part
 constexpr double kHighestShown_Hz = 420.0;
@@ -136,7 +136,7 @@ void StoredTurningService::bringLaw() {
     m_view.controller = *law;
     m_way.keep(
         [this](StoreWriter::Done stored) {
-            m_recipes.keep(kPartType, recipeJson(), kAuthor, kBrought, std::nullopt, std::move(stored));
+            m_recipes.keep(kPartType, recipeJson(), kAuthor, kBroughtLaw, std::nullopt, std::move(stored));
         },
         [this](const Receipt& revision) { m_lots.use(revision.id); }, {});
 }

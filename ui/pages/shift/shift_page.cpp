@@ -17,7 +17,7 @@
 namespace kerf::ui {
 namespace {
 
-constexpr int kPeriod_ms = 30'000;
+constexpr int kLookAgain_ms = 30'000;
 constexpr std::int64_t kMinute_ms = 60'000;
 
 QString minuteOf(std::int64_t utc_ms) {
@@ -57,7 +57,7 @@ ShiftPage::ShiftPage(const PageContext& context, QWidget* parent)
                 read();
             }
         });
-        m_timer.start(kPeriod_ms);
+        m_timer.start(kLookAgain_ms);
     }
     refresh();
 }
