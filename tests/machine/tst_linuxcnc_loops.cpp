@@ -119,7 +119,7 @@ class TestLinuxCncLoops : public QObject {
         QVERIFY(m_engine->capabilities().forceSensor.fitted);
         MillingSetup setup;
         setup.revision = 1;
-        setup.to_mm = 32.0;  // two of the five stairs: 1 and 2 mm
+        setup.to_mm = 26.0;  // two of the five stairs: 1 and 2 mm
         QVERIFY(send(LoadMillingSetup{setup}));
         QVERIFY(send(SetLoopMode{ProcessId::Milling, LoopMode::Control}));
         QVERIFY(send(StartPart{ProcessId::Milling}));
@@ -128,7 +128,7 @@ class TestLinuxCncLoops : public QObject {
         const auto done = [&] {
             const Status& status = m_engine->status();
             const MillingStatus& milling = status.milling;
-            const bool inWork = milling.cutting && milling.position_mm > 5.0 && milling.position_mm < 30.0;
+            const bool inWork = milling.cutting && milling.position_mm > 5.0 && milling.position_mm < 24.0;
             if (inWork) {
                 held.take(milling.force_N, status.actualFeed_mmPerS.value);
             }
