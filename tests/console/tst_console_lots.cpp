@@ -77,7 +77,8 @@ class TestConsoleLots : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(bench.service().lot, std::string("2"), 30'000);
         QTRY_VERIFY(bench.text("path").contains(QStringLiteral("lot 2")));
         QVERIFY(bench.find<QWidget>("lotForm") == nullptr);
-        QTest::qWait(200);
+        const std::uint64_t cycle = bench.status().cycle;
+        QTRY_VERIFY_WITH_TIMEOUT(bench.status().cycle > cycle + 5'000, 20'000);
         QVERIFY(bench.service().parts.empty());  // opening a lot is opening it
         bench.console().window()->showPage("overview");
         QVERIFY(bench.press("startPart"));
