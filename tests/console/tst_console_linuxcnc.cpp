@@ -5,8 +5,6 @@
 
 #include "app/service/boring/boring_recipe.h"
 #include "app/service/tapping/tapping_tuning_json.h"
-#include "db/migrator.h"
-#include "db/writer_thread.h"
 #include "engine/core/random.h"
 #include "engine/process/boring/model.h"
 #include "tests/support/console_bench.h"
@@ -47,14 +45,6 @@ class TestConsoleLinuxCnc : public QObject {
                                      0.5 * recipe.sigma_mm * m_gauge.gauss();
         return boring::diameterFromDeflection_mm(deflection_mm, recipe.targetDiameter_mm, recipe.targetDeflection_mm,
                                                  recipe.phi_deg);
-    }
-    void prepareRecipe() {
-        const std::string path = (m_bench.folder() + QStringLiteral("/kerf.db")).toStdString();
-        QVERIFY(db::prepareDatabase(path).has_value());
-        db::WriterThread writer(path, nullptr);
-        QVERIFY(writer.start().has_value());
-        writer.submit(EnsurePartType{ProcessId::Boring, "Cylinder 50", recipeJson(shortBore()), "test"}, {});
-        QCOMPARE(writer.stop(), std::size_t{0});
     }
     [[nodiscard]] const BorePartView* awaited() {
         const BoringServiceView& view = m_bench.service();
@@ -139,7 +129,7 @@ class TestConsoleLinuxCnc : public QObject {
         }
     }
     void startsWithoutLinuxCncAndFindsItByItself() {
-        prepareRecipe();
+        m_bench.prepareBores(shortBore());
         console::Options options;
         options.machine = "linuxcnc";
         m_bench.start(options);

@@ -140,8 +140,8 @@ class TestLinuxCncForce : public QObject {
         qInfo("link lost %d times", held);
         QVERIFY(force.within(0.5) < 0.05);
         QVERIFY(force.within(0.9) < 0.15);
-        QVERIFY(force.feedRange() > 2.0);
-        QVERIFY(blind && cleared);  // … and it went on by itself
+        QVERIFY(force.feedRange() > 1.8);  // twice the depth, half the feed
+        QVERIFY(blind && cleared);         // … and it went on by itself
         QVERIFY(blindFeed_mmPerS <= setup.plannedFeed_mmPerS + 1e-9);
     }
 

@@ -67,19 +67,21 @@ class ConsoleBench {
         m_pacer.stop();
         m_console.reset();
     }
-    /// Before the first start on a data folder: the console's own bore at four times the spindle speed. The same feeds
-    /// and diameters in a quarter of the time.
-    static void prepareQuickBores(const QString& folder) {
-        BoringRecipe recipe;
-        recipe.spindleSpeed_rpm *= 4.0;
-        const std::string path = (folder + QStringLiteral("/kerf.db")).toStdString();
+    /// Before the first start: what the console bores, instead of its own recipe.
+    void prepareBores(const BoringRecipe& recipe) {
+        const std::string path = (folder() + QStringLiteral("/kerf.db")).toStdString();
         QVERIFY(db::prepareDatabase(path).has_value());
         db::WriterThread writer(path, nullptr);
         QVERIFY(writer.start().has_value());
         writer.submit(EnsurePartType{ProcessId::Boring, "Cylinder 50", recipeJson(recipe), "test"}, {});
         QCOMPARE(writer.stop(), std::size_t{0});
     }
-    void prepareQuickBores() { prepareQuickBores(folder()); }
+    /// The console's own bore at four times the spindle speed: the same feeds and diameters in a quarter of the time.
+    void prepareQuickBores() {
+        BoringRecipe recipe;
+        recipe.spindleSpeed_rpm *= 4.0;
+        prepareBores(recipe);
+    }
     /// The machine stands still, and with it everything that comes from it, until it goes on.
     void pause() { m_pacer.stop(); }
     void goOn() { m_pacer.start(kTurn_ms); }
